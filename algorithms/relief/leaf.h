@@ -3,7 +3,7 @@
 //
 // Over the interval [in, out], the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
 // quadratic (bilinear patch) or a constant minus a linear function (column):
-//         f(w) = f_in + (f_out - f_in - c) w + c w^2,   c = du dv (h11 - h10 - h01 + h00)
+//     f(w) = f_in + (f_out - f_in - c) w + c w^2,   c = du dv (h11 - h10 - h01 + h00)
 // - If f >= 0 at the entry, the entry is the hit (walls, borders between patches, rounding).
 // - Otherwise the hit is the root at which f reaches 0 from below, in the form without cancellation.
 // Watertight: f at the exit is compared by >= here, and f at the same point by >= in the next cell.

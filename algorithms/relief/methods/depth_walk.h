@@ -1,10 +1,11 @@
-// The walk down and up the pyramid of depths, one ray: the reference of simd/pyramid_lanes-inl.h, in the same precision
-// and with the same margins (margins.md), so that both visit the same nodes, but where fused sums round to another
-// decision (DepthNodes). Nodes and cells are only excluded in float; the one leaf decides where a ray meets a cell.
+// The walk down and up the pyramid of depths for one ray: the reference of simd/pyramid_lanes-inl.h. Both use the same
+// precision and the same margins (margins.md), so that they visit the same nodes, except where fused multiply-adds
+// round to another decision (DepthNodes). Float only excludes nodes and cells; the leaf decides where a ray hits the
+// surface in a cell.
 //
-// Frame: float_scene.h. Node k of level l: cells k << l and on, mirrored where the ray runs towards lower indices; the
-// line before cell c is crossed at lambda = (c + offset) * inverse + base, at or after the true crossing, and by no
-// more than `tie` on both axes together.
+// Frame: float_scene.h. Node k of level l begins with cell k << l; cells are mirrored where the ray runs towards lower
+// indices. The line before cell c is crossed at lambda = (c + offset) * inverse + base, which is at or after the true
+// crossing, later by no more than `tie` for both axes together.
 #pragma once
 
 #include <bit>
@@ -26,16 +27,16 @@ inline int startLevel(float run, int top) {
 // One axis of a ray.
 struct DepthAxis {
     bool back = false;
-    int mirror = 0;  // node k is k ^ (mirror >> level) of the map
+    int mirror = 0;  // node k of the walk is node k ^ (mirror >> level) of the map
     int k = 0;
     int offset = 0;
-    int first = 0;  // cell of its start, mirrored, before any addressing
+    int first = 0;  // cell of the ray's start, mirrored, before addressing is applied
     int low = 0;    // the map's first cell, mirrored
-    int high = 0;   // behind its last
+    int high = 0;   // one past the map's last cell, mirrored
     float run = 0, inverse = 0, base = 0;
-    float rim = 0;  // border: lambda at which it leaves the map
+    float rim = 0;  // border: lambda at which the ray leaves the map
 
-    // On that level, at lambda `begin`.
+    // The axis on level 0, at lambda `begin`.
     DepthAxis(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, const FloatPlace& place, double begin)
         : back(place.back),
           mirror(place.back ? scene.mirror - 1 : 0),
@@ -57,12 +58,12 @@ struct DepthAxis {
     }
 
     float lambdaAt(int line) const { return static_cast<float>(line + offset) * inverse + base; }
-    // The node of the map, and its period.
+    // The node of the map, and the period that contains it.
     AxisCell node(int level) const { return {k ^ (mirror >> level), back ? -(offset + first) : offset + first}; }
 
     struct Crossing {
         float lambda;
-        bool last;  // out of the map or its period
+        bool last;  // the line is the edge of the map or of its period
     };
     Crossing crossing(Address address, int level) const {
         const int edge = std::min((k + 1) << level, high);
@@ -73,11 +74,11 @@ struct DepthAxis {
     }
     void toChild(int below, float surely) {
         const int middle = (2 * k + 1) << below;
-        // The line through the start, and those before it, are behind, however slowly the ray moves.
+        // The line through the start and those before it are behind the ray, however slowly it moves.
         const bool far = middle + offset <= 0 || surely >= lambdaAt(middle);
         k = 2 * k + ((far || middle <= low) && middle < high ? 1 : 0);
     }
-    // One node on.
+    // Moves to the next node.
     void advance(Address address, const Crossing& crossing, int level) {
         if (!crossing.last || address != Address::Repeat) {
             ++k;
@@ -90,17 +91,17 @@ struct DepthAxis {
 
 class DepthWalk {
   public:
-    // depths: of the walk's map, kept by the caller.
+    // depths: those of the walk's map; not owned, must outlive the walk.
     DepthWalk(const PyramidWalk& walk, const DepthPyramid& depths)
         : depths_(depths), scene_(walk.field(), depths.highest, 1 << depths.top) {}
 
-    // Unfit: float cannot follow the ray. Left: float cannot choose the next node, the leaf found no hit in a candidate
-    // cell, or the walk reached lambda 1; the walk in double takes over.
+    // Unfit: float cannot follow the ray. Fallback: float cannot choose the next node, the leaf found no hit in a
+    // candidate cell, or the walk reached lambda 1; the walk in double takes over.
     enum class End : std::uint8_t { Hit, Miss, Unfit, Left };
     struct Answer {
         End end = End::Unfit;
-        double lambda = 0;  // of the hit, or where the log goes on
-        double from = 0;    // Left: nothing is met before it
+        double lambda = 0;  // of the hit, or from which the log continues
+        double from = 0;    // Fallback: the ray does not meet the surface before this lambda
     };
     template <class Sink>
     Answer trace(const PyramidWalk& walk, const GridRay& exact, Sink& sink) const;
@@ -137,9 +138,9 @@ class DepthWalk {
     FloatScene scene_;
 };
 
-// Whether the surface is surely below the ray in its cell.
+// Returns true if the surface in the ray's cell is certainly below the ray.
 inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out) const {
-    if (scene_.surface == Surface::Columns) return false;  // the cell's depth is its own
+    if (scene_.surface == Surface::Columns) return false;  // the height of the column is that of its node, which was tested
     const auto cellAxis = [](const DepthAxis& axis) {
         return FloatCellAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
     };
@@ -152,7 +153,7 @@ inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out)
     return patchBelow(corners, cellAxis(ray.x), cellAxis(ray.y), in, out, ray.tie);
 }
 
-// Whether the ray is surely above the neighbouring node along one axis until it has passed the corner.
+// Returns true if the ray is certainly above the neighbouring node along one axis until it has passed the corner.
 inline bool DepthWalk::neighbourClear(const Ray& ray, bool alongX, const Crossings& cross) const {
     const DepthAxis::Crossing& line = alongX ? cross.x : cross.y;
     if (line.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
@@ -166,7 +167,8 @@ inline std::optional<DepthWalk::End> DepthWalk::moveOn(Ray& ray, const Crossings
     const float x = cross.x.lambda, y = cross.y.lambda;
     float out = cross.out();
     if (out >= 1) return End::Left;
-    // Too near a corner to tell which neighbour comes first: both must be skipped, then it does not matter.
+    // The ray passes too close to a corner to decide which neighbour comes first. If both can be skipped, the order
+    // does not matter.
     const bool near = std::abs(x - y) < ray.tie;
     if (near && !cornerClear(ray, cross)) return End::Left;
     if (near) out = std::max(x, y);
@@ -196,7 +198,7 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
             (placeX.margin + placeY.margin) + (placeX.margin + placeY.margin)};
     ray.x.k >>= level, ray.y.k >>= level;
     double lambda = scene_.start;
-    // The highest point is the top's; the walk itself begins lower.
+    // The highest point is that of the top node, though the walk begins on a lower level.
     const auto above = [&](Decision decision, double after) {
         return walk.record(decision, depths_.top, walk.topNode(exact, 0), 0, after, depths_.highest, after);
     };
@@ -214,7 +216,7 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
         const Crossings cross{ray.x.crossing(scene_.address, at), ray.y.crossing(scene_.address, at)};
         const float depth = depthAt(node, at);
         const double value = 1 - static_cast<double>(depth);
-        // What is logged: the way out itself, which float puts a little later.
+        // The log stores the exact exit of the node; float places it slightly later.
         double out = lambda;
         if constexpr (!std::is_same_v<Sink, NullSink>) {
             out = std::clamp(walk.exit(exact, at, node).first(), lambda, 1.0);
