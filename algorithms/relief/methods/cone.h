@@ -99,7 +99,7 @@ class ConeTracer {
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return walk_ ? walk_->traceSegment(ray, segment, sink) : run<false>(ray, segment, sink);
     }
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         std::vector<std::size_t> flat;
         traceByCones(field_, walk_->scene(), *packed_, rays, first, last, hits, flat);
         NullSink sink;

@@ -105,11 +105,11 @@ struct ConeRay {
 
 // The part of a ray near a corner of cells where float cannot decide which cell comes next. The ray does not meet the
 // surface before `from`; float can decide again after `until` (infinite if that is beyond the ray's end).
-struct UnclearPart {
+struct AmbiguousPart {
     double from, until;
 
     // The part around the exit of the given cell.
-    UnclearPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+    AmbiguousPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
         // In cells: upper bound of how much later than the ray a float walk enters a cell. After the corner, float can
         // decide again beyond the same distance.
         constexpr double kLate = 0x1p-16;
@@ -170,7 +170,7 @@ class ConeWalk {
   private:
     // Ambiguous: float cannot choose the next cell. Fallback: the ray has returned to float too often and continues in
     // double to its end.
-    enum class End : std::uint8_t { Hit, Miss, Unclear, Left };
+    enum class End : std::uint8_t { Hit, Miss, Ambiguous, Fallback };
 
     float depthAt(std::uint32_t depth) const { return static_cast<float>(depth) * unit_ + top_; }
     std::uint32_t entry(std::size_t quadrant, int cx, int cy) const {
@@ -224,9 +224,9 @@ inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t qua
     if (ray.rim < 1) {
         // The ray is certainly beyond the rim; or float cannot decide whether rim or line comes first.
         if (std::max(cross.first(), jump) > ray.rim + ray.tie) return End::Miss;
-        if (cross.first() + ray.tie >= ray.rim) return End::Unclear;
+        if (cross.first() + ray.tie >= ray.rim) return End::Ambiguous;
     } else if (out >= 1) {
-        return End::Unclear;
+        return End::Ambiguous;
     }
     // The ray passes too close to a corner to decide which neighbour comes first, and the jump does not pass the
     // corner. Both neighbours are skipped if they can be, and if the ray passes the corner before it leaves the cell
@@ -236,7 +236,7 @@ inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t qua
         return ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) && neighbourClear(ray, quadrant, true, out) &&
                neighbourClear(ray, quadrant, false, out);
     };
-    if (corner && !clear()) return End::Unclear;
+    if (corner && !clear()) return End::Ambiguous;
     const int nextX = ray.x.beyond(corner || cross.x <= cross.y, jump);
     const int nextY = ray.y.beyond(corner || cross.y <= cross.x, jump);
     const auto take = [&](ConeAxis& axis, const GridAxis& of, int next) {
@@ -296,7 +296,7 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
             }
             sink.step([&] { return note(Decision::Test); });
             // In SIMD, a ray whose candidate hit the leaf rejects resumes the walk.
-            if (!excluded && ++returns > kMostReturns) return End::Left;
+            if (!excluded && ++returns > kMostReturns) return End::Fallback;
         }
         lambda = after;
         if (const auto end = move(ray, quadrant, cross, jump)) return *end;
@@ -341,9 +341,9 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
             const End end = walk(viewRay, exact, ray, lambda, returns, hit, sink);
             if (end == End::Hit) return hit;
             if (end == End::Miss) return miss(lambda);
-            const UnclearPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
+            const AmbiguousPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
             from = part.from;
-            until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
+            until = end == End::Fallback || ++returns > kMostReturns ? kEnd : part.until;
         }
         PackedWalk part(ground, {viewRay}, 0, from, until);
         StepsWithin<DoubleSink> rest{inDouble, lambda, 1};

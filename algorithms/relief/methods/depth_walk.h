@@ -72,10 +72,10 @@ struct DepthAxis {
         if (last && address == Address::Clamp) return {kNever, last};
         return {last && address == Address::Border ? rim : lambdaAt(edge), last};
     }
-    void toChild(int below, float surely) {
+    void toChild(int below, float certain) {
         const int middle = (2 * k + 1) << below;
         // The line through the start and those before it are behind the ray, however slowly it moves.
-        const bool far = middle + offset <= 0 || surely >= lambdaAt(middle);
+        const bool far = middle + offset <= 0 || certain >= lambdaAt(middle);
         k = 2 * k + ((far || middle <= low) && middle < high ? 1 : 0);
     }
     // Moves to the next node.
@@ -97,7 +97,7 @@ class DepthWalk {
 
     // Unfit: float cannot follow the ray. Fallback: float cannot choose the next node, the leaf found no hit in a
     // candidate cell, or the walk reached lambda 1; the walk in double takes over.
-    enum class End : std::uint8_t { Hit, Miss, Unfit, Left };
+    enum class End : std::uint8_t { Hit, Miss, Unfit, Fallback };
     struct Answer {
         End end = End::Unfit;
         double lambda = 0;  // of the hit, or from which the log continues
@@ -140,7 +140,8 @@ class DepthWalk {
 
 // Returns true if the surface in the ray's cell is certainly below the ray.
 inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out) const {
-    if (scene_.surface == Surface::Columns) return false;  // the height of the column is that of its node, which was tested
+    if (scene_.surface == Surface::Columns)
+        return false;  // the height of the column is that of its node, which was tested
     const auto cellAxis = [](const DepthAxis& axis) {
         return FloatCellAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
     };
@@ -166,11 +167,11 @@ inline bool DepthWalk::neighbourClear(const Ray& ray, bool alongX, const Crossin
 inline std::optional<DepthWalk::End> DepthWalk::moveOn(Ray& ray, const Crossings& cross) const {
     const float x = cross.x.lambda, y = cross.y.lambda;
     float out = cross.out();
-    if (out >= 1) return End::Left;
+    if (out >= 1) return End::Fallback;
     // The ray passes too close to a corner to decide which neighbour comes first. If both can be skipped, the order
     // does not matter.
     const bool near = std::abs(x - y) < ray.tie;
-    if (near && !cornerClear(ray, cross)) return End::Left;
+    if (near && !cornerClear(ray, cross)) return End::Fallback;
     if (near) out = std::max(x, y);
     const bool moveX = near || x <= y, moveY = near || y <= x;
     const int oldX = ray.x.k, oldY = ray.y.k;
@@ -225,8 +226,8 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
         const bool skip = cross.out() < depth;
         if (!skip && at > 0) {
             sink.step([&] { return walk.descent(exact, at, node, lambda, out, value); });
-            const float surely = ray.lambda - ray.tie;
-            ray.x.toChild(at - 1, surely), ray.y.toChild(at - 1, surely);
+            const float certain = ray.lambda - ray.tie;
+            ray.x.toChild(at - 1, certain), ray.y.toChild(at - 1, certain);
             --ray.level;
             continue;
         }
@@ -239,13 +240,13 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
                 return {End::Hit, *met, lambda};
             }
             sink.step([&] { return walk.record(Decision::Test, 0, node, lambda, out, value, out); });
-            if (!excluded) return {End::Left, out, from};
+            if (!excluded) return {End::Fallback, out, from};
         } else {
             sink.step([&] { return walk.record(Decision::Skip, at, node, lambda, out, value, out); });
         }
         lambda = out;
         if (const auto end = moveOn(ray, cross)) {
-            return *end == End::Miss ? missed(node, value) : Answer{End::Left, lambda, from};
+            return *end == End::Miss ? missed(node, value) : Answer{End::Fallback, lambda, from};
         }
         if (ray.level > at) {
             PyramidNode left = node;

@@ -38,9 +38,9 @@ class DistanceMarch {
         return march(ray, surface, {}, true, sink);
     }
     // The SIMD version, with the same results: sets hits for the rays first to last - 1.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
-        for (const std::size_t i : marchInLanes({field(), *map_, iterations_, end_}, rays, first, last, hits)) {
+        for (const std::size_t i : marchSimd({field(), *map_, iterations_, end_}, rays, first, last, hits)) {
             hits.set(i, trace(rays[i], sink));
         }
     }

@@ -141,7 +141,7 @@ inline ExactHits exactHits(const HeightField& field, Work& work) {
     return [tracer = std::make_shared<const MaxPyramidTracer>(MaxPyramidTracer::make(field, {}, own, work))](
                const RayBlock& rays, HitBlock& hits) {
         hits.resize(rays.size());
-        tracer->traceLanes(rays, 0, rays.size(), hits);
+        tracer->traceSimd(rays, 0, rays.size(), hits);
     };
 }
 

@@ -36,9 +36,9 @@ class DistanceWalk {
         return run<false>(ray, segment, sink);
     }
     // The SIMD version, with the same results: sets hits for the rays first to last - 1.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
-        for (const std::size_t i : walkInLanes(*this, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
+        for (const std::size_t i : walkSimd(*this, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
     }
 
     const HeightField& field() const { return field_; }

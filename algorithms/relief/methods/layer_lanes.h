@@ -22,7 +22,7 @@ struct LayerSearch {
 
 // Sets hits for the rays first to last - 1. Returns the indices of rays that the reference has to trace: those so
 // distant that one product cannot subtract their period exactly.
-std::vector<std::size_t> layersInLanes(const LayerSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits);
+std::vector<std::size_t> layersSimd(const LayerSearch& search, const RayBlock& rays, std::size_t first,
+                                    std::size_t last, HitBlock& hits);
 
 }  // namespace relief

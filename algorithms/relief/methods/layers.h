@@ -74,10 +74,10 @@ class LayersTracerOf {
         return search(ray, surface, {}, true, sink);
     }
     // The SIMD version, with the same results: sets hits for the rays first to last - 1.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
         const LayerSearch inLanes{field_, options_.layers, kRefinement, options_.bisections};
-        for (const std::size_t i : layersInLanes(inLanes, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
+        for (const std::size_t i : layersSimd(inLanes, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
     }
     // Uses the same distance between layers, counted from the begin of the segment; also samples its end.
     template <class Sink>

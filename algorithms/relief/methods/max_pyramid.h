@@ -63,7 +63,7 @@ class MaxPyramidTracer {
     template <class Sink, class DoubleSink>
     Hit trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const;
     // The SIMD version, with the same results: sets hits for the rays [first, last) of the block.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
         if (!hasSimdMap()) {
             for (std::size_t i = first; i < last; ++i) hits.set(i, trace(rays[i], sink));
@@ -104,11 +104,11 @@ Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDo
             return Hit::none(Outcome::Miss);
         case DepthWalk::End::Unfit:
             return paper_.trace(viewRay, inDouble);
-        case DepthWalk::End::Left:
+        case DepthWalk::End::Fallback:
             break;
     }
     StepsWithin<DoubleSink> rest{inDouble, answer.lambda, 1};
-    return paper_.goOn(viewRay, ray, answer.from, pyramidWalk().topNode(ray, answer.from), rest);
+    return paper_.resume(viewRay, ray, answer.from, pyramidWalk().topNode(ray, answer.from), rest);
 }
 
 }  // namespace relief

@@ -46,7 +46,7 @@ class MaxPyramidPaperTracer {
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
     // Continues from lambda `from`, before which the ray does not meet the surface, on the top level.
     template <class Sink>
-    Hit goOn(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node, Sink& sink) const;
+    Hit resume(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node, Sink& sink) const;
 
     const HeightField& field() const { return walk_.wholeField(); }
     std::size_t bytes() const { return walk_.bytes(); }
@@ -78,12 +78,12 @@ Hit MaxPyramidPaperTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     const PyramidStart start = pyramidStart(walk_, ray, sink);
     if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
     if (start.hit) return Hit::at(viewRay, *start.hit);
-    return goOn(viewRay, ray, start.lambda, start.node, sink);
+    return resume(viewRay, ray, start.lambda, start.node, sink);
 }
 
 template <class Sink>
-Hit MaxPyramidPaperTracer::goOn(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node,
-                                Sink& sink) const {
+Hit MaxPyramidPaperTracer::resume(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node,
+                                  Sink& sink) const {
     State state;
     state.lambda = from;
     state.left = walk_.nodeBound(ray);

@@ -213,7 +213,7 @@ class CandidateResolver {
             }
             if (due(1)) gaps(from(1));
             if (due(2)) shares(from(2));
-            if (due(3)) meet(from(3), hits, firstHit);
+            if (due(3)) finishHits(from(3), hits, firstHit);
         }
     }
 
@@ -322,7 +322,7 @@ class CandidateResolver {
         }
     }
 
-    HWY_INLINE void meet(std::size_t i, HitBlock& hits, std::size_t firstHit) {
+    HWY_INLINE void finishHits(std::size_t i, HitBlock& hits, std::size_t firstHit) {
         const DD d;
         const DHI di;
         const VD in = kept(i, in_), out = kept(i, out_);
@@ -355,10 +355,10 @@ class CandidateResolver {
     }
 
     // Those from ray i on that are no hits.
-    HWY_NOINLINE void noteOthers(std::size_t i, VD end, MD refused) {
+    HWY_NOINLINE void noteOthers(std::size_t i, VD end, MD rejected) {
         const DD d;
         HWY_ALIGN double ends[kHalfLanes];
-        hn::Store(hn::IfThenElse(refused, hn::Set(d, static_cast<double>(LaneEnd::Refused)), end), d, ends);
+        hn::Store(hn::IfThenElse(rejected, hn::Set(d, static_cast<double>(LaneEnd::FalseCandidate)), end), d, ends);
         for (std::size_t n = 0; n < std::min(kHalfLanes, count_ - i); ++n) {
             if (ends[n] == 0) continue;
             rays_.others[rays_.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n])};
@@ -378,7 +378,7 @@ class CandidateResolver {
 };
 
 // The hits of the candidates among the chunk's rays, to `hits` from firstHit on; a candidate that the leaf refuses is
-// LaneEnd::Refused. Rays that are no hits are added to rays.others.
+// LaneEnd::FalseCandidate. Rays that are no hits are added to rays.others.
 template <Address kAddress, Surface kSurface>
 HWY_NOINLINE void resolveCandidates(const FloatScene& scene, const double* const* given, LaneRays& rays, HitBlock& hits,
                                     std::size_t firstHit) {

@@ -24,8 +24,8 @@ inline WalkColumns& columnsOfThread() {
 }
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
-void goOnIn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-            HitBlock& hits) {
+void resumeConesIn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits) {
     rays.othersCount = 0;
     rays.start.fill(scene.start);
     for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
@@ -65,10 +65,11 @@ void traceConesOn(const FloatScene& scene, const PackedCones& cones, const doubl
 }
 
 template <Surface kSurface, class Arithmetic = FastArithmetic>
-void goOnOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-            HitBlock& hits) {
-    forAddress(scene,
-               [&]<Address kAddress>() { goOnIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits); });
+void resumeConesOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits) {
+    forAddress(scene, [&]<Address kAddress>() {
+        resumeConesIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits);
+    });
 }
 
 }  // namespace relief::HWY_NAMESPACE

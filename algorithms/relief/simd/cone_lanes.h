@@ -16,13 +16,13 @@ void traceConeLanes(const FloatScene& scene, const PackedCones& cones, const Ray
 
 // Rays that go on, whose columns s0, t0, a, b are given: the first rays.count, in the cells hitCell and hitPeriod of
 // rays.{x,y} or behind them (rays.within). Their hits in this order; rays.others as above.
-void goOnConeLanes(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                   HitBlock& hits);
+void resumeConeLanes(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                     HitBlock& hits);
 
 // The two functions that traceByCones() calls; tests pass others.
 struct ConeLanes {
     decltype(&traceConeLanes) trace;
-    decltype(&goOnConeLanes) goOn;
+    decltype(&resumeConeLanes) resume;
 };
 // As traceByCones() of methods/cone_rays.h, with these functions.
 void traceByCones(const ConeLanes& lanes, const HeightField& field, const FloatScene& scene, const PackedCones& cones,

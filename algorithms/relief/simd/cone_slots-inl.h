@@ -37,7 +37,7 @@ struct WalkAxis {
 };
 struct WalkColumns {
     WalkAxis x, y;
-    alignas(64) WalkColumn<std::int32_t> first;  // a cell's word is number first + way (WalkSlots::wayTo)
+    alignas(64) WalkColumn<std::int32_t> first;  // a cell's word is number first + offset (WalkSlots::offsetTo)
     alignas(64) WalkColumn<float> steep;         // the larger run, times kSteeper
     alignas(64) WalkColumn<float> rim;           // lambda at which the ray has left the map or is at the bottom
     alignas(64) WalkColumn<float> tie;
@@ -91,7 +91,7 @@ class WalkSlots {
   public:
     // given: s0, t0, a, b of the chunk's rays. again: they go on in the cells rays.{x,y}.hitCell or behind them
     // (rays.within).
-    WalkSlots(const FloatScene& scene, const WalkMap& map, const double* const* given, LaneRays& rays, bool again,
+    WalkSlots(const FloatScene& scene, const WalkMap& map, const double* const* given, LaneRays& rays, bool resumes,
               WalkColumns& columns)
         : scene_(scene),
           given_(given),
@@ -100,7 +100,7 @@ class WalkSlots {
           map_(map),
           frameX_(scene.grid.x),
           frameY_(scene.grid.y),
-          again_(again),
+          resumes_(resumes),
           end_(rays.count) {}
 
   protected:
@@ -128,7 +128,7 @@ class WalkSlots {
 
     // New rays behind those in flight, whole vectors as far as there is room; those that go on, when all have ended.
     HWY_INLINE void fill() {
-        const std::size_t room = again_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes * kLanes;
+        const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes * kLanes;
         const std::size_t taken = std::min(room, end_ - next_);
         for (std::size_t k = 0; k < taken; k += kLanes) take(next_ + k, used_ + k, std::min(kLanes, taken - k));
         next_ += taken;
@@ -150,7 +150,7 @@ class WalkSlots {
     // Words from the ray's first cell to the cell (nx, ny), and kWholeBits; from the map's last cell, where the walk
     // may begin outside or go round.
     template <bool kWide>
-    HWY_INLINE static VI wayTo(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
+    HWY_INLINE static VI offsetTo(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
         const DF df;
         const DI di;
         const auto cells = [&](VF n, const WalkAxis& axis) {
@@ -167,7 +167,7 @@ class WalkSlots {
     // The number of the word of the cell (nx, ny).
     template <bool kWide>
     HWY_INLINE static VI entryIndexOf(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
-        return hn::Add(hn::Load(DI(), columns.first.data() + i), wayTo<kWide>(columns, i, nx, ny));
+        return hn::Add(hn::Load(DI(), columns.first.data() + i), offsetTo<kWide>(columns, i, nx, ny));
     }
 
     // Rays [from, from + count) of the chunk to the slots from `to` on.
@@ -184,11 +184,11 @@ class WalkSlots {
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
         Entry x, y;
-        if (HWY_LIKELY(!again_ && entry(frameX_, columns[0], columns[2], begin, x) &&
+        if (HWY_LIKELY(!resumes_ && entry(frameX_, columns[0], columns[2], begin, x) &&
                        entry(frameY_, columns[1], columns[3], begin, y))) {
             hn::StoreU(hn::Zero(di_), di_, rays_.end.data() + from);
         } else {
-            starting = hn::And(starting, entryWithCare(from, columns, begin, x, y));
+            starting = hn::And(starting, generalEntry(from, columns, begin, x, y));
         }
         const VF start = hn::Set(df_, static_cast<float>(begin));
         VF rim = hn::Set(df_, 1.0F);
@@ -202,8 +202,8 @@ class WalkSlots {
         const VI quadrant = hn::Add(ofQuadrant(x.back, map_.quadrant), ofQuadrant(y.back, 2 * map_.quadrant));
         const VI index = hn::Add(hn::Add(hn::Mul(y.cell, hn::Set(di_, map_.stride)), x.cell), quadrant);
         const VF nx = hn::LoadU(df_, columns_.x.n.data() + to), ny = hn::LoadU(df_, columns_.y.n.data() + to);
-        const VI way = map_.wide ? wayTo<true>(columns_, to, nx, ny) : wayTo<false>(columns_, to, nx, ny);
-        hn::StoreU(hn::Sub(index, way), di_, columns_.first.data() + to);
+        const VI offset = map_.wide ? offsetTo<true>(columns_, to, nx, ny) : offsetTo<false>(columns_, to, nx, ny);
+        hn::StoreU(hn::Sub(index, offset), di_, columns_.first.data() + to);
         if (map_.prefetchesEntries) prefetch<1>(map_.entries, index);
         hn::StoreU(hn::Mul(hn::Max(x.run, y.run), hn::Set(df_, kSteeper)), df_, columns_.steep.data() + to);
         hn::StoreU(rim, df_, columns_.rim.data() + to);
@@ -286,10 +286,10 @@ class WalkSlots {
     }
 
     // The same for any rays: returns which of them lanes can take, and notes what becomes of the others.
-    HWY_NOINLINE MI entryWithCare(std::size_t from, const double* const* columns, double begin, Entry& x, Entry& y) {
+    HWY_NOINLINE MI generalEntry(std::size_t from, const double* const* columns, double begin, Entry& x, Entry& y) {
         const auto column = [&](std::size_t c) { return columns[c] - from; };
-        const auto refused = [&](const LaneAxisRays& rays) { return hn::LoadU(di_, rays.hitCell.data() + from); };
-        const VI refusedX = refused(rays_.x), refusedY = refused(rays_.y);
+        const auto candidate = [&](const LaneAxisRays& rays) { return hn::LoadU(di_, rays.hitCell.data() + from); };
+        const VI candidateX = candidate(rays_.x), candidateY = candidate(rays_.y);
         for (std::size_t h = 0; h < kLanes; h += kHalfLanes) {
             setUpRays<kAddress>(scene_, column(0), column(1), column(2), column(3), begin, from + h, rays_);
         }
@@ -308,13 +308,13 @@ class WalkSlots {
             out.cell = turned(rays.cell), out.first = turned(rays.first);
         };
         load(rays_.x, x), load(rays_.y, y);
-        if (again_) x.cell = hn::IfThenElseZero(fit, refusedX), y.cell = hn::IfThenElseZero(fit, refusedY);
+        if (resumes_) x.cell = hn::IfThenElseZero(fit, candidateX), y.cell = hn::IfThenElseZero(fit, candidateY);
         return fit;
     }
 
     // n of the cell where the walk begins: 0, or where it goes on.
     HWY_INLINE VI beginning(const Entry& in, std::size_t from, const LaneAxisRays& rays) const {
-        if (kAddress != Address::Clamp && !again_) return hn::Zero(di_);
+        if (kAddress != Address::Clamp && !resumes_) return hn::Zero(di_);
         VI cell = in.cell;
         if (kAddress == Address::Repeat) cell = hn::Add(cell, hn::LoadU(di_, rays.hitPeriod.data() + from));
         const VI forth = hn::Sub(cell, in.first);
@@ -413,7 +413,7 @@ class WalkSlots {
     WalkColumns& columns_;
     WalkMap map_;
     EntryFrame frameX_, frameY_;
-    bool again_;
+    bool resumes_;
     std::size_t next_ = 0, end_;
     std::size_t used_ = 0;                   // slots, ended rays included
     std::size_t walking_ = 0, waiting_ = 0;  // rays

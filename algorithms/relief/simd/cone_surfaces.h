@@ -8,11 +8,11 @@ namespace relief {
 
 void traceConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                         std::size_t firstHit, LaneRays& scratch);
-void goOnConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                       HitBlock& hits);
+void resumeConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                         HitBlock& hits);
 void traceConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                        std::size_t firstHit, LaneRays& scratch);
-void goOnConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                      HitBlock& hits);
+void resumeConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                        HitBlock& hits);
 
 }  // namespace relief

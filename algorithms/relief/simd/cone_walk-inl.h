@@ -21,7 +21,6 @@ inline constexpr float kNever = 1e30F;
 template <Address kAddress, Surface kSurface, class Arithmetic>
 class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     using Slots = WalkSlots<kAddress, Arithmetic>;
-    using Slots::again_;
     using Slots::cellsOfHits;
     using Slots::columns_;
     using Slots::compact;
@@ -34,6 +33,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     using Slots::map_;
     using Slots::next_;
     using Slots::rays_;
+    using Slots::resumes_;
     using Slots::scene_;
     using Slots::used_;
     using Slots::waiting_;
@@ -61,7 +61,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 
     template <bool kWide>
     void walk() {
-        fillAndGoOn<kWide>();
+        fillAndResume<kWide>();
         while (walking_ + waiting_ > 0 || next_ < end_) {
             if (waiting_ >= walking_) {
                 leavesOfAll<kWide>();
@@ -71,7 +71,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             const std::size_t idle = used_ - walking_ - waiting_;
             if (idle == used_ || (idle >= kLanes && 4 * idle >= used_)) {
                 compact();
-                fillAndGoOn<kWide>();
+                fillAndResume<kWide>();
             }
         }
         compact();
@@ -79,10 +79,10 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 
     // New rays; those that go on behind their cell leave it.
     template <bool kWide>
-    HWY_INLINE void fillAndGoOn() {
+    HWY_INLINE void fillAndResume() {
         const std::size_t before = used_;
         fill();
-        if (HWY_LIKELY(!again_)) return;
+        if (HWY_LIKELY(!resumes_)) return;
         for (std::size_t i = before; i < used_; i += kLanes) {
             const VI within = hn::GatherIndex(di_, rays_.within.data(), hn::Load(di_, columns_.slot.data() + i));
             const MI walking = hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking));
@@ -228,7 +228,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             rare = hn::Or(rare, hn::Or(beyond(nextX, columns.x), beyond(nextY, columns.y)));
         }
         if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) {
-            moveWithCare<kWide>(i, who, jump);
+            moveNearCorner<kWide>(i, who, jump);
         } else if (!map.prefetchesEntries) {
             storeWhere(who, nextX, x.n, columns.x.n.data() + i);
             storeWhere(who, nextY, y.n, columns.y.n.data() + i);
@@ -253,7 +253,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 
     // The same where a ray is near a corner or the rim, or leaves the map.
     template <bool kWide>
-    HWY_NOINLINE void moveWithCare(std::size_t i, MF who, VF jump) {
+    HWY_NOINLINE void moveNearCorner(std::size_t i, MF who, VF jump) {
         const CellExit at = cellExit(columns_, i);
         const MF near = hn::And(hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie),
                                 hn::Lt(jump, hn::Add(hn::Max(at.x.cross, at.y.cross), at.tie)));
@@ -275,7 +275,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
                                                    hn::Load(df_, columns_.y.inverse.data() + i)),
                                  hn::And(sideClear<kWide>(i, at, both, true), sideClear<kWide>(i, at, both, false)));
         bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
-        end(i, bad, LaneEnd::Unclear);
+        end(i, bad, LaneEnd::Ambiguous);
         who = hn::AndNot(bad, who);
         const MF moveX = hn::Or(both, hn::Le(at.x.cross, at.y.cross));
         const MF moveY = hn::Or(both, hn::Le(at.y.cross, at.x.cross));

@@ -99,7 +99,7 @@ bool DistanceSteps<Visits>::take(std::size_t lane, const ViewRay& ray, std::size
     constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
     const bool served = std::hypot(ray.a, ray.b) <= queue_.search.map.maxRun;
     if (!served || !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-        queue_.left.push_back(number);
+        queue_.fallback.push_back(number);
         return false;
     }
     const SampledSurface surface(field_, ray);

@@ -165,7 +165,7 @@ bool VoxelWalk<Visits>::take(std::size_t lane, const ViewRay& viewRay, std::size
     const GridRay ray(grid_, viewRay);
     // A slab of no thickness, seen from above: no length along the ray.
     if (!ray.inDomain() || !(walk_.perLambda(ray) > 0)) {
-        queue_.left.push_back(number);
+        queue_.fallback.push_back(number);
         return false;
     }
     if (ray.entersOutside(grid_)) {

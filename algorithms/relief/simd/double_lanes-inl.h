@@ -60,7 +60,7 @@ struct RayQueue {
     HitBlock& hits;
     std::size_t next;
     std::size_t last;
-    std::vector<std::size_t>& left;
+    std::vector<std::size_t>& fallback;
 };
 
 // What walks look at, a row of numbers a step: only tests note it, to hold it to what the reference logs.
@@ -76,7 +76,7 @@ class VectorOfRays {
     explicit VectorOfRays(RayQueue<Search>& queue) : queue_(queue) {}
 
     // False: nothing left to do.
-    bool go() {
+    bool advance() {
         constexpr std::uint32_t kAll = (1U << kLanes) - 1;
         for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
             if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
@@ -112,13 +112,13 @@ class VectorOfRays {
 
 // Two vectors in turn: while one waits for memory, the other goes on.
 template <class Walk, class Queue>
-void goInTurn(Queue& queue) {
+void runAlternating(Queue& queue) {
     Walk one(queue);
     Walk two(queue);
     bool more = true;
     while (more) {
-        more = one.go();
-        more = two.go() || more;
+        more = one.advance();
+        more = two.advance() || more;
     }
 }
 

@@ -32,7 +32,7 @@ inline constexpr auto kPackedLanes = [] {
 
 // What becomes of a ray in lanes. Refused: the candidate is no hit, it goes on behind its cell. Unclear: near a corner
 // or an end of the map, float does not tell where it goes.
-enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar, Refused, Unclear };
+enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar, FalseCandidate, Ambiguous };
 
 struct LaneAxisRays {
     // Set up from the rays.

@@ -59,7 +59,7 @@ bool LayerWalk<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t n
     constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
     const bool repeats = field_.address() == Address::Repeat;
     if (repeats && !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-        queue_.left.push_back(number);
+        queue_.fallback.push_back(number);
         return false;
     }
     s0_[lane] = repeats ? reduceToPeriod(ray.s0, field_.width()) : ray.s0;

@@ -198,9 +198,9 @@ class PyramidKernel {
         const MI descend = asInt(hn::AndNot(asFloat(bottom), stop));
         if (!hn::AllFalse(di_, descend)) {
             const VI below = hn::Sub(state.level, one);
-            const VF surely = hn::Sub(state.lambda, state.tie);
-            toChild(scene_.grid.x, state.x, descend, below, surely);
-            toChild(scene_.grid.y, state.y, descend, below, surely);
+            const VF certain = hn::Sub(state.lambda, state.tie);
+            toChild(scene_.grid.x, state.x, descend, below, certain);
+            toChild(scene_.grid.y, state.y, descend, below, certain);
             state.level = hn::IfThenElse(descend, below, state.level);
         }
         if constexpr (kSurface == Surface::Columns) {
@@ -214,13 +214,13 @@ class PyramidKernel {
         refill(state);
     }
 
-    HWY_INLINE void toChild(const GridAxis& axis, Axis& ray, MI descend, VI below, VF surely) const {
+    HWY_INLINE void toChild(const GridAxis& axis, Axis& ray, MI descend, VI below, VF certain) const {
         const VI first = hn::Add(ray.k, ray.k);
         const VI middle = hn::Shl(hn::Add(first, hn::Set(di_, 1)), below);
         const VI lowest = low(axis, ray);
         // The line through the start, and those before it, are behind, however slowly the ray moves.
         const MI behind = hn::Not(hn::Gt(hn::Add(middle, ray.offset), hn::Zero(di_)));
-        const MI far = hn::Or(behind, asInt(hn::Ge(surely, lambdaAt(ray, middle))));
+        const MI far = hn::Or(behind, asInt(hn::Ge(certain, lambdaAt(ray, middle))));
         const MI exists = hn::Lt(middle, hn::Add(lowest, hn::Set(di_, axis.cells)));
         const MI only = hn::Not(hn::Gt(middle, lowest));
         const MI upper = hn::And(hn::Or(far, only), exists);

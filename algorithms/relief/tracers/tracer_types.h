@@ -2,7 +2,7 @@
 //     describe(), Options with fields(), make(field, options, maps, work),
 //     trace(ray, sink), field(), bytes() of its maps, stepBound(ray);
 // and optional members, which tracers.cpp detects: traceSegment() with segmentRecords(), to work inside `hybrid`;
-// traceLanes(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps; guarantee(),
+// traceSimd(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps; guarantee(),
 // mesh(), pyramidWalk().
 // trace() returns Miss for a ray that is not finite, and otherwise only under border. Its log ends with the decision
 // that is the outcome, has at most stepBound(ray) records, and all its numbers are finite.

@@ -24,7 +24,7 @@ concept PyramidTracer = requires(const T& tracer) {
 
 template <class T>
 concept SimdTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& hits) {
-    tracer.traceLanes(rays, std::size_t{}, std::size_t{}, hits);
+    tracer.traceSimd(rays, std::size_t{}, std::size_t{}, hits);
 };
 
 // The form that runs with these options if the caller leaves the choice to the method.
@@ -86,7 +86,7 @@ class TracerOf final : public Tracer {
         hits.resize(rays.size());
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
             if constexpr (SimdTracer<T>) {
-                if (form_ == Form::Simd) return tracer_.traceLanes(rays, first, last, hits);
+                if (form_ == Form::Simd) return tracer_.traceSimd(rays, first, last, hits);
             }
             NullSink sink;
             for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));

@@ -155,7 +155,7 @@ class SegmentWalk {
           ny_(queue.query.map().ny) {}
 
     // Refills idle lanes and takes a step. Returns false when all segments are done.
-    bool go();
+    bool advance();
 
   private:
     struct Lanes {
@@ -264,7 +264,7 @@ void SegmentWalk<Visits>::step() {
 }
 
 template <class Visits>
-bool SegmentWalk<Visits>::go() {
+bool SegmentWalk<Visits>::advance() {
     const std::uint32_t all = (1U << kLanes) - 1;
     for (std::uint32_t idle = all & ~segments_.active; idle != 0; idle &= idle - 1) {
         if (!segments_.fill(static_cast<std::size_t>(__builtin_ctz(idle)), queue_)) break;
@@ -286,7 +286,7 @@ void runQueries(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::siz
     for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
         if ((quadrants >> quadrant & 1) == 0) continue;
         SegmentQueue queue{query, rays, quadrant, first, last, results};
-        goInTurn<SegmentWalk<Visits>>(queue);
+        runAlternating<SegmentWalk<Visits>>(queue);
     }
 }
 

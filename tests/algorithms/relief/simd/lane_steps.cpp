@@ -41,15 +41,15 @@ struct NotedVisits {
 
 void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left};
-    goInTurn<VoxelWalk<NotedVisits>>(queue);
+    runAlternating<VoxelWalk<NotedVisits>>(queue);
 }
 void noteMarch(const MarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     RayQueue<MarchSearch> queue{search, rays, hits, 0, rays.size(), left};
-    goInTurn<DistanceSteps<NotedVisits>>(queue);
+    runAlternating<DistanceSteps<NotedVisits>>(queue);
 }
 void noteLayers(const LayerSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     LayerQueue queue{{search, rays, hits, 0, rays.size(), left}, {}};
-    goInTurn<LayerWalk<NotedVisits>>(queue);
+    runAlternating<LayerWalk<NotedVisits>>(queue);
 }
 void noteQueries(const PackedConeAnyHit& query, const AnyRayBlock& rays, Visibility* results) {
     runQueries<NotedVisits>(query, rays, 0, rays.size(), results);
