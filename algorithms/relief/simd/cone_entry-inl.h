@@ -1,5 +1,5 @@
-// What cone_lanes_bilinear.cpp and cone_lanes_columns.cpp instantiate for their surface. One source a surface: both
-// together take a minute to compile. Compiled for each target.
+// The templates that cone_lanes_bilinear.cpp and cone_lanes_columns.cpp instantiate for their surface type. They are
+// two source files because both together take a minute to compile. Compiled for each target.
 
 #if defined(RELIEF_CONE_ENTRY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_CONE_ENTRY_INL_H
@@ -17,7 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Of this thread. Not in its own storage: that is set aside for every thread from the start.
+// The buffers of this thread. They are allocated on first use, since thread-local storage would be reserved in every
+// thread.
 inline WalkColumns& columnsOfThread() {
     static thread_local const auto columns = std::make_unique<WalkColumns>();
     return *columns;
@@ -45,7 +46,8 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
     scratch.othersCount = 0;
     bool scattered = true;
     if (Arithmetic::kBeams && scratch.count >= kBeamRays) {
-        // A beam's rays are of one quadrant, and those of a view mostly come in order.
+        // The rays of a beam need a common quadrant. Those of a view mostly have one, in which case they also come in
+        // the order of neighbouring pixels.
         const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
         if (common < kQuadrants) {
             leadBeams<kAddress>(scene, cones, static_cast<std::uint32_t>(common), given, scratch);

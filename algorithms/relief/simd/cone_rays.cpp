@@ -11,21 +11,22 @@ namespace relief {
 
 namespace {
 
-// As many wait for each other at most: vectors are full, and what the cache holds of their ways is not all lost.
+// Largest number of rays that wait for each other: enough to fill vectors, few enough that the map entries near them
+// remain in the cache.
 constexpr std::size_t kTogether = 256;
 
-// Rays that go on in lanes, by themselves.
+// Rays that resume the SIMD walk, gathered from different chunks.
 struct ResumedRays {
     LaneRays rays;
     alignas(64) std::array<std::array<double, kLaneSlots>, 4> columns;  // s0, t0, a, b
-    std::array<std::size_t, kLaneSlots> of;                             // their numbers in the block
-    std::array<double, kLaneSlots> from;                                // lambda before which nothing is met
+    std::array<std::size_t, kLaneSlots> of;                             // their indices in the block
+    std::array<double, kLaneSlots> from;  // lambda before which they do not meet the surface
     HitBlock found = HitBlock(kLaneSlots);
 };
 
-// The rays of a block that the SIMD walk cannot finish. Where float cannot decide where a ray goes on, the walk in
-// double takes it past that corner; then, as those that the exact leaf has refused, it goes on in lanes. So all wait
-// for memory together, and no ray is walked twice.
+// The rays of a block that the SIMD walk cannot finish. Where float cannot choose a ray's next cell, the walk in double
+// takes the ray past that corner. These rays, and those whose candidate the leaf rejected, then resume the SIMD walk.
+// In this way many rays wait for memory together, and no part of a ray is walked twice.
 class RemainingRays {
   public:
     RemainingRays(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& block,
@@ -34,7 +35,7 @@ class RemainingRays {
         resumed().rays.count = 0;
     }
 
-    // Of the chunk that begins at ray `begin`.
+    // Collects the unfinished rays of the chunk that begins at ray `begin`.
     void take(std::size_t begin, const LaneRays& chunk) {
         for (std::size_t n = 0; n < chunk.othersCount; ++n) {
             const LaneRays::Other& other = chunk.others[n];
@@ -55,7 +56,7 @@ class RemainingRays {
     }
     std::size_t waiting() const { return resumed().rays.count + parts_.size(); }
 
-    // number: the ray's in the block.
+    // Queues a ray for the walk that can continue it. number: its index in the block.
     void sort(const LaneRays::Other& other, std::size_t number, const LaneRays& of) {
         if (!packedWalks(scene_.grid, block_[number])) {
             flat_.push_back(number);
@@ -120,7 +121,7 @@ class RemainingRays {
             hits_.s[i] = all.found.s[n];
             hits_.t[i] = all.found.t[n];
         }
-        // In place: others are in the order of their rays.
+        // The rays are overwritten in place, which is safe because others are in the order of their rays.
         all.rays.count = 0;
         for (std::size_t n = 0; n < all.rays.othersCount; ++n) {
             const LaneRays::Other other = all.rays.others[n];

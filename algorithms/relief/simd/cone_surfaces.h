@@ -1,5 +1,5 @@
-// The two halves of cone_lanes.cpp, one a surface: rays whose columns s0, t0, a, b are given, into hits from firstHit
-// on (traceCones), and rays that go on from a cell (goOnCones), as in cone_lanes.h.
+// The implementation of cone_lanes.cpp for each surface type: traceCones...() traces rays whose columns s0, t0, a, b
+// are given and writes their hits from index firstHit on; resumeCones...() resumes rays in a cell, as in cone_lanes.h.
 #pragma once
 
 #include "relief/simd/cone_lanes.h"
