@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-// Samples to one side: so wide that windows may take longer than parabolas, line by line, do.
+// Samples to one side above which windows may take longer than parabolas line by line.
 constexpr int kWidest = 1024;
 
 std::size_t place(int at) {
@@ -21,16 +21,18 @@ int padded(int n) {
     return (n + kWindowPad - 1) / kWindowPad * kWindowPad;
 }
 
-// One axis: samples, and what one costs that is so many samples away. d2: squared spacing; gaps: between unit boxes.
+// One axis: number of samples, and the cost of a sample by its distance. d2: squared spacing; gaps: distances are gaps
+// between unit boxes.
 struct EnvelopeAxis {
     int n;
     bool wraps;
     float d2;
     bool gaps;
 
-    // No sample need be looked for farther away.
+    // Largest distance, in samples, that can matter.
     int farthest() const { return wraps ? n / 2 + 1 : n - 1; }
-    // The sample that is meant by k, which is at most one period off; without periods the nearest: dearer than itself.
+    // The sample with index k, which is at most one period outside. Without periods the nearest sample, which costs
+    // more here than at its own index.
     int sample(int k) const {
         if (!wraps) return std::clamp(k, 0, n - 1);
         return ((k % n) + n) % n;
@@ -39,7 +41,7 @@ struct EnvelopeAxis {
         const auto way = static_cast<float>(gaps ? std::max(away - 1, 0) : away);
         return way * way * d2;
     }
-    // How far what costs `least` can matter where `most` is known.
+    // Distance up to which a sample with the value `least` can matter where a sample has the value `most`.
     int reach(float least, float most) const {
         const double way =
             std::sqrt(std::max(0.0, static_cast<double>(most) - static_cast<double>(least)) / static_cast<double>(d2));
@@ -47,7 +49,7 @@ struct EnvelopeAxis {
     }
 };
 
-// The lower envelope of the parabolas line[q] + ((x - q) d)^2 at all x, into out.
+// Writes to s.out the lower envelope of the parabolas line[q] + ((x - q) d)^2 at all x.
 void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
     const int n = static_cast<int>(line.size());
     s.out.resize(line.size());
@@ -55,7 +57,8 @@ void envelope(const std::vector<float>& line, float d2, EnvelopeScratch& s) {
     s.border.resize(line.size() + 1);
     const auto at = [&](int q) { return line[place(q)]; };
     const auto crossing = [&](int p, int q) {
-        // In float the wrong one of two parabolas would be taken near their crossing: too large by more than rounding.
+        // In double: in float, rounding would choose the wrong parabola near a crossing, with a larger error than that
+        // of the sum.
         const double rise = static_cast<double>(at(q)) - static_cast<double>(at(p));
         return 0.5 * (rise / (static_cast<double>(d2) * (q - p)) + (q + p));
     };
@@ -91,8 +94,8 @@ void dilate(std::vector<float>& line) {
     }
 }
 
-// In linear time: data[i * stride]. A box one nearer by the dilation is as far as the gap. Periodic lines are given
-// half a period on each side.
+// Computes data[i * stride] in linear time. Dilation by one sample turns distances of centres into gaps of boxes.
+// Periodic lines are extended by half a period on each side.
 void byParabolas(const EnvelopeAxis& axis, float* data, std::ptrdiff_t stride, EnvelopeScratch& s) {
     const int margin = axis.wraps ? axis.farthest() : 0;
     s.line.resize(place(axis.n + 2 * margin));

@@ -14,29 +14,29 @@ namespace relief {
 
 namespace {
 
-constexpr int kTileWidth = 256;  // a tile's buffers stay in L2
+constexpr int kTileWidth = 256;  // so that the buffers of a tile fit L2
 constexpr int kTileHeight = 64;
-constexpr int kReach = 16;       // cells, or blocks of a level, beyond a tile's that its windows reach
-constexpr int kNearRings = 15;   // gaps of 1 to 15 cells, one by one
-constexpr int kFirstBlocks = 8;  // then gaps of 8 to 15 blocks, of each level
+constexpr int kReach = 16;       // cells, or blocks of a level, by which windows extend beyond a tile
+constexpr int kNearRings = 15;   // gaps of 1 to 15 cells, in single steps
+constexpr int kFirstBlocks = 8;  // then gaps of 8 to 15 blocks on each level
 constexpr float kEmpty = -1;     // below every height
 using DepthImage = Image<std::uint16_t>;
 
 std::size_t place(int at) {
     return static_cast<std::size_t>(at);
 }
-// Numbers a row of windows of that many takes.
+// Padded length of a row of windows.
 std::size_t strideOf(int width) {
     return place((width + kReach + 2 * kConePad - 1) / kConePad * kConePad);
 }
 
-// One axis as a quadrant sees it: place n of the run is cell n, or the n-th from the end.
+// One axis in the direction of a quadrant: index n is cell n, or the n-th cell from the end.
 struct QuadrantAxis {
     int cells = 0;
     bool wraps = false;
     bool mirrored = false;
 
-    // -1: outside, nothing there.
+    // -1: outside, no cell.
     int cellAt(int n) const {
         if (n >= cells) {
             if (!wraps) return -1;
@@ -46,8 +46,8 @@ struct QuadrantAxis {
     }
 };
 
-// Blocks of 2^level cells from every block's corner on, `reach` beyond the last: the highest cell, or one a little
-// farther (where the seam cuts a block).
+// The maxima of blocks of 2^level cells, including kReach blocks beyond the last. Where the seam between periods cuts a
+// block, a maximum may include cells slightly farther.
 struct Blocks {
     int width = 0;
     int height = 0;
@@ -90,10 +90,10 @@ class QuadrantCones {
     const PackedCones& map_;
     QuadrantAxis x_;
     QuadrantAxis y_;
-    std::vector<Blocks> levels_;  // of blocks of 2, 4, ... cells
+    std::vector<Blocks> levels_;  // level l at index l - 1
 };
 
-// The blocks one level below (level 1: the cells) that blocks 0 to count - 1 consist of; -1: nothing.
+// For blocks 0 to count - 1, the blocks one level below (level 1: the cells) that they contain; -1: none.
 std::vector<std::array<int, 3>> QuadrantCones::below(const QuadrantAxis& axis, int level, int belowCount, int count) {
     std::vector<std::array<int, 3>> all(place(count));
     for (int n = 0; n < count; ++n) {
@@ -105,7 +105,7 @@ std::vector<std::array<int, 3>> QuadrantCones::below(const QuadrantAxis& axis, i
         } else if (!axis.wraps) {
             from = {2 * n < belowCount ? 2 * n : -1, -1, -1};
         } else {
-            // Taken into the first period, where the seam may lie within a block.
+            // Reduced to the first period, where the seam may lie within a block.
             const auto start = static_cast<int>((static_cast<std::int64_t>(n) << level) % axis.cells);
             const int first = start >> (level - 1);
             const int last = (start + (1 << level) - 1) >> (level - 1);
@@ -140,7 +140,7 @@ void QuadrantCones::addLevel(Work& work) {
     levels_.push_back(std::move(blocks));
 }
 
-// The tile's cells and kReach more, mirrored and wrapped.
+// Loads the tile's cells and kReach more, mirrored and wrapped.
 void QuadrantCones::loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
     const auto loadRow = [&](const auto& image, int n, int count, auto* to, std::size_t stride, auto empty) {
         const int y = y_.cellAt(y0 + n);
@@ -167,7 +167,7 @@ void QuadrantCones::loadCells(int x0, int y0, const ConeTile& tile, Scratch& scr
     }
 }
 
-// Whether cells farther than this level's rings may still matter.
+// Raises the slopes by the rings of one level. Returns true if cells beyond these rings may still matter.
 bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
     const Blocks& blocks = levels_[place(level - 1)];
     const int i0 = x0 >> level;
@@ -190,7 +190,7 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
         left -= shift;
         growWindows(scratch.windows.data(), rings.stride, width + left, height + left, shift);
     };
-    // Windows of n + 1 blocks from a block's corner hold all gaps below n blocks of its cells.
+    // Windows of n + 1 blocks from the corner of a block contain all gaps below n blocks of its cells.
     for (const int shift : {1, 2, 4, 1}) grow(shift);
     for (std::size_t k = 0; k < kConeRings; ++k) {
         grow(1);
@@ -254,11 +254,11 @@ void QuadrantCones::build(std::uint32_t* entries, Work& work) {
     });
 }
 
-// Depths of the cells, rounded down.
+// The depths of the cells, rounded down.
 DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work) {
     DepthImage depths(cells.width(), cells.height());
     const double perUnit = map.unit > 0 ? 1 / map.unit : 0;
-    constexpr double kRounding = 1e-6;  // of a unit; the comparison decides
+    constexpr double kRounding = 1e-6;  // of a unit; the comparison below decides
     parallelFor(work, cells.height(), [&](int y) {
         const auto from = cells.row(y);
         const auto to = depths.row(y);
@@ -273,7 +273,7 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
     return depths;
 }
 
-// Row after row of cells: pairs of nodes, the one before the row's cells and the one after.
+// For each row of cells, pairs of nodes: the one before the row and the one after it.
 LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
@@ -320,13 +320,13 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
 }
 
 std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCache& cache, Work& work) {
-    // Clamp and border share their cells, and see nothing outside.
+    // Clamp and border have the same cells, with no surface outside.
     std::string kind = "packed-cones/" + std::string(surfaceName(field.surface()));
     kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
     const CellGrid grid(field);
     const std::size_t entries = (place(grid.x.cells) + 1) * place(grid.y.cells);
     checkMapMemory("packed-cones", entries * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
-    // Entries and nodes; cells, depths, and the levels of one quadrant while they are made.
+    // Per texel: entries and nodes; cells, depths, and the levels of one quadrant during construction.
     constexpr std::uint64_t kBytes = 4 * sizeof(std::uint32_t) + 2 * sizeof(float) + 8;
     return cache.get<PackedCones>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,
                                   [&](Work& w) { return buildPackedCones(field, w); });
