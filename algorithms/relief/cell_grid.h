@@ -164,6 +164,7 @@ struct RayAxis {
     }
 };
 
+// The cells of a height field, for its surface type and addressing.
 struct CellGrid {
     GridAxis x;
     GridAxis y;

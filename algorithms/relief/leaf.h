@@ -23,6 +23,7 @@ namespace relief {
 // 2^-50) could still make a closer ray a hit.
 inline constexpr double kExclusionMargin = 0x1p-40;
 
+// The lambda interval of the ray in the cell (cx, cy), clamped to [0, 1]; the ray crosses the cell only if in < out.
 [[gnu::always_inline]] inline CellInterval cellInterval(const CellGrid& grid, const GridRay& ray, AxisCell cx,
                                                         AxisCell cy) {
     const double in = std::max({ray.x.enter(grid.x, cx.index, cx.index + 1, cx.base),
@@ -77,6 +78,7 @@ inline double within(const RayAxis& axis, AxisCell cell, double lambda) {
     return std::clamp(x - static_cast<double>(cell.base + cell.index), 0.0, 1.0);
 }
 
+// The bilinear surface at (u, v) in a cell with corner heights h00 .. h11 (first index along x).
 inline double lerpPatch(double h00, double h10, double h01, double h11, double u, double v) {
     return (1 - v) * ((1 - u) * h00 + u * h10) + v * ((1 - u) * h01 + u * h11);
 }

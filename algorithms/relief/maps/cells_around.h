@@ -39,6 +39,7 @@ struct Tile {
     std::size_t end;
 };
 
+// The table of cells around a box.
 struct CellsAround {
     std::vector<CellAround> cells;  // grouped by tile, nearest first
     std::vector<Seen> seen;

@@ -31,6 +31,7 @@ struct ConeParameters {
     bool operator==(const ConeParameters&) const = default;
 };
 
+// A cone map: immutable once built, may be shared by threads. Which rays it is valid for: rays().
 class ConeMap {
   public:
     ConeKind kind = ConeKind::Conservative;
@@ -52,6 +53,7 @@ class ConeMap {
 // the cache's memory.
 std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                                        MapCache& cache, Work& work);
+// Builds the map without a cache.
 ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work);
 // The key under which the cache stores the map.
 MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
@@ -62,6 +64,7 @@ struct ConeShape {
     int sectors;
 };
 ConeShape coneMapShape(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
+// Memory of the stored values.
 std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
 
 }  // namespace relief

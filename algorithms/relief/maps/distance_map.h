@@ -30,6 +30,7 @@ namespace relief {
 enum class DistanceKind : std::uint8_t { Euclidean, EuclideanConservative, RefinedSampled, Refined };
 std::string_view distanceKindName(DistanceKind kind);
 
+// True for kinds of boxes, false for kinds of centres.
 constexpr bool ofBoxes(DistanceKind kind) {
     return kind == DistanceKind::EuclideanConservative || kind == DistanceKind::Refined;
 }
@@ -55,6 +56,7 @@ struct DistanceParameters {
     bool operator==(const DistanceParameters&) const = default;
 };
 
+// A distance map: immutable once built, may be shared by threads. Which rays it is valid for: rays(), maxRun.
 class DistanceMap {
   public:
     DistanceKind kind = DistanceKind::Euclidean;

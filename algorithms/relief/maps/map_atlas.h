@@ -66,6 +66,7 @@ struct Atlas {
     }
 };
 
+// The layers of all stacks as one picture.
 template <class Code>
 std::vector<Code> laidOut(const std::vector<const StoredValues*>& stacks, const Atlas& atlas) {
     std::vector<Code> pixels(atlas.pixels());
@@ -81,6 +82,7 @@ std::vector<Code> laidOut(const std::vector<const StoredValues*>& stacks, const 
     return pixels;
 }
 
+// The stack of `layers` layers that begins with tile `first`.
 template <class Code>
 StoredValues takenOut(const std::vector<Code>& pixels, const Atlas& atlas, int first, int layers, float unit) {
     std::vector<Code> codes;

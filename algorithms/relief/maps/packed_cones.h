@@ -56,6 +56,7 @@ inline constexpr double kShorterShare = 1 - 1e-9;
 inline constexpr std::size_t kWideEntries = std::size_t{1} << 22U;
 inline constexpr int kRowShift = 7;
 
+// The map: immutable once built, may be shared by threads. Valid for any ray.
 struct PackedCones {
     static constexpr RayClass kRays = RayClass::AnyRays;
     int nx = 0;  // number of cells of cell_grid.h
@@ -85,6 +86,7 @@ struct PackedCones {
 // then by one block of 2, 4, 8, ... cells, eight rings per octave. So neither the time nor the looseness of the bound
 // (at most a quarter) grows with the gap.
 std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCache& cache, Work& work);
+// Builds the map without a cache.
 PackedCones buildPackedCones(const HeightField& field, Work& work);
 
 }  // namespace relief

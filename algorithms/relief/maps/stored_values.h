@@ -10,6 +10,7 @@
 
 namespace relief {
 
+// How values are stored: as floats, or as codes of 16 or 8 bits.
 enum class Precision : std::uint8_t { Float, U16, U8 };
 // Rounding of a value without exact code: distances down, cone slopes up.
 enum class Rounding : std::uint8_t { Down, Up };

@@ -128,6 +128,7 @@ struct AmbiguousPart {
     }
 };
 
+// The walk for one field and its packed cones. Thread-safe.
 class ConeWalk {
   public:
     // cones: those of this field; not owned, must outlive the walk.

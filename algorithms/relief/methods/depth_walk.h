@@ -89,6 +89,7 @@ struct DepthAxis {
     }
 };
 
+// The walk for one field and its pyramid of depths. Thread-safe.
 class DepthWalk {
   public:
     // depths: those of the walk's map; not owned, must outlive the walk.

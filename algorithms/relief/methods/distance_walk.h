@@ -18,6 +18,7 @@
 
 namespace relief {
 
+// Exit: leave the voxel, then advance by its distance. Classic: advance by the distance from the current point.
 enum class StepRule : std::uint8_t { Exit, Classic };
 
 class DistanceWalk {

@@ -11,6 +11,7 @@
 
 namespace relief {
 
+// How the hit is refined between the last two layers.
 enum class LayerRefinement : std::uint8_t { None, Secant, Bisection };
 
 struct LayerSearch {

@@ -71,6 +71,8 @@ struct FirstHit {
     const Step& logged(const Step& step) const { return step; }
 };
 
+// The state of one walk. Query defines the line, its height along the parameter, and the leaf: FirstHit or BlockingCell
+// (visibility/packed_cone_any.h).
 template <class Query>
 class PackedConeWalk {
   public:

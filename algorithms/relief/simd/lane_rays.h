@@ -36,6 +36,7 @@ inline constexpr auto kPackedLanes = [] {
 // the next cell; fall back to the reference.
 enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar, FalseCandidate, Ambiguous };
 
+// One axis of the rays of a chunk.
 struct LaneAxisRays {
     // Set up from the rays.
     alignas(64) std::array<std::int32_t, kLaneSlots> first;
@@ -53,6 +54,7 @@ inline constexpr std::size_t kLineOfDoubles = 8;
 // Number of rays that begin their walks together.
 inline constexpr std::size_t kLaneGroup = 16;
 
+// The rays of a chunk; about 100 KiB, reused for all chunks of a thread.
 struct LaneRays {
     LaneAxisRays x, y;
     std::array<double, kLaneSlots / kLaneGroup + 1> start;  // lambda at which a group begins; no hit lies before it

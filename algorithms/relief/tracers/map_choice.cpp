@@ -56,20 +56,20 @@ std::vector<ParameterText> parameterTexts(const StoredMap& map) {
     return std::visit([](const auto& m) { return parameterTexts(*m); }, map);
 }
 
-bool contains(const std::vector<std::string>& all, const std::string& wanted) {
-    return std::find(all.begin(), all.end(), wanted) != all.end();
+bool contains(const std::vector<std::string>& all, const std::string& name) {
+    return std::find(all.begin(), all.end(), name) != all.end();
 }
 
 // The option prefix of the method that walks such maps: empty for the method itself, kInnerPrefix for the one inside
-// it; std::nullopt if neither does. Adds the kinds that they walk to `wanted`.
-std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& wanted) {
+// it; std::nullopt if neither does. Adds the kinds that they walk to `accepted`.
+std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& accepted) {
     const MethodDescription& method = findTracer(choice.name);
     if (contains(method.maps, kind) || contains(method.otherMaps, kind)) return "";
     for (const auto* const maps : {&method.maps, &method.otherMaps}) {
-        for (const std::string& map : *maps) wanted += (wanted.empty() ? "" : ", ") + map;
+        for (const std::string& map : *maps) accepted += (accepted.empty() ? "" : ", ") + map;
     }
     if (const auto inner = innerMethod(choice)) {
-        if (const auto prefix = prefixOfWalker(*inner, kind, wanted)) return std::string(kInnerPrefix) + *prefix;
+        if (const auto prefix = prefixOfWalker(*inner, kind, accepted)) return std::string(kInnerPrefix) + *prefix;
     }
     return std::nullopt;
 }
@@ -192,11 +192,11 @@ StoredMap loadMap(const std::string& path, const HeightField& field, std::size_t
 MethodChoice useMap(const std::string& path, const StoredMap& map, const MethodChoice& choice, const HeightField& field,
                     MapCache& cache) {
     const std::string kind = mapKindName(map);
-    std::string wanted;
-    const auto prefix = prefixOfWalker(choice, kind, wanted);
+    std::string accepted;
+    const auto prefix = prefixOfWalker(choice, kind, accepted);
     if (!prefix) {
-        const MessageId why = wanted.empty() ? MessageId::MapForNoWalker : MessageId::MapNotForMethod;
-        throw InputError(path, Message(why, {{"method", choice.name}, {"wanted", wanted}, {"given", kind}}));
+        const MessageId why = accepted.empty() ? MessageId::MapForNoWalker : MessageId::MapNotForMethod;
+        throw InputError(path, Message(why, {{"method", choice.name}, {"wanted", accepted}, {"given", kind}}));
     }
     MethodChoice chosen = choice;
     const std::string mapOption = *prefix + std::string(kMapOption);

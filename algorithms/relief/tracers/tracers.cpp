@@ -163,9 +163,7 @@ std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
 
 bool supports(const MethodChoice& choice, Surface surface, Address address) {
     const MethodDescription& method = findTracer(choice.name);
-    const auto has = [](const auto& all, auto wanted) {
-        return std::find(all.begin(), all.end(), wanted) != all.end();
-    };
+    const auto has = [](const auto& all, auto value) { return std::find(all.begin(), all.end(), value) != all.end(); };
     if (!has(method.surfaces, surface) || !has(method.addresses, address)) return false;
     // With another map the method serves the addressing modes of the tracer that the map is made for.
     const auto map = choice.options.find(std::string(kMapOption));
