@@ -63,7 +63,7 @@ RULES = [
     ("truth", r"\btrue\b", "false"),
     ("truth", r"\bfalse\b", "true"),
     # Of all constants, those named as margins are (algorithms/relief/margins.md).
-    ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Lower|LeastRun|Round\w*|Late|"
+    ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Lower|LeastRun|Round\w*|Late|Away|Aside|"
                r"Nudge|Unsure|Clearance) = [^;]+(?=;)",
      lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
     ("swapped", rf"(?<=[\w>]\()({NAME}), ({NAME})(?=\))", r"\2, \1"),

@@ -22,7 +22,7 @@ double largestComponent(double begin, double end, bool alongX, int side) {
 // The shortest distance within the sector to a cell that is `gap` away along the axis on that side; infinite if the
 // sector has no direction that way. exactQuadrants: sector borders coincide with the axes, so that no sector has
 // directions beyond an axis, not even by rounding.
-double wayAlong(int gap, int side, bool alongX, double begin, double end, bool exactQuadrants) {
+double distanceAlong(int gap, int side, bool alongX, double begin, double end, bool exactQuadrants) {
     constexpr double kSectorSlack = 1e-12;  // the ends of sectors are rounded
     if (side == 0) return 0;
     const double component = largestComponent(begin, end, alongX, side);
@@ -65,14 +65,14 @@ CellsAround cellsAround(int width, int height, int radius, const AzimuthSectors&
             const SectorSet set = sectors.meeting(dx - width, dx + 1, dy - height, dy + 1);
             for (int k = 0; k < sectors.count(); ++k) {
                 if ((set >> k & 1U) == 0) continue;
-                const double way = std::max(
-                    {t,
-                     wayAlong(gap(dx, width), side(dx, width), true, sectors.begin(k), sectors.end(k), exactQuadrants),
-                     wayAlong(gap(dy, height), side(dy, height), false, sectors.begin(k), sectors.end(k),
-                              exactQuadrants)});
-                if (way > radius) continue;
-                all.seen.push_back(
-                    {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(k * stored / sectors.count()), way * way});
+                const double distance = std::max({t,
+                                                  distanceAlong(gap(dx, width), side(dx, width), true, sectors.begin(k),
+                                                                sectors.end(k), exactQuadrants),
+                                                  distanceAlong(gap(dy, height), side(dy, height), false,
+                                                                sectors.begin(k), sectors.end(k), exactQuadrants)});
+                if (distance > radius) continue;
+                all.seen.push_back({static_cast<std::uint8_t>(k),
+                                    static_cast<std::uint8_t>(k * stored / sectors.count()), distance * distance});
             }
             all.cells.push_back({dx, dy, t, first, all.seen.size()});
         }

@@ -51,8 +51,8 @@ ConePlanes::Node ConePlanes::above(int level, int i, int j) const {
     const NodeSpan y = NodeSpan::of(level, j, cellsY);
     float slopeX = 0;
     float slopeY = 0;
-    const auto slope = [](const Child& from, const Child& to, double way) {
-        return (to.node.value - from.node.value) / static_cast<float>(way);
+    const auto slope = [](const Child& from, const Child& to, double distance) {
+        return (to.node.value - from.node.value) / static_cast<float>(distance);
     };
     const auto lower = static_cast<std::size_t>(columns);
     if (columns == 2) {

@@ -35,7 +35,7 @@ struct ConeScene {
           reach(wraps ? std::max(1.0, 0.5 * std::min(width, height)) : std::hypot(width, height)),
           squaredReach(reach * reach),
           highest(static_cast<double>(map.highest())),
-          looser(1 + slackShare),
+          slackFactor(1 + slackShare),
           sectors(sectorCount) {}
 
     CellGrid grid;
@@ -50,7 +50,7 @@ struct ConeScene {
     double reach;
     double squaredReach;
     double highest;
-    double looser;
+    double slackFactor;
     AzimuthSectors sectors;
 
     static int place(const GridAxis& axis, int k) {
@@ -82,20 +82,20 @@ inline std::int64_t squaredGap(const ConeCells& from, const ConeCells& to) {
 }
 
 // Lower bound of the fall of a cone with the given slope towards a node: its tangent at the node's middle, since the
-// cone is convex. wayX, wayY: from the cell to the middle.
+// cone is convex. offsetX, offsetY: from the cell to the middle.
 struct ConeTangent {
     double fall;
     double x;
     double y;
 
-    ConeTangent(double wayX, double wayY, double slope) {
-        const double gapX = std::max(std::abs(wayX) - 1, 0.0);
-        const double gapY = std::max(std::abs(wayY) - 1, 0.0);
+    ConeTangent(double offsetX, double offsetY, double slope) {
+        const double gapX = std::max(std::abs(offsetX) - 1, 0.0);
+        const double gapY = std::max(std::abs(offsetY) - 1, 0.0);
         const double gap = std::sqrt(gapX * gapX + gapY * gapY);
         const double share = gap > 0 ? slope / gap : 0.0;
         fall = slope * gap;
-        x = std::copysign(share * gapX, wayX);
-        y = std::copysign(share * gapY, wayY);
+        x = std::copysign(share * gapX, offsetX);
+        y = std::copysign(share * gapY, offsetY);
     }
     // Upper bound of the height of the node's plane above the tangent, with the apex at 0.
     double room(const ConePlanes::Node& node, const NodeSpan& spanX, const NodeSpan& spanY) const {

@@ -29,8 +29,8 @@ std::size_t above(const ConeNodes& nodes, float x, float y, float apex, float sl
     std::size_t found = 0;
     for (std::size_t n = 0; n < count; n += lanes) {
         const auto load = [&](const std::vector<float>& from) { return hn::LoadU(d, from.data() + n); };
-        const V wayX = hn::Sub(load(nodes.middleX), px), wayY = hn::Sub(load(nodes.middleY), py);
-        const V outX = hn::Sub(hn::Abs(wayX), one), outY = hn::Sub(hn::Abs(wayY), one);
+        const V offsetX = hn::Sub(load(nodes.middleX), px), offsetY = hn::Sub(load(nodes.middleY), py);
+        const V outX = hn::Sub(hn::Abs(offsetX), one), outY = hn::Sub(hn::Abs(offsetY), one);
         const V halfX = load(nodes.halfX), halfY = load(nodes.halfY);
         // Bound by the maximum at the smallest gap.
         const V rise = hn::Sub(load(nodes.highest), a);
@@ -43,7 +43,8 @@ std::size_t above(const ConeNodes& nodes, float x, float y, float apex, float sl
         const V gapX = hn::Max(outX, zero), gapY = hn::Max(outY, zero);
         const V gap = hn::Sqrt(hn::Add(hn::Mul(gapX, gapX), hn::Mul(gapY, gapY)));
         const V share = hn::Div(k, hn::Max(gap, hn::Set(d, 1e-6F)));  // gap 0: gapX = gapY = 0
-        const V fallX = hn::CopySign(hn::Mul(share, gapX), wayX), fallY = hn::CopySign(hn::Mul(share, gapY), wayY);
+        const V fallX = hn::CopySign(hn::Mul(share, gapX), offsetX),
+                fallY = hn::CopySign(hn::Mul(share, gapY), offsetY);
         const V corner = hn::Add(hn::Mul(halfX, hn::Abs(hn::Sub(load(nodes.gradientX), fallX))),
                                  hn::Mul(halfY, hn::Abs(hn::Sub(load(nodes.gradientY), fallY))));
         const V room = hn::Add(hn::Sub(hn::Sub(load(nodes.value), a), hn::Mul(flatter, gap)),

@@ -153,8 +153,8 @@ void BlockCones::measureFall() {
     constexpr double kMost = std::numeric_limits<double>::infinity();
     const double middleX = 0.5 * (block_.x1 - block_.x0 - 1);
     const double middleY = 0.5 * (block_.y1 - block_.y0 - 1);
-    const auto wayX = [&](std::size_t n) { return static_cast<double>(n % kBlock) - middleX; };
-    const auto wayY = [&](std::size_t n) { return static_cast<double>(n / kBlock) - middleY; };
+    const auto offsetX = [&](std::size_t n) { return static_cast<double>(n % kBlock) - middleX; };
+    const auto offsetY = [&](std::size_t n) { return static_cast<double>(n / kBlock) - middleY; };
     double sumX = 0;
     double sumY = 0;
     double squareX = 0;
@@ -164,11 +164,11 @@ void BlockCones::measureFall() {
     fall_.flattest = fall_.lowest = fall_.apex = kMost;
     overCells([&](std::size_t n) {
         const auto apex = static_cast<double>(apex_[n]);
-        const double slope = slope_[n] * scene_.looser;
-        sumX += wayX(n) * apex;
-        sumY += wayY(n) * apex;
-        squareX += wayX(n) * wayX(n);
-        squareY += wayY(n) * wayY(n);
+        const double slope = slope_[n] * scene_.slackFactor;
+        sumX += offsetX(n) * apex;
+        sumY += offsetY(n) * apex;
+        squareX += offsetX(n) * offsetX(n);
+        squareY += offsetY(n) * offsetY(n);
         fall_.flattest = std::min(fall_.flattest, slope);
         fall_.lowest = std::min(fall_.lowest, apex);
         for (std::size_t k = 0; k < gaps.size(); ++k) {
@@ -179,7 +179,7 @@ void BlockCones::measureFall() {
     fall_.slopeY = squareY > 0 ? sumY / squareY : 0;
     overCells([&](std::size_t n) {
         fall_.apex =
-            std::min(fall_.apex, static_cast<double>(apex_[n]) - fall_.slopeX * wayX(n) - fall_.slopeY * wayY(n));
+            std::min(fall_.apex, static_cast<double>(apex_[n]) - fall_.slopeX * offsetX(n) - fall_.slopeY * offsetY(n));
     });
 }
 
@@ -190,9 +190,9 @@ bool BlockCones::matters(const ConePlanes::Node& node, const ConeNodes::Place& a
     if (static_cast<double>(node.highest) + fall_.above[static_cast<std::size_t>(step)] <= 0) return false;
     const NodeSpan x = NodeSpan::of(at.level, at.i, scene_.width);
     const NodeSpan y = NodeSpan::of(at.level, at.j, scene_.height);
-    const double wayX = x.middle + at.shiftX - 0.5 * (block_.x0 + block_.x1 - 1);
-    const double wayY = y.middle + at.shiftY - 0.5 * (block_.y0 + block_.y1 - 1);
-    const ConeTangent fall(wayX, wayY, fall_.flattest);
+    const double offsetX = x.middle + at.shiftX - 0.5 * (block_.x0 + block_.x1 - 1);
+    const double offsetY = y.middle + at.shiftY - 0.5 * (block_.y0 + block_.y1 - 1);
+    const ConeTangent fall(offsetX, offsetY, fall_.flattest);
     const double halfX = 0.5 * (block_.x1 - block_.x0 - 1);
     const double halfY = 0.5 * (block_.y1 - block_.y0 - 1);
     const double room = fall.room(node, x, y) - fall_.apex + halfX * std::abs(fall_.slopeX - fall.x) +
@@ -237,7 +237,7 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
     if (rise <= 0) return;
     const ConeCells cells = cellsOf(node);
     const auto gap2 = static_cast<double>(squaredGap(cell, cells));
-    const double slope = slope_[at] * scene_.looser;
+    const double slope = slope_[at] * scene_.slackFactor;
     if (gap2 >= scene_.squaredReach || rise * rise < slope * slope * gap2) return;
     if (node.level == 0) {
         raise(at, {cells.x0, cells.y0, static_cast<double>(plane.highest)}, sector);
@@ -245,13 +245,13 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
     }
     const NodeSpan x = NodeSpan::of(node.level, node.i, scene_.width);
     const NodeSpan y = NodeSpan::of(node.level, node.j, scene_.height);
-    const double wayX = x.middle + node.shiftX - cell.x0;
-    const double wayY = y.middle + node.shiftY - cell.y0;
-    const double room = ConeTangent(wayX, wayY, slope).room(plane, x, y) - apex;
+    const double offsetX = x.middle + node.shiftX - cell.x0;
+    const double offsetY = y.middle + node.shiftY - cell.y0;
+    const double room = ConeTangent(offsetX, offsetY, slope).room(plane, x, y) - apex;
     if (room <= -kRoomMargin || !scene_.meets(cell, cells, sector)) return;
     // Nearer children first.
-    const int nearX = wayX > 0 ? 0 : 1;
-    const int nearY = wayY > 0 ? 0 : 1;
+    const int nearX = offsetX > 0 ? 0 : 1;
+    const int nearY = offsetY > 0 ? 0 : 1;
     for (int n = 0; n < 4; ++n) {
         const int ci = 2 * node.i + (nearX ^ (n & 1));
         const int cj = 2 * node.j + (nearY ^ (n >> 1));
@@ -266,7 +266,7 @@ void BlockCones::refine(std::size_t at, int sector) {
     if (at % kBlock > 0 && decided_[at - 1]) raise(at, decider_[at - 1], sector);
     if (at >= kBlock && decided_[at - kBlock]) raise(at, decider_[at - kBlock], sector);
     const std::size_t found = nodesAbove(nodes_, static_cast<float>(at % kBlock), static_cast<float>(at / kBlock),
-                                         apex_[at], static_cast<float>(slope_[at] * scene_.looser), which_.data());
+                                         apex_[at], static_cast<float>(slope_[at] * scene_.slackFactor), which_.data());
     for (std::size_t n = 0; n < found; ++n) open(at, nodes_.places[which_[n]], sector);
 }
 
@@ -293,7 +293,7 @@ void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<flo
         overCells([&](std::size_t n) {
             refine(n, sector);
             slopes[static_cast<std::size_t>(sector) * cells + index(n)] =
-                static_cast<float>(slope_[n] * scene_.looser) * kSteeper;
+                static_cast<float>(slope_[n] * scene_.slackFactor) * kSteeper;
             constexpr std::size_t kSeeds = 4;
             if (decided_[n] && seeds.size() < kSeeds &&
                 std::find(seeds.begin(), seeds.end(), decider_[n]) == seeds.end()) {

@@ -68,7 +68,7 @@ struct Atlas {
 
 // The layers of all stacks as one picture.
 template <class Code>
-std::vector<Code> laidOut(const std::vector<const StoredValues*>& stacks, const Atlas& atlas) {
+std::vector<Code> pictureOfLayers(const std::vector<const StoredValues*>& stacks, const Atlas& atlas) {
     std::vector<Code> pixels(atlas.pixels());
     int tile = 0;
     for (const StoredValues* stack : stacks) {
@@ -84,7 +84,7 @@ std::vector<Code> laidOut(const std::vector<const StoredValues*>& stacks, const 
 
 // The stack of `layers` layers that begins with tile `first`.
 template <class Code>
-StoredValues takenOut(const std::vector<Code>& pixels, const Atlas& atlas, int first, int layers, float unit) {
+StoredValues layersOfPicture(const std::vector<Code>& pixels, const Atlas& atlas, int first, int layers, float unit) {
     std::vector<Code> codes;
     codes.reserve(static_cast<std::size_t>(atlas.nx) * static_cast<std::size_t>(atlas.ny) *
                   static_cast<std::size_t>(layers));

@@ -175,7 +175,7 @@ void checkField(const std::string& path, const Json& header, const HeightField& 
 
 // False if the codes contain values that no valid map has: NaN, negative values that are not marks, or marks where none
 // are allowed.
-bool sound(const StoredValues& values, bool marks) {
+bool hasValidCodes(const StoredValues& values, bool marks) {
     if (!(values.unit() >= 0 && std::isfinite(values.unit()))) return false;
     return std::visit(
         [&](const auto& codes) {
@@ -307,9 +307,10 @@ StoredMap readMap(const std::string& path, PictureInput& input, const Json& head
     int first = 0;
     for (std::size_t s = 0; s < units.size(); first += shell.layers[s], ++s) {
         StoredValues values = std::visit(
-            [&](const auto& pixels) { return takenOut(pixels, atlas, first, shell.layers[s], units[s]); }, codes);
+            [&](const auto& pixels) { return layersOfPicture(pixels, atlas, first, shell.layers[s], units[s]); },
+            codes);
         const bool marks = shell.distances && ofBoxes(shell.distances->kind);
-        if (!sound(values, marks)) refuseDamaged(path, "values");
+        if (!hasValidCodes(values, marks)) refuseDamaged(path, "values");
         (shell.distances ? shell.distances->values
          : s == 0        ? shell.cones->apex
                          : shell.cones->slopes) = std::move(values);
@@ -343,9 +344,9 @@ void saveMap(const std::string& path, const StoredMap& map, const FloatImage& he
     const Atlas atlas(stacks.front()->width(), stacks.front()->height(), tiles);
     Json header = std::visit([&](const auto& m) { return headerOf(*m, stacks, atlas); }, map);
     requireMemory(mapBytes(map), path);
-    const PictureCodes codes =
-        std::visit([&]<class Code>(const std::vector<Code>&) { return PictureCodes(laidOut<Code>(stacks, atlas)); },
-                   stacks.front()->codes());
+    const PictureCodes codes = std::visit(
+        [&]<class Code>(const std::vector<Code>&) { return PictureCodes(pictureOfLayers<Code>(stacks, atlas)); },
+        stacks.front()->codes());
     header["heights checksum"] = checksumOf(heights).text();
     header["codes checksum"] = checksumText(codes);
     header["header checksum"] = checksumText(header.dump());

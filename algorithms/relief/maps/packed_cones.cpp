@@ -22,12 +22,12 @@ constexpr int kFirstBlocks = 8;  // then gaps of 8 to 15 blocks on each level
 constexpr float kEmpty = -1;     // below every height
 using DepthImage = Image<std::uint16_t>;
 
-std::size_t place(int at) {
+std::size_t toSize(int at) {
     return static_cast<std::size_t>(at);
 }
 // Padded length of a row of windows.
 std::size_t strideOf(int width) {
-    return place((width + kReach + 2 * kConePad - 1) / kConePad * kConePad);
+    return toSize((width + kReach + 2 * kConePad - 1) / kConePad * kConePad);
 }
 
 // One axis in the direction of a quadrant: index n is cell n, or the n-th cell from the end.
@@ -53,8 +53,8 @@ struct Blocks {
     int height = 0;
     std::vector<float> values;
 
-    const float* row(int j) const { return values.data() + place(j) * place(width); }
-    float* row(int j) { return values.data() + place(j) * place(width); }
+    const float* row(int j) const { return values.data() + toSize(j) * toSize(width); }
+    float* row(int j) { return values.data() + toSize(j) * toSize(width); }
 };
 
 class QuadrantCones {
@@ -95,9 +95,9 @@ class QuadrantCones {
 
 // For blocks 0 to count - 1, the blocks one level below (level 1: the cells) that they contain; -1: none.
 std::vector<std::array<int, 3>> QuadrantCones::below(const QuadrantAxis& axis, int level, int belowCount, int count) {
-    std::vector<std::array<int, 3>> all(place(count));
+    std::vector<std::array<int, 3>> all(toSize(count));
     for (int n = 0; n < count; ++n) {
-        auto& from = all[place(n)];
+        auto& from = all[toSize(n)];
         if (level == 1) {
             from = {axis.cellAt(2 * n), axis.cellAt(2 * n + 1), -1};
         } else if (2 * n + 1 < belowCount) {
@@ -121,10 +121,10 @@ void QuadrantCones::addLevel(Work& work) {
     const Blocks* finer = levels_.empty() ? nullptr : &levels_.back();
     const auto columns = below(x_, level, finer ? finer->width : 0, blocks.width);
     const auto rows = below(y_, level, finer ? finer->height : 0, blocks.height);
-    blocks.values.assign(place(blocks.width) * place(blocks.height), kEmpty);
+    blocks.values.assign(toSize(blocks.width) * toSize(blocks.height), kEmpty);
     const auto fillRow = [&](int j) {
         float* to = blocks.row(j);
-        for (const int row : rows[place(j)]) {
+        for (const int row : rows[toSize(j)]) {
             if (row < 0) continue;
             const float* from = finer ? finer->row(row) : cells_.row(row).data();
             for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -160,16 +160,16 @@ void QuadrantCones::loadCells(int x0, int y0, const ConeTile& tile, Scratch& scr
         std::fill(to + k, to + stride, empty);
     };
     for (int n = 0; n < tile.height + kReach; ++n) {
-        loadRow(cells_, n, tile.width + kReach, scratch.windows.data() + place(n) * tile.stride, tile.stride, kEmpty);
+        loadRow(cells_, n, tile.width + kReach, scratch.windows.data() + toSize(n) * tile.stride, tile.stride, kEmpty);
     }
     for (int n = 0; n < tile.height + 1; ++n) {
-        loadRow(depths_, n, tile.width + 1, scratch.depths.data() + place(n) * tile.stride, tile.stride, kConeDepths);
+        loadRow(depths_, n, tile.width + 1, scratch.depths.data() + toSize(n) * tile.stride, tile.stride, kConeDepths);
     }
 }
 
 // Raises the slopes by the rings of one level. Returns true if cells beyond these rings may still matter.
 bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
-    const Blocks& blocks = levels_[place(level - 1)];
+    const Blocks& blocks = levels_[toSize(level - 1)];
     const int i0 = x0 >> level;
     const int j0 = y0 >> level;
     const int width = ((x0 + tile.width - 1) >> level) - i0 + 1;
@@ -179,10 +179,10 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
     rings.level = level;
     rings.x0 = x0 - (i0 << level);
     rings.y0 = y0 - (j0 << level);
-    scratch.windows.resize(std::max(scratch.windows.size(), rings.stride * place(height + kReach)));
+    scratch.windows.resize(std::max(scratch.windows.size(), rings.stride * toSize(height + kReach)));
     for (int j = 0; j < height + kReach; ++j) {
         const float* from = blocks.row(j0 + j) + i0;
-        float* to = scratch.windows.data() + place(j) * rings.stride;
+        float* to = scratch.windows.data() + toSize(j) * rings.stride;
         std::fill(std::copy(from, from + width + kReach, to), to + rings.stride, kEmpty);
     }
     int left = kReach;
@@ -196,7 +196,7 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
         grow(1);
         auto& plane = scratch.planes[k];
         const auto begin = scratch.windows.begin();
-        plane.assign(begin, begin + static_cast<std::ptrdiff_t>(rings.stride * place(height)));
+        plane.assign(begin, begin + static_cast<std::ptrdiff_t>(rings.stride * toSize(height)));
         rings.planes[k] = plane.data();
         rings.inverseGaps[k] = 1.0F / static_cast<float>((kFirstBlocks + static_cast<int>(k)) << level);
     }
@@ -209,7 +209,7 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* e
     tile.width = std::min(kTileWidth, x_.cells - x0);
     tile.height = std::min(kTileHeight, y_.cells - y0);
     tile.stride = strideOf(tile.width);
-    const std::size_t room = tile.stride * place(tile.height + kReach + 1);
+    const std::size_t room = tile.stride * toSize(tile.height + kReach + 1);
     scratch.windows.resize(std::max(scratch.windows.size(), room));
     scratch.depths.resize(room);
     scratch.apex.resize(room);
@@ -283,8 +283,8 @@ LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Wor
         float* to = nodes.data() + 2 * map.index(0, cy);
         for (int cx = 0; cx <= map.nx; ++cx) {
             const int i = cx < map.nx ? grid.x.nodeBefore(cx) : grid.x.nodeAfter(map.nx - 1);
-            *to++ = before[place(i)];
-            *to++ = after[place(i)];
+            *to++ = before[toSize(i)];
+            *to++ = after[toSize(i)];
         }
     });
     return nodes;
@@ -324,7 +324,7 @@ std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCach
     std::string kind = "packed-cones/" + std::string(surfaceName(field.surface()));
     kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
     const CellGrid grid(field);
-    const std::size_t entries = (place(grid.x.cells) + 1) * place(grid.y.cells);
+    const std::size_t entries = (toSize(grid.x.cells) + 1) * toSize(grid.y.cells);
     checkMapMemory("packed-cones", entries * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
     // Per texel: entries and nodes; cells, depths, and the levels of one quadrant during construction.
     constexpr std::uint64_t kBytes = 4 * sizeof(std::uint32_t) + 2 * sizeof(float) + 8;

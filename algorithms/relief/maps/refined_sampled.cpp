@@ -37,9 +37,9 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         for (int x = 0; x < nx; ++x) {
             const double s = (x + 0.5) * field.width() / nx;
             for (std::size_t d = 0; d < count; ++d) {
-                const SampledDirection& way = directions[d];
+                const SampledDirection& direction = directions[d];
                 scratch.rays.set(static_cast<std::size_t>(x) * count + d,
-                                 {s - lambda * way.a, t - lambda * way.b, way.a, way.b});
+                                 {s - lambda * direction.a, t - lambda * direction.b, direction.a, direction.b});
             }
         }
         exactHits(scratch.rays, scratch.hits);

@@ -53,8 +53,8 @@ struct DepthAxis {
         }
         offset = scene.address == Address::Repeat ? -k : -first;
         if (scene.address != Address::Border) return;
-        const double way = back ? ray.start - axis.low : axis.high - ray.start;
-        rim = inverse * kCrossingMargin + (std::min(static_cast<float>(way) * inverse, 1e30F) + kCrossingMargin);
+        const double toRim = back ? ray.start - axis.low : axis.high - ray.start;
+        rim = inverse * kCrossingMargin + (std::min(static_cast<float>(toRim) * inverse, 1e30F) + kCrossingMargin);
     }
 
     float lambdaAt(int line) const { return static_cast<float>(line + offset) * inverse + base; }

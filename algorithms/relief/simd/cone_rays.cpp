@@ -13,7 +13,7 @@ namespace {
 
 // Largest number of rays that wait for each other: enough to fill vectors, few enough that the map entries near them
 // remain in the cache.
-constexpr std::size_t kTogether = 256;
+constexpr std::size_t kMaxWaiting = 256;
 
 // Rays that resume the SIMD walk, gathered from different chunks.
 struct ResumedRays {
@@ -40,7 +40,7 @@ class RemainingRays {
         for (std::size_t n = 0; n < chunk.othersCount; ++n) {
             const LaneRays::Other& other = chunk.others[n];
             if (other.end == LaneEnd::Miss) continue;
-            if (waiting() == kTogether) resume();
+            if (waiting() == kMaxWaiting) resume();
             sort(other, begin + other.ray, chunk);
         }
     }

@@ -216,11 +216,11 @@ void SegmentWalk<Visits>::step() {
     };
     const M above = hn::Gt(lowest, heightOf(entry));
     // Lanes that need a cell test wait until several of them can be tested together.
-    constexpr int kTogether = kLanes > 2 ? static_cast<int>(kLanes / 2) : 1;
+    constexpr int kMinTested = kLanes > 2 ? static_cast<int>(kLanes / 2) : 1;
     const std::uint32_t all = (1U << kLanes) - 1;
     const std::uint32_t walking = segments_.active;
     std::uint32_t waiting = ~bitsOf(above) & walking;
-    if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kTogether)) {
+    if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kMinTested)) {
         resolve(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Visibility::Blocked);
         waiting = 0;
     }
