@@ -38,7 +38,7 @@ enum class LaneEnd : std::int32_t { Candidate, Miss, Scalar, FalseCandidate, Amb
 
 // One axis of the rays of a chunk.
 struct LaneAxisRays {
-    // Set up from the rays.
+    // Set up from the rays. first: cell of the start, mirrored, before addressing is applied.
     alignas(64) std::array<std::int32_t, kLaneSlots> first;
     alignas(64) std::array<std::int32_t, kLaneSlots> cell;  // the same with addressing applied
     alignas(64) std::array<float, kLaneSlots> inverse, base;
