@@ -21,7 +21,7 @@ struct VisibleKernel::Scratch {
     std::vector<Piece> pieces;
     AnyRayBlock rays;
     std::vector<std::size_t> which;
-    SightBlock sights;
+    VisibilityBlock results;
 };
 
 VisibleKernel::VisibleKernel(EllipticalKernel plain, VisibleForm form, const HeightField& field,
@@ -81,7 +81,7 @@ VisibleKernel::Region VisibleKernel::regionOf(const LevelFootprint& f, const See
 }
 
 void VisibleKernel::test(Scratch& scratch, const SeenPoint& seen, FootprintCounts& counts, Work& work, bool log) const {
-    auto& [pieces, rays, which, sights] = scratch;
+    auto& [pieces, rays, which, results] = scratch;
     rays.resize(0);
     which.clear();
     for (std::size_t n = 0; n < pieces.size(); ++n) {
@@ -92,18 +92,18 @@ void VisibleKernel::test(Scratch& scratch, const SeenPoint& seen, FootprintCount
         which.push_back(n);
     }
     NullSink sink;
-    query_->look(rays, sights, sink, work);
+    query_->query(rays, results, sink, work);
     for (std::size_t n = 0; n < which.size(); ++n) {
         FootprintTexel& texel = pieces[which[n]].texel;
         texel.tested = true;
-        texel.hidden = sights.sight[n] == Sight::Blocked;
+        texel.hidden = results.visibility[n] == Visibility::Blocked;
         if (!texel.hidden || !log) continue;
         // Repeats the query with a log, whose last step is at what hides the texel.
         AnyRayBlock one;
         one.push(rays[n]);
-        SightBlock again;
+        VisibilityBlock again;
         StepLog steps;
-        query_->look(one, again, steps, work);
+        query_->query(one, again, steps, work);
         if (steps.steps.empty()) continue;
         // The log stores heights as descents; the blocker is marked at the middle of the interval in the blocking cell.
         const double z = 1 - 0.5 * (steps.steps.back().lambdaIn + steps.steps.back().lambdaOut);

@@ -1,5 +1,5 @@
-// What both lists of methods (tracers, any-hit queries) need: blocks of rays cut into pieces that run in parallel, and
-// descriptions made once.
+// What the lists of tracers and of any-hit queries share: splitting blocks of rays into pieces that run in parallel,
+// and descriptions that are created once.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace relief {
 
-// Rays traced between two looks at the stop token.
+// Rays between two checks of the stop token.
 inline constexpr std::size_t kRayGrain = 1024;
 
-// body(first, last) over [0, count) on the work's threads; throws Cancelled.
+// Calls body(first, last) for pieces of [0, count) on the work's threads. Throws Cancelled.
 template <class Body>
 void overBlock(std::size_t count, Work& work, const Body& body) {
     if (count <= kRayGrain) {
@@ -26,12 +26,14 @@ void overBlock(std::size_t count, Work& work, const Body& body) {
         work.throwIfStopped();
         return;
     }
-    // Cut at multiples of the grain: lanes and packets keep the rays together that came together.
+    // Pieces begin at multiples of the grain, so that SIMD versions and packets get the same groups of neighbouring
+    // rays for any number of threads.
     parallelFor(work, (count + kRayGrain - 1) / kRayGrain,
                 [&](std::size_t n) { body(n * kRayGrain, std::min((n + 1) * kRayGrain, count)); });
 }
 
-// One ray after the other, with what each costs: in answers.steps and reads, their sums in counts. one(i, sink).
+// Calls one(i, sink) for every ray with a counting sink. Stores the counts of each ray in answers.steps and
+// answers.reads and adds their sums to `counts`.
 template <class Answers, class One>
 void countBlock(std::size_t count, Answers& answers, BlockCounts& counts, Work& work, const One& one) {
     std::atomic<std::uint64_t> highest{0};
@@ -53,7 +55,8 @@ void countBlock(std::size_t count, Answers& answers, BlockCounts& counts, Work& 
     }
 }
 
-// The same with their steps behind those that are in the log.
+// Calls one(i, sink) for every ray in turn with a logging sink, and appends the steps to the log. Counts as
+// countBlock() does per ray.
 template <class Answers, class One>
 void logBlock(std::size_t count, Answers& answers, StepLog& log, Work& work, const One& one) {
     LogSink sink;
@@ -71,7 +74,7 @@ void logBlock(std::size_t count, Answers& answers, StepLog& log, Work& work, con
     log.steps = std::move(sink.steps);
 }
 
-// The method's description with its options, made when first asked for.
+// The method's description with its options, created at the first call (thread-safe).
 template <class T>
 const MethodDescription& descriptionOf() {
     static const MethodDescription description = [] {

@@ -1,11 +1,12 @@
-// The grid of cells that a ray crosses, and where it crosses its lines: the only code that turns a cell's border into a
-// lambda. Every traversal and the leaf use it, so that the stays of a ray in its cells partition [0, 1] exactly.
+// The grid of cells that a ray crosses, and the crossings of its lines. This is the only code that computes a lambda
+// from a cell border: every traversal and the leaf use it, so that the intervals of a ray in its cells partition [0, 1]
+// exactly.
 //
-// Cell coordinates: x = s + shift. Columns: cell = texel. Bilinear: cell i lies between the centres of texels i and
-// i + 1 under repeat; under clamp and border there are W + 1 cells, numbered here from 0 (cell c holds nodes c - 1 and
-// c, clamped) and named -1 to W - 1 in logs.
-// Edges: under repeat cell k + n * cells has the edges of k, moved; under clamp the outermost cells are unbounded;
-// under border they end at the picture's edge.
+// Cell coordinates: x = s + shift. Columns: cell = texel. Bilinear: cell i lies between the centres of texels i and i +
+// 1 under repeat; under clamp and border there are W + 1 cells, numbered here from 0 (cell c has the nodes c - 1 and c,
+// clamped) and named -1 to W - 1 in logs.
+// Edges: under repeat, cell k + n * cells has the edges of cell k, translated by n periods; under clamp the outermost
+// cells are unbounded; under border they end at the edge of the picture.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@ struct GridAxis {
     double shift = 0;   // x = s + shift
     int firstName = 0;  // the name of cell 0 in logs
     bool wraps = false;
-    double low = 0;  // the lower edge of cell 0 and the upper one of the last, where they do not repeat
+    double low = 0;  // the lower edge of cell 0 and the upper one of the last, unless the axis wraps
     double high = 0;
 
     GridAxis() = default;
@@ -44,7 +45,7 @@ struct GridAxis {
         }
     }
 
-    // Where the line below cell k (k in [0, cells], counted within a period that begins at cell `base`) lies, in x.
+    // x of the line below cell k, for k in [0, cells], counted within the period that begins at cell `base`.
     double edge(int k, std::int64_t base) const {
         if (wraps) return static_cast<double>(base + k);
         if (k <= 0) return low;
@@ -55,13 +56,14 @@ struct GridAxis {
     int nodeAfter(int k) const { return wraps ? (k + 1 == texels ? 0 : k + 1) : std::min(k, texels - 1); }
 };
 
-// A place on one axis: cell `index` in [0, cells) of the period whose first cell is `base` (0 unless the axis wraps).
+// A cell on one axis: `index` in [0, cells) within the period whose first cell is `base` (0 unless the axis wraps).
 struct AxisCell {
     int index = 0;
     std::int64_t base = 0;
 };
 
-// To the neighbour on that side; false: there is none (clamp, border), the cell stays as it is.
+// Moves the cell to its neighbour on the given side (-1 or 1). Returns false and leaves the cell unchanged where there
+// is no neighbour (clamp and border, at the edge).
 inline bool stepCell(const GridAxis& axis, int side, AxisCell& cell) {
     const int next = cell.index + side;
     if (next >= 0 && next < axis.cells) {
@@ -74,12 +76,12 @@ inline bool stepCell(const GridAxis& axis, int side, AxisCell& cell) {
     return true;
 }
 
-// A coordinate taken into [0, size), the first period.
+// The coordinate reduced to the first period, [0, size).
 inline double reduceToPeriod(double x, double size) {
     if (x >= 0 && x < size) return x;
     const double rest = std::fmod(x, size);
     const double positive = rest < 0 ? rest + size : rest;
-    // -1e-30 + size rounds to size: the same place, one period on.
+    // -1e-30 + size rounds to size, which is the same place one period later.
     return positive >= size ? 0.0 : positive;
 }
 
@@ -88,13 +90,13 @@ struct RayAxis {
     double start = 0;
     double run = 0;
     double inverse = 0;
-    int side = 0;  // sign of the run; 0: parallel, the line is never left
+    int side = 0;  // sign of the run; 0: parallel to the lines, which are never crossed
 
     RayAxis() = default;
     RayAxis(const GridAxis& axis, double origin, double runValue) {
         const double reduced = axis.wraps ? reduceToPeriod(origin, axis.texels) : origin;
         start = reduced + axis.shift;
-        // Below this the inverse would overflow; over lambda in [0, 1] such a run moves nothing.
+        // The inverse of a smaller run would overflow. Over lambda in [0, 1] such a run does not change the position.
         constexpr double kSmallestRun = 1e-300;
         run = std::abs(runValue) < kSmallestRun ? 0.0 : runValue;
         side = run > 0 ? 1 : (run < 0 ? -1 : 0);
@@ -103,8 +105,9 @@ struct RayAxis {
 
     double lambdaAt(double edge) const { return (edge - start) * inverse; }
 
-    // Lambda at which the ray enters and leaves the cells [low, high) of a period.
-    // Inlined always: in every loop from cell to cell, and beside code that logs the compiler finds them too large.
+    // Lambda at which the ray enters and leaves the cells [low, high) of a period; infinite if it runs parallel.
+    // Always inlined: every walk calls these in its inner loop, and the compiler does not inline them next to code that
+    // logs.
     [[gnu::always_inline]] double enter(const GridAxis& axis, int low, int high, std::int64_t base) const {
         if (side == 0) return -std::numeric_limits<double>::infinity();
         return lambdaAt(axis.edge(side > 0 ? low : high, base));
@@ -114,7 +117,7 @@ struct RayAxis {
         return lambdaAt(axis.edge(side > 0 ? high : low, base));
     }
 
-    // The cell in which the ray stays at and just after lambda = 0. A start on a line belongs to the cell that the ray
+    // The cell that contains the ray at, and just after, lambda = 0. A start on a line belongs to the cell that the ray
     // moves into; a ray that runs along a line belongs to the cell above it, floor(x).
     AxisCell startCell(const GridAxis& axis) const {
         const double whole = std::floor(start);
@@ -132,8 +135,8 @@ struct RayAxis {
         return cell;
     }
 
-    // The cell in which the ray is at and just after lambda: a guess from the position, set right by the comparisons
-    // that every walk makes.
+    // The cell that contains the ray at, and just after, lambda: estimated from the position, then corrected by the
+    // comparisons that every walk makes.
     AxisCell cellAt(const GridAxis& axis, double lambda) const {
         if (side == 0) return startCell(axis);
         const double place = std::floor(start + lambda * run);
@@ -141,7 +144,7 @@ struct RayAxis {
         if (!(lambda > 0)) {
             cell = startCell(axis);
         } else if (axis.wraps) {
-            // Farther than numbers tell one cell from the next any cell will do, as long as it is one.
+            // So far off, doubles cannot distinguish neighbouring cells: any valid cell will do.
             constexpr double kFarthest = 0x1p62;
             const double reached = std::clamp(place, -kFarthest, kFarthest);
             cell.base = static_cast<std::int64_t>(std::floor(reached / axis.cells)) * axis.cells;
@@ -150,7 +153,7 @@ struct RayAxis {
         } else {
             cell.index = static_cast<int>(std::clamp(place, 0.0, axis.cells - 1.0));
         }
-        constexpr int kRepairs = 4;  // the guess is a cell off at most
+        constexpr int kRepairs = 4;  // the estimate is off by one cell at most
         for (int n = 0; n < kRepairs && leave(axis, cell.index, cell.index + 1, cell.base) <= lambda; ++n) {
             if (!stepCell(axis, side, cell)) return cell;
         }
@@ -161,10 +164,11 @@ struct RayAxis {
     }
 };
 
+// The cells of a height field, for its surface type and addressing.
 struct CellGrid {
     GridAxis x;
     GridAxis y;
-    bool bounded = false;  // border: what lies outside is empty
+    bool bounded = false;  // border: outside the picture there is no surface
 
     CellGrid() = default;
     explicit CellGrid(const HeightField& field)
@@ -173,7 +177,7 @@ struct CellGrid {
           bounded(field.address() == Address::Border) {}
 };
 
-// Cells that a ray flatter than the domain is followed through before it is given up as Limit.
+// Number of cells after which a ray flatter than the domain of exactness ends with Outcome::Limit.
 inline constexpr double kFlatCells = 65536;
 
 // A ray in cell coordinates.
@@ -183,25 +187,26 @@ struct GridRay {
 
     GridRay(const CellGrid& grid, const ViewRay& ray) : x(grid.x, ray.s0, ray.a), y(grid.y, ray.t0, ray.b) {}
 
-    // Border: a ray that enters outside the closed picture is a miss.
+    // Returns true for a ray that enters outside the closed picture under border; it is a miss.
     bool entersOutside(const CellGrid& grid) const {
         if (!grid.bounded) return false;
         return !(x.start >= grid.x.low && x.start <= grid.x.high && y.start >= grid.y.low && y.start <= grid.y.high);
     }
-    // Where the ray leaves the slab, or before that the map (border).
+    // Lambda at which the ray leaves the slab, or under border the map if that comes first.
     double end(const CellGrid& grid) const {
         if (!grid.bounded) return 1;
         return std::min({1.0, x.leave(grid.x, 0, grid.x.cells, 0), y.leave(grid.y, 0, grid.y.cells, 0)});
     }
-    // Whether the ray is no flatter than the domain of exactness.
+    // Returns true if the ray is no flatter than the domain of exactness (kMaxRun).
     bool inDomain() const { return x.run * x.run + y.run * y.run <= kMaxRun * kMaxRun; }
-    // Cells crossed at most; flatter rays are given up after kFlatCells, or a million of them would take days.
+    // Upper bound of the number of cells crossed. Flatter rays stop after kFlatCells cells, since a million of them
+    // would take days.
     double cellBound() const { return inDomain() ? std::abs(x.run) + std::abs(y.run) + 4 : kFlatCells; }
 };
 
-// The part of [0, 1] during which the ray is in a box of cells; it is really inside only if in < out: a stay of no
-// length (a corner touched) does not count, in any tracer.
-struct Stay {
+// The part of [0, 1] in which the ray is inside a box of cells. The ray crosses the box only if in < out: in every
+// tracer, an interval of no length (a corner that is touched) does not count.
+struct CellInterval {
     double in = 0;
     double out = 0;
 };

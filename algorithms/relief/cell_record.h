@@ -6,14 +6,15 @@
 
 namespace relief {
 
-// The largest stored height that the surface within a cell touches.
+// The largest stored height of the surface within a cell.
 inline double cellMaximum(const HeightField& field, const CellGrid& grid, AxisCell cx, AxisCell cy) {
     return field.surface() == Surface::Bilinear
                ? cellMaximum<Surface::Bilinear>(field.heights(), grid, cx.index, cy.index)
                : cellMaximum<Surface::Columns>(field.heights(), grid, cx.index, cy.index);
 }
 
-// A decision about the cell, its largest height as what was looked at. value: the column of step files.
+// Record of a decision about the cell (cx, cy) over the lambda interval [in, out], with the cell's largest height as
+// subject. value: the column `value` of step files; after: lambda from which the walk continues.
 inline Step cellRecord(const HeightField& field, const CellGrid& grid, AxisCell cx, AxisCell cy, Decision decision,
                        double in, double out, double value, double after) {
     Step step;

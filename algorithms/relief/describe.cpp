@@ -61,7 +61,7 @@ Address parseAddress(std::string_view text) {
 
 namespace {
 
-// said: what a message quotes.
+// said: the text that an error message quotes.
 double numberOf(std::string_view text, const std::string& said, const std::string& subject) {
     double value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -6,7 +6,7 @@ namespace relief {
 
 namespace {
 
-// Whole part and rest of a coordinate, reduced first so that far-off points keep their digits.
+// Integer and fractional part of a coordinate. It is reduced first, so that distant points keep their precision.
 struct Split {
     std::int64_t index;
     double rest;
@@ -14,7 +14,7 @@ struct Split {
 
 Split split(double x, int size, Address address) {
     if (address == Address::Repeat) {
-        // Within a period it is the remainder itself.
+        // Within a period fmod() would return x itself.
         if (!(std::abs(x) < size)) x = std::fmod(x, size);
     } else {
         x = std::clamp(x, -1.0, size + 1.0);
@@ -23,7 +23,7 @@ Split split(double x, int size, Address address) {
     return {static_cast<std::int64_t>(whole), x - whole};
 }
 
-// The four texels round a point of the bilinear surface.
+// The heights of the four texels around a point of the bilinear surface.
 struct Corners {
     double h00, h10, h01, h11;
 };

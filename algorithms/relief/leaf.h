@@ -1,12 +1,14 @@
-// The one leaf: where a ray meets the surface within one cell. Traversals only exclude cells; this one decides.
+// The leaf: the intersection of a ray with the surface within one cell. Traversals only exclude cells; every hit is
+// decided here.
 //
-// Along the stay [in, out] the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
-// quadratic (bilinear patch) or constant minus linear (column):
+// Over the interval [in, out], the surface minus the ray, f(w) with w from 0 at the entry to 1 at the exit, is
+// quadratic (bilinear patch) or a constant minus a linear function (column):
 //     f(w) = f_in + (f_out - f_in - c) w + c w^2,   c = du dv (h11 - h10 - h01 + h00)
-// - f >= 0 at the entry: the entry is the hit (walls, borders between patches, rounding).
-// - otherwise the root at which f reaches 0 from below, by the form without cancellation.
-// Watertight: f at the exit is compared with >= here and f at the same point with >= in the next cell.
-// Everything in double; the parameter is measured from the cell's entry, so far and flat rays keep their digits.
+// - If f >= 0 at the entry, the entry is the hit (walls, borders between patches, rounding).
+// - Otherwise the hit is the root at which f reaches 0 from below, in the form without cancellation.
+// Watertight: f at the exit is compared by >= here, and f at the same point by >= in the next cell.
+// All arithmetic is in double. The parameter is measured from the entry of the cell, so that long and flat rays keep
+// their precision.
 #pragma once
 
 #include <array>
@@ -17,11 +19,13 @@
 
 namespace relief {
 
-// What an exclusion test must leave to the leaf: the ray's clearance (in heights) within which rounding of the leaf's
-// interpolation (some 2^-50) could still make it a hit.
+// Clearance of a ray, in heights, that an exclusion test must demand: rounding of the leaf's interpolation (about
+// 2^-50) could still make a closer ray a hit.
 inline constexpr double kExclusionMargin = 0x1p-40;
 
-[[gnu::always_inline]] inline Stay cellStay(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+// The lambda interval of the ray in the cell (cx, cy), clamped to [0, 1]; the ray crosses the cell only if in < out.
+[[gnu::always_inline]] inline CellInterval cellInterval(const CellGrid& grid, const GridRay& ray, AxisCell cx,
+                                                        AxisCell cy) {
     const double in = std::max({ray.x.enter(grid.x, cx.index, cx.index + 1, cx.base),
                                 ray.y.enter(grid.y, cy.index, cy.index + 1, cy.base), 0.0});
     const double out = std::min({ray.x.leave(grid.x, cx.index, cx.index + 1, cx.base),
@@ -29,7 +33,7 @@ inline constexpr double kExclusionMargin = 0x1p-40;
     return {in, out};
 }
 
-// Largest and smallest stored height that the surface within a cell touches.
+// Largest and smallest stored height of the surface within a cell.
 template <Surface kSurface>
 float cellMaximum(const FloatImage& heights, const CellGrid& grid, int cx, int cy) {
     if constexpr (kSurface == Surface::Columns) {
@@ -68,38 +72,40 @@ inline std::array<double, 4> cellCorners(const FloatImage& heights, const CellGr
 
 namespace leaf_detail {
 
-// Place within a cell, [0, 1]; exact where the stay begins or ends on one of the cell's own lines.
+// Position within a cell, [0, 1]; exact where the interval begins or ends on one of the cell's own lines.
 inline double within(const RayAxis& axis, AxisCell cell, double lambda) {
     const double x = axis.start + lambda * axis.run;
     return std::clamp(x - static_cast<double>(cell.base + cell.index), 0.0, 1.0);
 }
 
+// The bilinear surface at (u, v) in a cell with corner heights h00 .. h11 (first index along x).
 inline double lerpPatch(double h00, double h10, double h01, double h11, double u, double v) {
     return (1 - v) * ((1 - u) * h00 + u * h10) + v * ((1 - u) * h01 + u * h11);
 }
 
-// The first w in (0, 1] at which f_in + b w + c w^2 (f_in < 0) reaches 0, if any.
+// The first w in (0, 1] at which f_in + b w + c w^2 (f_in < 0) reaches 0; std::nullopt if there is none.
 inline std::optional<double> firstRoot(double fIn, double fOut, double c) {
     const double b = fOut - fIn - c;
-    if (fOut < 0 && !(c < 0 && b > 0 && b < -2 * c)) return std::nullopt;  // no vertex inside: stays below
+    if (fOut < 0 && !(c < 0 && b > 0 && b < -2 * c)) return std::nullopt;  // no maximum inside: f remains below 0
     const double discriminant = b * b - 4 * c * fIn;
     if (discriminant < 0 && fOut < 0) return std::nullopt;
     const double root = std::sqrt(std::max(discriminant, 0.0));
-    // Both forms give the root with a positive slope; each where its sum does not cancel.
+    // Both forms give the root with a positive slope; each is used where its sum does not cancel.
     const double w = b >= 0 ? -2 * fIn / (b + root) : (root - b) / (2 * c);
-    return w < 1 ? w : 1.0;  // NaN (0/0) as well: then the exit is the hit
+    return w < 1 ? w : 1.0;  // also for NaN (0/0): then the exit is the hit
 }
 
 }  // namespace leaf_detail
 
-// The bilinear surface over a stay in one cell: its height where the ray comes in and goes out, and the curvature of
-// the parabola between, height(w) = heightIn + (heightOut - heightIn - c) w + c w^2, w from 0 to 1.
+// The bilinear surface along the ray's interval in one cell: its height at the entry and at the exit, and the curvature
+// c of the parabola in between, height(w) = heightIn + (heightOut - heightIn - c) w + c w^2, w from 0 to 1.
 struct Patch {
     double heightIn;
     double heightOut;
     double curvature;
 
-    Patch(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy, Stay stay) {
+    Patch(const FloatImage& heights, const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy,
+          CellInterval interval) {
         const int i0 = grid.x.nodeBefore(cx.index);
         const int i1 = grid.x.nodeAfter(cx.index);
         const int j0 = grid.y.nodeBefore(cy.index);
@@ -108,47 +114,47 @@ struct Patch {
         const double h10 = heights(i1, j0);
         const double h01 = heights(i0, j1);
         const double h11 = heights(i1, j1);
-        const double uIn = leaf_detail::within(ray.x, cx, stay.in);
-        const double vIn = leaf_detail::within(ray.y, cy, stay.in);
-        const double uOut = leaf_detail::within(ray.x, cx, stay.out);
-        const double vOut = leaf_detail::within(ray.y, cy, stay.out);
+        const double uIn = leaf_detail::within(ray.x, cx, interval.in);
+        const double vIn = leaf_detail::within(ray.y, cy, interval.in);
+        const double uOut = leaf_detail::within(ray.x, cx, interval.out);
+        const double vOut = leaf_detail::within(ray.y, cy, interval.out);
         heightIn = leaf_detail::lerpPatch(h00, h10, h01, h11, uIn, vIn);
         heightOut = leaf_detail::lerpPatch(h00, h10, h01, h11, uOut, vOut);
         curvature = (uOut - uIn) * (vOut - vIn) * ((h11 - h10) - (h01 - h00));
     }
 };
 
-// Lambda of the hit in this cell, or nothing. cx, cy as the traversal names them; the interval is computed here.
+// Lambda of the hit in the cell (cx, cy), or std::nullopt. The interval in the cell is computed here.
 template <Surface kSurface>
 [[gnu::always_inline]] inline std::optional<double> leafHit(const FloatImage& heights, const CellGrid& grid,
                                                             const GridRay& ray, AxisCell cx, AxisCell cy) {
-    const Stay stay = cellStay(grid, ray, cx, cy);
-    if (!(stay.in < stay.out)) return std::nullopt;
+    const CellInterval interval = cellInterval(grid, ray, cx, cy);
+    if (!(interval.in < interval.out)) return std::nullopt;
     if constexpr (kSurface == Surface::Columns) {
         const double h = heights(cx.index, cy.index);
-        if (1 - stay.in <= h) return stay.in;
+        if (1 - interval.in <= h) return interval.in;
         const double top = 1 - h;
-        if (top <= stay.out) return std::max(top, stay.in);
+        if (top <= interval.out) return std::max(top, interval.in);
         return std::nullopt;
     } else {
-        const Patch patch(heights, grid, ray, cx, cy, stay);
-        const double fIn = patch.heightIn - (1 - stay.in);
-        if (!(fIn < 0)) return stay.in;
-        const auto w = leaf_detail::firstRoot(fIn, patch.heightOut - (1 - stay.out), patch.curvature);
+        const Patch patch(heights, grid, ray, cx, cy, interval);
+        const double fIn = patch.heightIn - (1 - interval.in);
+        if (!(fIn < 0)) return interval.in;
+        const auto w = leaf_detail::firstRoot(fIn, patch.heightOut - (1 - interval.out), patch.curvature);
         if (!w) return std::nullopt;
-        const double lambda = stay.in + *w * (stay.out - stay.in);
-        return std::min(lambda, stay.out);
+        const double lambda = interval.in + *w * (interval.out - interval.in);
+        return std::min(lambda, interval.out);
     }
 }
 
-// The same for the field's surface.
+// The same for the surface type of the field.
 [[gnu::always_inline]] inline std::optional<double> leafHit(const HeightField& field, const CellGrid& grid,
                                                             const GridRay& ray, AxisCell cx, AxisCell cy) {
     return field.surface() == Surface::Bilinear ? leafHit<Surface::Bilinear>(field.heights(), grid, ray, cx, cy)
                                                 : leafHit<Surface::Columns>(field.heights(), grid, ray, cx, cy);
 }
 
-// Stored heights that it reads.
+// Number of stored heights that leafHit() fetches.
 constexpr std::uint32_t leafReads(Surface surface) {
     return surface == Surface::Bilinear ? 4 : 1;
 }

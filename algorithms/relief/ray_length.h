@@ -5,8 +5,8 @@
 
 namespace relief {
 
-// Texels of the metric (x, y, D z) that a ray of run (a, b) covers in a unit of lambda; D: the slab's thickness in
-// texels. A step of distance d advances lambda by d over this.
+// Length, in texels of the metric (x, y, D z), that a ray of run (a, b) covers per unit of lambda. D is the slab's
+// thickness in texels. A step of distance d advances lambda by d over this length.
 inline double texelsPerLambda(double a, double b, double slabTexels) {
     return std::hypot(std::hypot(a, b), slabTexels);
 }

@@ -1,4 +1,5 @@
-// What methods that look at the surface only at points share: a height at a place on the ray, and the picture's edge.
+// What methods that only sample the surface at points share: the height below a point of the ray, and whether the point
+// is on the picture.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace relief {
 
 class SampledSurface {
   public:
-    // Under repeat the origin is taken into the first period: far off, digits would be lost.
+    // Under repeat the origin is reduced to the first period, since distant coordinates would lose precision.
     SampledSurface(const HeightField& field, const ViewRay& ray) : field_(field), ray_(ray) {
         if (field.address() != Address::Repeat) return;
         ray_.s0 = reduceToPeriod(ray.s0, field.width());
@@ -21,13 +22,13 @@ class SampledSurface {
     }
 
     double heightAt(double lambda) const { return field_.at(ray_.s0 + lambda * ray_.a, ray_.t0 + lambda * ray_.b); }
-    // Under repeat in periods counted from the ray's own.
+    // Texel coordinates of the ray at lambda; under repeat relative to the period of its origin.
     std::pair<double, double> placeAt(double lambda) const {
         return {ray_.s0 + lambda * ray_.a, ray_.t0 + lambda * ray_.b};
     }
-    // Surface minus ray: 0 or more where the ray has reached the surface.
+    // Surface minus ray, in heights: 0 or more where the ray has reached the surface.
     double gapAt(double lambda) const { return heightAt(lambda) - (1 - lambda); }
-    // Under border only what lies on the picture counts.
+    // Whether the point at lambda counts: under border only points over the picture do.
     bool inside(double lambda) const {
         if (field_.address() != Address::Border) return true;
         const double s = ray_.s0 + lambda * ray_.a;
@@ -36,7 +37,7 @@ class SampledSurface {
     }
     std::uint32_t readsEach() const { return leafReads(field_.surface()); }
 
-    // A record of the surface's height `value` at `out`, with the texel under the ray there.
+    // A record of the surface height `value` sampled at lambda = out, with the texel below the ray there.
     Step record(Phase phase, Decision decision, double in, double out, double value, double after) const {
         Step step;
         step.phase = phase;
@@ -62,14 +63,14 @@ class SampledSurface {
         return step;
     }
 
-    // The sphere around the point at lambda.
+    // The sphere of the given radius, in texels, around the point at lambda.
     subject::Sphere sphereAt(double lambda, double radius) const {
         const auto [s, t] = placeAt(lambda);
         return {s, t, 1 - lambda, radius};
     }
 
   private:
-    // Of a texel so far off that its number has no digits left, the period means nothing either.
+    // 0 where the index is so large that doubles cannot represent its period.
     static std::int64_t periods(double index, double size) {
         const double n = std::floor(index / size);
         return std::abs(n) < 0x1p53 ? static_cast<std::int64_t>(n) : 0;

@@ -164,8 +164,9 @@ std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameReq
 
 // Which of the maps that methods share are not built because nothing reads them.
 void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work) {
-    const bool sight = frame.filter && frame.filter->description().visible;
-    const bool needed[] = {tracer.pyramid() != nullptr || sight || request.shadows, sight, needsLevels(request.filter)};
+    const bool tracesVisibility = frame.filter && frame.filter->description().visible;
+    const bool needed[] = {tracer.pyramid() != nullptr || tracesVisibility || request.shadows, tracesVisibility,
+                           needsLevels(request.filter)};
     frame.counters[MessageId::CountMapsConsidered] = static_cast<double>(std::size(needed));
     frame.counters[MessageId::CountMapsNotNeeded] =
         request.skip ? static_cast<double>(std::count(needed, std::end(needed), false)) : 0;
@@ -200,7 +201,7 @@ std::unique_ptr<FrameSetup> FrameRenderer::madeSetup(const FrameRequest& request
         setup->mesh = std::make_unique<MeshRaster>(*tracer.mesh(), setup->visible, frame->camera, frame->width, work);
     }
     if (request.shadows && has(stale, Stage::Shadows)) {
-        setup->query = makeAnyHit(sightChoice(request.field), request.field, *maps_, work);
+        setup->query = makeAnyHit(visibilityChoice(request.field), request.field, *maps_, work);
     }
     const bool newFilter = (changed & kFilterInputs) != 0;
     frame->filter = newFilter ? madeFilter(request, work) : frame_->filter;

@@ -45,12 +45,12 @@ struct LayerTools {
     ErrorLayer error{};
     VisiblePolygons visible{};
     // Tells which texels are hidden; null: the filter asks for none, or it was not made yet.
-    std::shared_ptr<const TextureFilter> sight = nullptr;
-    bool sightMade = false;
+    std::shared_ptr<const TextureFilter> visibleFilter = nullptr;
+    bool visibleFilterMade = false;
 };
 
-std::shared_ptr<const TextureFilter> sightOf(const Frame& frame, const FrameRequest& request, MapCache& maps,
-                                             Work& work) {
+std::shared_ptr<const TextureFilter> visibleFilterOf(const Frame& frame, const FrameRequest& request, MapCache& maps,
+                                                     Work& work) {
     if (!frame.filter || !frame.filter->description().visible) return nullptr;
     if (frame.filter->tracesBack()) return frame.filter;
     FilterChoice choice = request.filter;
@@ -70,9 +70,9 @@ std::array<float, 3> footprintValues(const std::string& name, const Frame& frame
         const SemiAxes<double> axes = ellipseOf(query->jacobian).semiAxes();
         return {static_cast<float>(axes.major), static_cast<float>(axes.minor), 0};
     }
-    if (!tools.sight) return {kNaN, 0, 0};
+    if (!tools.visibleFilter) return {kNaN, 0, 0};
     FootprintCounts counts;
-    tools.sight->color(*query, counts, work);
+    tools.visibleFilter->color(*query, counts, work);
     return {counts.texels > 0
                 ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels))
                 : 0,
@@ -130,8 +130,8 @@ void LayerPlanes::add(const Frame& part, const FrameRequest& request, Work& work
         if (name == "steps") assert(part.hits->counted());
         if (name == "error") tools.error = errorAgainstExact(part, request, maps_, work);
         if (name == "footprint" || name == "hidden") tools.visible = part.visible(request);
-        if (name == "hidden" && !std::exchange(tools.sightMade, true)) {
-            tools.sight = sightOf(part, request, maps_, work);
+        if (name == "hidden" && !std::exchange(tools.visibleFilterMade, true)) {
+            tools.visibleFilter = visibleFilterOf(part, request, maps_, work);
         }
         for (int y = part.rows.begin; y < part.rows.end && name != "color"; ++y) {
             work.throwIfStopped();

@@ -76,20 +76,20 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
         }
     });
     rays.resize(pixels.size());
-    SightBlock sights;
+    VisibilityBlock results;
     BlockCounts counts;
     if (request_.counts) {
-        tools_.query->look(rays, sights, counts, work);
+        tools_.query->query(rays, results, counts, work);
     } else {
         NullSink sink;
-        tools_.query->look(rays, sights, sink, work);
+        tools_.query->query(rays, results, sink, work);
     }
     std::int64_t blocked = 0;
     std::int64_t limits = 0;
     for (std::size_t n = 0; n < pixels.size(); ++n) {
-        shadowed[pixels[n]] = sights.sight[n] == Sight::Blocked ? 1 : 0;
-        blocked += sights.sight[n] == Sight::Blocked ? 1 : 0;
-        limits += sights.sight[n] == Sight::Limit ? 1 : 0;
+        shadowed[pixels[n]] = results.visibility[n] == Visibility::Blocked ? 1 : 0;
+        blocked += results.visibility[n] == Visibility::Blocked ? 1 : 0;
+        limits += results.visibility[n] == Visibility::Limit ? 1 : 0;
     }
     totals_.shadowRays += static_cast<std::int64_t>(pixels.size());
     totals_.shadowBlocked += blocked;

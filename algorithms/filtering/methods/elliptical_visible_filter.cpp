@@ -82,7 +82,7 @@ std::unique_ptr<const TextureFilter> EllipticalVisible::make(const Options& opti
                        makeTracer({"max-pyramid", {}}, tools.field, maps, work), std::move(coneHits), options.points));
     }
     VisibleKernel kernel(ellipticalKernel(options, tools, work), parsedForm(options.form), tools.field,
-                         makeAnyHit(sightChoice(tools.field), tools.field, maps, work),
+                         makeAnyHit(visibilityChoice(tools.field), tools.field, maps, work),
                          heightBoundsMap(tools.field, maps, work));
     kernel.setSkip(tools.skip);
     return std::make_unique<VisibleFilter>(tools, std::move(kernel));

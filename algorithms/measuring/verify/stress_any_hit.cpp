@@ -54,7 +54,7 @@ AnyRay wholeSegment(const ViewRay& ray) {
     return {ray.s0, ray.t0, 1, ray.a, ray.b, -1};
 }
 
-std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& ray, const CountedSight& answer,
+std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& ray, const CountedVisibility& answer,
                                        const Hit& reference) {
     const double bound = query.stepBound(wholeSegment(ray));
     if (!(answer.steps <= bound)) {
@@ -63,9 +63,9 @@ std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& 
     }
     const bool inDomain = GridRay(CellGrid(query.field()), ray).inDomain();
     if (!inDomain || reference.outcome == Outcome::Limit) return std::nullopt;
-    if (answer.sight == Sight::Limit) return StressFault{"limit", rayNumbers(ray)};
+    if (answer.visibility == Visibility::Limit) return StressFault{"limit", rayNumbers(ray)};
     const bool hit = reference.outcome == Outcome::Hit;
-    if (answer.sight == Sight::Blocked) {
+    if (answer.visibility == Visibility::Blocked) {
         if (!hit && startsOutside(query.field(), ray)) return std::nullopt;
         if (!hit) return StressFault{"any-hit", "blocked, exact: a miss; " + rayNumbers(ray)};
         if (answer.log.steps.empty() || answer.log.steps.back().lambdaOut >= reference.lambda - kLambdaRounding) {
@@ -107,21 +107,22 @@ class QueryTurn {
   private:
     // Returns the steps.
     std::uint64_t one(std::string_view family, const ViewRay& ray, const Hit& truth) {
-        CountedSight answer;
-        const SightBlock plain = looked<NullSink>(family, ray);
+        CountedVisibility answer;
+        const VisibilityBlock plain = queried<NullSink>(family, ray);
         BlockCounts counts;
-        const SightBlock counted = looked(family, ray, counts);
-        answer.sight = counted.sight[0];
+        const VisibilityBlock counted = queried(family, ray, counts);
+        answer.visibility = counted.visibility[0];
         answer.steps = counted.steps[0];
         // A log of a ray that takes long would not fit.
         if (answer.steps <= kStepsAFamily) {
-            looked(family, ray, answer.log);
+            queried(family, ray, answer.log);
             ++coverage_.logs;
         }
         const auto report = [&](const StressFault& fault) {
             run_.result.report({fault, StressPart::AnyHit, choice_, family, ray, nullptr});
         };
-        if (plain.sight[0] != answer.sight) report({"sinks", "counting changes the answer; " + rayNumbers(ray)});
+        if (plain.visibility[0] != answer.visibility)
+            report({"sinks", "counting changes the answer; " + rayNumbers(ray)});
         if (const auto fault = anyHitFault(query_, ray, answer, truth)) report(*fault);
         const double share = answer.steps / query_.stepBound(wholeSegment(ray));
         if (share > coverage_.worstBound) {
@@ -132,19 +133,19 @@ class QueryTurn {
     }
 
     template <class Sink>
-    SightBlock looked(std::string_view family, const ViewRay& ray) {
+    VisibilityBlock queried(std::string_view family, const ViewRay& ray) {
         Sink sink;
-        return looked(family, ray, sink);
+        return queried(family, ray, sink);
     }
     template <class Sink>
-    SightBlock looked(std::string_view family, const ViewRay& ray, Sink& sink) {
+    VisibilityBlock queried(std::string_view family, const ViewRay& ray, Sink& sink) {
         AnyRayBlock rays;
         rays.push(wholeSegment(ray));
-        SightBlock sights;
+        VisibilityBlock results;
         run_.watched.begin({&run_.of, StressPart::AnyHit, &choice_, family, ray});
-        query_.look(rays, sights, sink, run_.work);
+        query_.query(rays, results, sink, run_.work);
         run_.watched.end();
-        return sights;
+        return results;
     }
 
     const CaseRun& run_;

@@ -16,8 +16,8 @@ namespace relief {
 AnyRay wholeSegment(const ViewRay& ray);
 
 // What an any-hit query answered for wholeSegment(ray), with a log.
-struct CountedSight {
-    Sight sight = Sight::Clear;
+struct CountedVisibility {
+    Visibility visibility = Visibility::Clear;
     std::uint32_t steps = 0;
     StepLog log;
 };
@@ -25,10 +25,10 @@ struct CountedSight {
 // any-hit: blocked where `exact` misses, or in a cell that ends before the first hit; clear although the surface
 // rises above the ray behind it (by kSureHeight, at sampled places); limit: gave up within the domain; steps: more than
 // AnyHitQuery::stepBound. Beyond the domain only the steps count. reference: what `exact` found.
-std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& ray, const CountedSight& answer,
+std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& ray, const CountedVisibility& answer,
                                        const Hit& reference);
-// Heights by which the surface must rise above a ray for the check to be sure of it: well above kSightClearance and
-// the rounding of places.
+// Heights by which the surface must rise above a ray for the check to be sure of it: well above kVisibilityClearance
+// and the rounding of places.
 inline constexpr double kSureHeight = 1e-5;
 
 // not-finite: a hit, a colour or a lit colour with a number that is none.

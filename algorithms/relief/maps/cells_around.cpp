@@ -10,7 +10,7 @@ namespace relief {
 
 namespace {
 
-// How far the directions of a sector reach to one side of an axis for each step: the largest component, 0 if none.
+// The largest component, along the axis towards `side`, of a unit direction of the sector; 0 if there is none.
 double largestComponent(double begin, double end, bool alongX, int side) {
     const double middle = (alongX ? 0.0 : 0.5 * std::numbers::pi) + (side > 0 ? 0.0 : std::numbers::pi);
     for (const double turn : {0.0, 2 * std::numbers::pi}) {
@@ -19,14 +19,15 @@ double largestComponent(double begin, double end, bool alongX, int side) {
     return std::max({std::cos(begin - middle), std::cos(end - middle), 0.0});
 }
 
-// The least way in the sector to a cell that is `gap` away along the axis on that side; infinite if the sector's
-// directions do not go there. exactQuadrants: no direction counts to a sector beyond an axis, not even by rounding.
-double wayAlong(int gap, int side, bool alongX, double begin, double end, bool exactQuadrants) {
-    constexpr double kAside = 1e-12;  // sectors' ends are rounded
+// The shortest distance within the sector to a cell that is `gap` away along the axis on that side; infinite if the
+// sector has no direction that way. exactQuadrants: sector borders coincide with the axes, so that no sector has
+// directions beyond an axis, not even by rounding.
+double distanceAlong(int gap, int side, bool alongX, double begin, double end, bool exactQuadrants) {
+    constexpr double kSectorSlack = 1e-12;  // the ends of sectors are rounded
     if (side == 0) return 0;
     const double component = largestComponent(begin, end, alongX, side);
-    if (component <= kAside && exactQuadrants) return std::numeric_limits<double>::infinity();
-    return gap / (component + kAside);
+    if (component <= kSectorSlack && exactQuadrants) return std::numeric_limits<double>::infinity();
+    return gap / (component + kSectorSlack);
 }
 
 void intoTiles(CellsAround& all, int radius) {
@@ -64,14 +65,14 @@ CellsAround cellsAround(int width, int height, int radius, const AzimuthSectors&
             const SectorSet set = sectors.meeting(dx - width, dx + 1, dy - height, dy + 1);
             for (int k = 0; k < sectors.count(); ++k) {
                 if ((set >> k & 1U) == 0) continue;
-                const double way = std::max(
-                    {t,
-                     wayAlong(gap(dx, width), side(dx, width), true, sectors.begin(k), sectors.end(k), exactQuadrants),
-                     wayAlong(gap(dy, height), side(dy, height), false, sectors.begin(k), sectors.end(k),
-                              exactQuadrants)});
-                if (way > radius) continue;
-                all.seen.push_back(
-                    {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(k * stored / sectors.count()), way * way});
+                const double distance = std::max({t,
+                                                  distanceAlong(gap(dx, width), side(dx, width), true, sectors.begin(k),
+                                                                sectors.end(k), exactQuadrants),
+                                                  distanceAlong(gap(dy, height), side(dy, height), false,
+                                                                sectors.begin(k), sectors.end(k), exactQuadrants)});
+                if (distance > radius) continue;
+                all.seen.push_back({static_cast<std::uint8_t>(k),
+                                    static_cast<std::uint8_t>(k * stored / sectors.count()), distance * distance});
             }
             all.cells.push_back({dx, dy, t, first, all.seen.size()});
         }

@@ -1,4 +1,4 @@
-// The cells around a box in the order in which the builder of refined maps looks at them: in tiles, nearest first.
+// The cells around a box in the order in which the builder of refined maps examines them: in tiles, nearest first.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace relief {
 
-// A horizon sector in which a cell can be seen from a box, the stored sector that it belongs to, and the least way to
-// the cell within it.
+// A horizon sector in which a cell is visible from a box, the stored sector that contains it, and the square of the
+// shortest distance to the cell within it.
 struct Seen {
     std::uint8_t sector;
     std::uint8_t stored;
     double t2;
 };
 
-// A cell near a box: how far, and the sectors in which it can be seen, [firstSeen, endSeen) of the table.
+// A cell near a box: its offset, its distance, and the sectors in which it is visible, [firstSeen, endSeen) of the
+// table.
 struct CellAround {
     int dx;
     int dy;
@@ -26,8 +27,8 @@ struct CellAround {
     std::size_t endSeen;
 };
 
-// Cells [first, end) of the table, in a square of kTile with its corner there; the stored sectors that they are seen
-// in.
+// The cells [first, end) of the table within a square of kTile cells at the offset (dx, dy), and the stored sectors in
+// which they are visible.
 inline constexpr int kTile = 8;
 struct Tile {
     int dx;
@@ -38,18 +39,19 @@ struct Tile {
     std::size_t end;
 };
 
+// The table of cells around a box.
 struct CellsAround {
-    std::vector<CellAround> cells;  // of a tile together, nearest first
+    std::vector<CellAround> cells;  // grouped by tile, nearest first
     std::vector<Seen> seen;
     std::vector<Tile> tiles;  // nearest first
 };
 
-// Around a box of width x height cells, its corner at (0, 0), up to `radius` texels away, seen in horizon `sectors` of
-// which equal numbers together are one of `stored`.
+// The cells around a box of width x height cells with its corner at (0, 0), up to `radius` texels away. sectors:
+// horizon sectors; equal numbers of them form one of the `stored` sectors.
 CellsAround cellsAround(int width, int height, int radius, const AzimuthSectors& sectors, int stored);
 
-// The highest of each square of kTile cells: (x, y) is that of the one with its corner at the cell (x, y) if the
-// picture wraps, else at (x - kTile + 1, y - kTile + 1), nothing being outside.
+// The highest cell of each square of kTile x kTile cells. If the picture wraps, (x, y) stores the square with its
+// corner at the cell (x, y); otherwise the one at (x - kTile + 1, y - kTile + 1), of which the part outside is empty.
 FloatImage highestOfTiles(const FloatImage& cells, bool wraps);
 
 }  // namespace relief

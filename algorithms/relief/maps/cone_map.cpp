@@ -34,11 +34,12 @@ std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const 
 
 namespace {
 
-// All values are floats until the last is known; conservative cones are searched with planes over the cells.
+// Estimated memory for building. All values are floats until the last is known; conservative cones need planes over the
+// cells in addition.
 std::uint64_t coneBuildBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
     const ConeShape shape = coneMapShape(kind, parameters, field);
     const std::size_t codes = parameters.precision == Precision::Float ? 0 : bytesEach(parameters.precision);
-    constexpr std::uint64_t kPlanes = 28, kStrips = 4;  // bytes a texel
+    constexpr std::uint64_t kPlanes = 28, kStrips = 4;  // bytes per texel
     return byteSum(
         {byteProduct({valuesOf(shape), static_cast<std::uint64_t>(shape.sectors) + 1, sizeof(float) + codes}),
          bytesForTexels(field, kind == ConeKind::Conservative ? kPlanes : kStrips)});

@@ -1,7 +1,7 @@
-// Cone maps: above each cell (texel) a cone that the relief around does not reach into. Dummer 2006; Policarpo &
-// Oliveira 2007 (relaxed); Valasek & Ban 2022 (building by the max pyramid); Ban et al. 2024 (what makes them safe).
+// Cone maps: above each cell (texel) a cone that the relief around it does not enter. Dummer 2006; Policarpo & Oliveira
+// 2007 (relaxed); Valasek & Ban 2022 (construction by the max pyramid); Ban et al. 2024 (safety).
 //
-// Slopes are heights a texel of horizontal way, the steeper the narrower the cone; independent of the relief's depth.
+// Slopes are heights per texel of horizontal distance, steeper for narrower cones; independent of the relief's depth.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,24 @@
 
 namespace relief {
 
-// Conservative: apex A on the highest of 3 x 3 cells, kappa = max over other cells q of (Cmax(q) - A) / gap(q); holds
-//   for every point of the cell and the interpolated surface. Stored up to kConeSlack steeper. Cells of cell_grid.h.
-// Dummer: apex on the texel's height, texel centres only; as published. Texels.
-// Relaxed: the widest cone within which a ray from outside crosses the surface at most once, from sampled directions.
+// Conservative: apex A at the height of the highest of 3 x 3 cells, kappa = max over other cells q of (Cmax(q) - A) /
+// gap(q); valid for every point of the cell and the interpolated surface. Stored at most kConeSlack steeper. Cells of
+// cell_grid.h.
+// Dummer: apex at the texel's height, between texel centres only; as published. Texels.
+// Relaxed: the widest cone within which a ray from outside crosses the surface at most once, along sampled directions.
 enum class ConeKind : std::uint8_t { Conservative, Dummer, Relaxed };
 std::string_view coneKindName(ConeKind kind);
 
 struct ConeParameters {
     int sectors = 1;  // azimuth sectors with slopes of their own (conservative): 1, 4, 8
     Precision precision = Precision::Float;
-    int radius = 64;      // texels that are looked at (relaxed)
-    int directions = 16;  // azimuths that are looked along (relaxed)
+    int radius = 64;      // distance to which texels are examined (relaxed)
+    int directions = 16;  // number of azimuths that are examined (relaxed)
 
     bool operator==(const ConeParameters&) const = default;
 };
 
+// A cone map: immutable once built, may be shared by threads. Which rays it is valid for: rays().
 class ConeMap {
   public:
     ConeKind kind = ConeKind::Conservative;
@@ -39,7 +41,7 @@ class ConeMap {
     int fieldWidth = 0;
     int fieldHeight = 0;
     StoredValues apex;    // heights; rounded up
-    StoredValues slopes;  // kappa, one layer a sector; rounded up
+    StoredValues slopes;  // kappa, one layer per sector; rounded up
 
     int nx() const { return slopes.width(); }
     int ny() const { return slopes.height(); }
@@ -47,19 +49,22 @@ class ConeMap {
     RayClass rays() const { return kind == ConeKind::Relaxed ? RayClass::ViewRays : RayClass::AnyRays; }
 };
 
-// From the cache, or built: in parallel, with progress; throws Cancelled, InputError beyond the cache's memory.
+// Takes the map from the cache, or builds it in parallel, with progress. Throws Cancelled, and InputError if it exceeds
+// the cache's memory.
 std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                                        MapCache& cache, Work& work);
+// Builds the map without a cache.
 ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work);
-// Under which the cache keeps it.
+// The key under which the cache stores the map.
 MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
-// Of its values: cells or texels across, and stored sectors.
+// Size of the stored values: cells or texels on each axis, and stored sectors.
 struct ConeShape {
     int nx;
     int ny;
     int sectors;
 };
 ConeShape coneMapShape(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
+// Memory of the stored values.
 std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field);
 
 }  // namespace relief

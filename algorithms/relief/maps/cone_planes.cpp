@@ -29,7 +29,7 @@ ConePlanes::ConePlanes(const Pyramid& highest, Work& work) {
     }
 }
 
-// A plane above the planes of a node's children.
+// A plane above the planes of the node's children.
 ConePlanes::Node ConePlanes::above(int level, int i, int j) const {
     struct Child {
         Node node;
@@ -51,8 +51,8 @@ ConePlanes::Node ConePlanes::above(int level, int i, int j) const {
     const NodeSpan y = NodeSpan::of(level, j, cellsY);
     float slopeX = 0;
     float slopeY = 0;
-    const auto slope = [](const Child& from, const Child& to, double way) {
-        return (to.node.value - from.node.value) / static_cast<float>(way);
+    const auto slope = [](const Child& from, const Child& to, double distance) {
+        return (to.node.value - from.node.value) / static_cast<float>(distance);
     };
     const auto lower = static_cast<std::size_t>(columns);
     if (columns == 2) {
@@ -67,7 +67,7 @@ ConePlanes::Node ConePlanes::above(int level, int i, int j) const {
         }
         slopeY /= static_cast<float>(columns);
     }
-    // At a wall a flatter plane may do better.
+    // At a wall a flatter plane may be the better bound.
     constexpr double kRoundedUp = 2.4e-7;  // float has 24 bits; values stay below 2
     Node best{};
     double least = 0;
@@ -85,7 +85,7 @@ ConePlanes::Node ConePlanes::above(int level, int i, int j) const {
                                   axis(child.node.gradientY, node.gradientY, child.y, y);
             value = n == 0 ? stands : std::max(value, stands);
         }
-        // What it bounds on the whole: its middle counts, and how far it rises at the corners.
+        // Measure of the bound: its value in the middle, and half its rise at the corners.
         const double rise = x.half * std::abs(static_cast<double>(node.gradientX)) +
                             y.half * std::abs(static_cast<double>(node.gradientY));
         if (share == 1.0F || value + 0.5 * rise < least) {

@@ -1,5 +1,5 @@
 // Planes above the nodes of a max pyramid: C(q) <= value + gradient . (q - middle) for each cell q of a node. On slopes
-// they bound a node's cells to second order, where the maximum alone does to first order.
+// they bound the cells of a node to second order, the maximum alone only to first order.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace relief {
 
-// The cells [x0, x1) x [y0, y1) of a node, by their middles.
+// The cells [x0, x1) of a node on one axis, by their centres: the middle, and half the distance of the outermost ones.
 struct NodeSpan {
-    double middle = 0;  // of the outermost cells' middles
+    double middle = 0;  // of the outermost cells' centres
     double half = 0;
 
-    // Node i of a level, of an axis of so many cells.
+    // The span of node i of a level, on an axis with the given number of cells.
     static NodeSpan of(int level, int i, int cells) {
         const int from = i << level;
         const int to = std::min((i + 1) << level, cells) - 1;

@@ -1,4 +1,4 @@
-// What the search for conservative cones knows of a field: its cells, their planes, and the geometry between them.
+// The data of a field for the search for conservative cones: its cells, their planes, and the geometry between them.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace relief {
 
-// A cell that decided a slope, in any period.
+// The cell that determines a slope, in any period.
 struct ConeDecider {
     int x = 0;
     int y = 0;
@@ -35,7 +35,7 @@ struct ConeScene {
           reach(wraps ? std::max(1.0, 0.5 * std::min(width, height)) : std::hypot(width, height)),
           squaredReach(reach * reach),
           highest(static_cast<double>(map.highest())),
-          looser(1 + slackShare),
+          slackFactor(1 + slackShare),
           sectors(sectorCount) {}
 
     CellGrid grid;
@@ -45,17 +45,18 @@ struct ConeScene {
     bool unbounded;  // clamp: the outermost cells have no outer edge
     int width;
     int height;
-    // Cells farther than half a period have a copy that is nearer, but in another direction; the guard covers them.
+    // Radius of the search, in cells. Cells farther than half a period have a nearer copy, but in another direction; a
+    // lower bound of all slopes (BlockCones::guess) covers them.
     double reach;
     double squaredReach;
     double highest;
-    double looser;
+    double slackFactor;
     AzimuthSectors sectors;
 
     static int place(const GridAxis& axis, int k) {
         return axis.wraps ? ((k % axis.cells) + axis.cells) % axis.cells : std::clamp(k, 0, axis.cells - 1);
     }
-    // Whether a direction from a cell of `from` to one of `to` is in a sector.
+    // Whether the sector contains a direction from a cell of `from` to a cell of `to`.
     bool meets(const ConeCells& from, const ConeCells& to, int sector) const {
         if (sectors.count() == 1) return true;
         double x0 = to.x0 - from.x1;
@@ -73,30 +74,30 @@ struct ConeScene {
     }
 };
 
-// Exact: sides are below 2^15 cells, copies next to each other.
+// The squared gap between two boxes of cells. Exact: sides are below 2^15 cells, and copies are adjacent.
 inline std::int64_t squaredGap(const ConeCells& from, const ConeCells& to) {
     const std::int64_t x = std::max({0, to.x0 - from.x1, from.x0 - to.x1});
     const std::int64_t y = std::max({0, to.y0 - from.y1, from.y0 - to.y1});
     return x * x + y * y;
 }
 
-// The fall of a cone of that slope towards a node, from below by its tangent at the node's middle: it is convex. way:
-// from the cell to the middle.
+// Lower bound of the fall of a cone with the given slope towards a node: its tangent at the node's middle, since the
+// cone is convex. offsetX, offsetY: from the cell to the middle.
 struct ConeTangent {
     double fall;
     double x;
     double y;
 
-    ConeTangent(double wayX, double wayY, double slope) {
-        const double gapX = std::max(std::abs(wayX) - 1, 0.0);
-        const double gapY = std::max(std::abs(wayY) - 1, 0.0);
+    ConeTangent(double offsetX, double offsetY, double slope) {
+        const double gapX = std::max(std::abs(offsetX) - 1, 0.0);
+        const double gapY = std::max(std::abs(offsetY) - 1, 0.0);
         const double gap = std::sqrt(gapX * gapX + gapY * gapY);
         const double share = gap > 0 ? slope / gap : 0.0;
         fall = slope * gap;
-        x = std::copysign(share * gapX, wayX);
-        y = std::copysign(share * gapY, wayY);
+        x = std::copysign(share * gapX, offsetX);
+        y = std::copysign(share * gapY, offsetY);
     }
-    // What the node's plane rises above the tangent at most, the cone's apex at 0.
+    // Upper bound of the height of the node's plane above the tangent, with the apex at 0.
     double room(const ConePlanes::Node& node, const NodeSpan& spanX, const NodeSpan& spanY) const {
         return static_cast<double>(node.value) - fall + spanX.half * std::abs(static_cast<double>(node.gradientX) - x) +
                spanY.half * std::abs(static_cast<double>(node.gradientY) - y);

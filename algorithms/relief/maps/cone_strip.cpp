@@ -10,18 +10,18 @@ namespace {
 
 constexpr float kEmpty = -1;  // below every height
 
-// A cell's place in the picture, -1: there is none.
+// Index of a cell in the picture, or -1 if there is none.
 int placeOf(const GridAxis& axis, int k) {
     return axis.wraps || (k >= 0 && k < axis.cells) ? ConeScene::place(axis, k) : -1;
 }
 
-// Near cells in the directions of a sector by their gap.
+// The near cells in the directions of a sector, grouped by their gap.
 NearRings ringsOf(const ConeScene& scene, int sector, std::ptrdiff_t stride) {
     std::map<std::int64_t, std::vector<std::ptrdiff_t>> byGap;
     for (int y = -kNearCells; y <= kNearCells; ++y) {
         for (int x = -kNearCells; x <= kNearCells; ++x) {
             const std::int64_t gap2 = squaredGap({0, 1, 0, 1}, {x, x + 1, y, y + 1});
-            // Gap 0: the 3 x 3 cells, below the apex by its choice.
+            // Gap 0: the 3 x 3 cells, which are not above the apex by definition.
             if (gap2 == 0 || static_cast<double>(gap2) >= scene.squaredReach) continue;
             if (scene.sectors.meets(sector, x - 1, x + 1, y - 1, y + 1)) byGap[gap2].push_back(y * stride + x);
         }

@@ -15,7 +15,7 @@ namespace relief::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of the sums of numbers below 2, and of products, roots and quotients: a few units in the last place of a float.
+// Rounding of sums of numbers below 2, and of products, roots and quotients: a few units in the last place of a float.
 constexpr float kRounding = 1e-6F;
 
 std::size_t above(const ConeNodes& nodes, float x, float y, float apex, float slope, std::uint32_t* which) {
@@ -29,20 +29,22 @@ std::size_t above(const ConeNodes& nodes, float x, float y, float apex, float sl
     std::size_t found = 0;
     for (std::size_t n = 0; n < count; n += lanes) {
         const auto load = [&](const std::vector<float>& from) { return hn::LoadU(d, from.data() + n); };
-        const V wayX = hn::Sub(load(nodes.middleX), px), wayY = hn::Sub(load(nodes.middleY), py);
-        const V outX = hn::Sub(hn::Abs(wayX), one), outY = hn::Sub(hn::Abs(wayY), one);
+        const V offsetX = hn::Sub(load(nodes.middleX), px), offsetY = hn::Sub(load(nodes.middleY), py);
+        const V outX = hn::Sub(hn::Abs(offsetX), one), outY = hn::Sub(hn::Abs(offsetY), one);
         const V halfX = load(nodes.halfX), halfY = load(nodes.halfY);
-        // By the maximum at the least gap.
+        // Bound by the maximum at the smallest gap.
         const V rise = hn::Sub(load(nodes.highest), a);
         const V leastX = hn::Max(hn::Sub(outX, halfX), zero), leastY = hn::Max(hn::Sub(outY, halfY), zero);
         const V gap2 = hn::Add(hn::Mul(leastX, leastX), hn::Mul(leastY, leastY));
         const auto high = hn::And(hn::Gt(rise, zero), hn::Gt(hn::Mul(rise, rise), hn::Mul(squared, gap2)));
         if (hn::AllFalse(d, high)) continue;
-        // By the plane, and the gap from below by its tangent at the middle: it is convex.
+        // Bound by the plane, and by the tangent of the gap at the middle, which is a lower bound since the gap is
+        // convex.
         const V gapX = hn::Max(outX, zero), gapY = hn::Max(outY, zero);
         const V gap = hn::Sqrt(hn::Add(hn::Mul(gapX, gapX), hn::Mul(gapY, gapY)));
         const V share = hn::Div(k, hn::Max(gap, hn::Set(d, 1e-6F)));  // gap 0: gapX = gapY = 0
-        const V fallX = hn::CopySign(hn::Mul(share, gapX), wayX), fallY = hn::CopySign(hn::Mul(share, gapY), wayY);
+        const V fallX = hn::CopySign(hn::Mul(share, gapX), offsetX),
+                fallY = hn::CopySign(hn::Mul(share, gapY), offsetY);
         const V corner = hn::Add(hn::Mul(halfX, hn::Abs(hn::Sub(load(nodes.gradientX), fallX))),
                                  hn::Mul(halfY, hn::Abs(hn::Sub(load(nodes.gradientY), fallY))));
         const V room = hn::Add(hn::Sub(hn::Sub(load(nodes.value), a), hn::Mul(flatter, gap)),
@@ -73,7 +75,7 @@ void apexes(const float* cells, std::ptrdiff_t stride, int n, float* out) {
     }
 }
 
-// Two vectors at once, for one waits for the other's maxima.
+// Processes two vectors at once, so that their dependency chains of maxima overlap.
 void steepen(const NearRings& rings, const float* cells, const float* apex, int n, float* slopes) {
     const DNear d;
     const auto lanes = static_cast<int>(hn::Lanes(d));

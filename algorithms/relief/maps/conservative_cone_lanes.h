@@ -1,5 +1,4 @@
-// How steep near cells make a cone, and which of a list of nodes can steepen it: the inner loops of
-// conservative_cones.cpp, in lanes.
+// SIMD loops of conservative_cones.cpp: slopes required by near cells, and the nodes of a list that can steepen a cone.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +7,8 @@
 
 namespace relief {
 
-// Nodes in columns. Cells count from a corner of the cells that look: a node far off then is rounded by its way's
-// share.
+// Nodes as a structure of arrays. Coordinates are relative to the corner of the block of cells, so that distant nodes
+// are rounded relative to their distance.
 struct ConeNodes {
     struct Place {
         int level, i, j;
@@ -22,28 +21,29 @@ struct ConeNodes {
     void clear();
     void add(float x, float y, float halfAcross, float halfDown, float top, float plane, float slopeX, float slopeY,
              const Place& place);
-    // After the last: fills the columns up for whole vectors.
+    // Pads the columns to whole vectors; call after the last add().
     void finish();
     std::size_t size() const { return places.size(); }
 };
 
-// The numbers of the nodes some cell of which may rise above apex + slope * gap, seen from the cell (x, y); in order.
-// None that does is left out, rounding included. which: room for nodes.size(); returns how many.
+// Writes to `which` the indices, in order, of the nodes of which a cell may be higher than apex + slope * gap, seen
+// from the cell (x, y). No such node is omitted, whatever the rounding. which: room for nodes.size(). Returns their
+// number.
 std::size_t nodesAbove(const ConeNodes& nodes, float x, float y, float apex, float slope, std::uint32_t* which);
 
-// Rows of cells are read, and rows of results written, up to the next multiple of this.
+// Rows of cells are read, and rows of results written, up to the next multiple of this number.
 inline constexpr int kNearPad = 32;
 
-// out[i]: the highest of the 3 x 3 cells around cells[i], 0 <= i < n. stride: from one row to the next.
+// out[i]: the highest of the 3 x 3 cells around cells[i], 0 <= i < n. stride: distance between rows.
 void apexesAbove(const float* cells, std::ptrdiff_t stride, int n, float* out);
 
-// Cells by their gap from a cell: where they are from it, those of ring k up to ends[k].
+// Near cells grouped by their gap: their offsets from a cell; those of ring k end at ends[k].
 struct NearRings {
     std::vector<std::ptrdiff_t> offsets;
     std::vector<std::size_t> ends;
     std::vector<float> inverseGaps;
 };
-// slopes[i] = max over rings k of (highest - apexes[i]) * inverseGaps[k], not below 0, 0 <= i < n.
+// slopes[i] = max over rings k of (highest of the ring - apexes[i]) * inverseGaps[k], at least 0, 0 <= i < n.
 void steepenByRings(const NearRings& rings, const float* cells, const float* apexes, int n, float* slopes);
 
 }  // namespace relief

@@ -1,5 +1,6 @@
-// Conservative cones. For a block of cells, the nodes of the max pyramid that may steepen one of them; for each of its
-// cells, those of the nodes that may steepen its own; these are opened down to the cell that does, to within a slack.
+// Conservative cones. For each block of cells, collects the nodes of the max pyramid that may steepen one of them; for
+// each of its cells, selects those that may steepen its own cone; and opens these down to the cell that does, to within
+// the slack.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,18 +19,19 @@ namespace relief {
 
 namespace {
 
-// Height; nodes below the cone by less are still opened. Far above the rounding of sums in double (2^-50).
+// Height; nodes below the cone by less than this are still opened. Far above the rounding of sums in double (2^-50).
 constexpr double kRoomMargin = 1e-9;
 
-constexpr int kBlock = kStripRows;  // cells across
+constexpr int kBlock = kStripRows;  // side of a block, in cells
 constexpr std::size_t kBlockCells = kBlock * kBlock;
 
-// One block of cells; kept from one to the next of a row for what decided there.
+// The cones of one block of cells. Reused for the blocks of a row, to keep the cells that determined the last block.
 class BlockCones {
   public:
     explicit BlockCones(const ConeScene& scene) : scene_(scene), strip_(scene) {}
 
-    // To the blocks of other rows. Nothing is kept from those before: which thread works on which does not matter.
+    // Begins a row of blocks. Nothing is kept from other rows, so the result does not depend on which thread processes
+    // which row.
     void startRow(int y0) {
         strip_.load(y0);
         for (auto& seeds : seeds_) seeds.clear();
@@ -38,12 +40,12 @@ class BlockCones {
     void build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes);
 
   private:
-    // At least so far above the block's cells, seen from every one, must be what matters: falls by the gap.
+    // Height above which a cell can matter, relative to every cell of the block, as a function of the gap.
     struct Fall {
         static constexpr int kSteps = 32;
         std::array<double, kSteps> above{};
         double flattest = 0;
-        double apex = 0;  // at the block's middle; a plane below the apexes
+        double apex = 0;  // at the middle of the block; a plane below the apexes
         double slopeX = 0;
         double slopeY = 0;
         double lowest = 0;
@@ -68,7 +70,7 @@ class BlockCones {
         const int y = block_.y0 + static_cast<int>(at / kBlock);
         return {x, x + 1, y, y + 1};
     }
-    // The block's cells that there are: at the picture's edge it is cut.
+    // Calls body for the cells of the block that exist; blocks are cut at the edge of the picture.
     template <class Body>
     void overCells(const Body& body) const {
         for (int y = 0; y < block_.y1 - block_.y0; ++y) {
@@ -78,7 +80,7 @@ class BlockCones {
     template <class Body>
     void fromEveryPeriod(const Body& body) const {
         const int around = scene_.wraps ? 1 : 0;
-        body(0, 0);  // the own first: what it finds prunes the others
+        body(0, 0);  // the own period first: its results prune the others
         for (int py = -around; py <= around; ++py) {
             for (int px = -around; px <= around; ++px) {
                 if (px != 0 || py != 0) body(px * scene_.width, py * scene_.height);
@@ -90,7 +92,7 @@ class BlockCones {
     ConeStrip strip_;
     ConeCells block_{};
     std::array<float, kBlockCells> apex_{};
-    std::array<double, kBlockCells> slope_{};  // attained by a cell, or the guard
+    std::array<double, kBlockCells> slope_{};  // attained by a cell, or the lower bound
     std::array<ConeDecider, kBlockCells> decider_{};
     std::array<bool, kBlockCells> decided_{};
     std::array<std::vector<ConeDecider>, kMaxSectors> seeds_;
@@ -106,7 +108,8 @@ void BlockCones::start(int x0, int y0) {
     });
 }
 
-// Lower bounds of the slopes: the guard, the near cells, and what decided the last block.
+// Lower bounds of the slopes: of cells beyond the reach, of the near cells, and of the cells that determined the last
+// block.
 void BlockCones::guess(int sector) {
     overCells([&](std::size_t n) {
         const float near = strip_.slope(sector, block_.x0 + static_cast<int>(n % kBlock), static_cast<int>(n / kBlock));
@@ -119,9 +122,9 @@ void BlockCones::guess(int sector) {
     }
 }
 
-// Whether all cells of the block have looked at all of these.
+// Whether the strip has examined all these cells for every cell of the block.
 bool BlockCones::isNear(const ConeCells& cells) const {
-    // Clamp: the outermost cells are seen in more directions than the strip looks in.
+    // Clamp: the unbounded outermost cells are visible in more directions than the strip examines.
     if (scene_.unbounded && scene_.sectors.count() > 1) return false;
     return cells.x0 >= block_.x1 - 1 - kNearCells && cells.x1 - 1 <= block_.x0 + kNearCells &&
            cells.y0 >= block_.y1 - 1 - kNearCells && cells.y1 - 1 <= block_.y0 + kNearCells;
@@ -133,7 +136,7 @@ void BlockCones::raise(std::size_t at, const ConeDecider& by, int sector) {
     const double rise = by.height - static_cast<double>(apex_[at]);
     if (rise <= 0) return;
     const auto gap2 = static_cast<double>(squaredGap(cell, other));
-    // Gap 0: the 3 x 3 cells, below the apex by its choice.
+    // Gap 0: the 3 x 3 cells, which are not above the apex by definition.
     if (gap2 == 0 || gap2 >= scene_.squaredReach || !(rise * rise > slope_[at] * slope_[at] * gap2)) return;
     if (!scene_.meets(cell, other, sector)) return;
     slope_[at] = rise / std::sqrt(gap2);
@@ -150,8 +153,8 @@ void BlockCones::measureFall() {
     constexpr double kMost = std::numeric_limits<double>::infinity();
     const double middleX = 0.5 * (block_.x1 - block_.x0 - 1);
     const double middleY = 0.5 * (block_.y1 - block_.y0 - 1);
-    const auto wayX = [&](std::size_t n) { return static_cast<double>(n % kBlock) - middleX; };
-    const auto wayY = [&](std::size_t n) { return static_cast<double>(n / kBlock) - middleY; };
+    const auto offsetX = [&](std::size_t n) { return static_cast<double>(n % kBlock) - middleX; };
+    const auto offsetY = [&](std::size_t n) { return static_cast<double>(n / kBlock) - middleY; };
     double sumX = 0;
     double sumY = 0;
     double squareX = 0;
@@ -161,11 +164,11 @@ void BlockCones::measureFall() {
     fall_.flattest = fall_.lowest = fall_.apex = kMost;
     overCells([&](std::size_t n) {
         const auto apex = static_cast<double>(apex_[n]);
-        const double slope = slope_[n] * scene_.looser;
-        sumX += wayX(n) * apex;
-        sumY += wayY(n) * apex;
-        squareX += wayX(n) * wayX(n);
-        squareY += wayY(n) * wayY(n);
+        const double slope = slope_[n] * scene_.slackFactor;
+        sumX += offsetX(n) * apex;
+        sumY += offsetY(n) * apex;
+        squareX += offsetX(n) * offsetX(n);
+        squareY += offsetY(n) * offsetY(n);
         fall_.flattest = std::min(fall_.flattest, slope);
         fall_.lowest = std::min(fall_.lowest, apex);
         for (std::size_t k = 0; k < gaps.size(); ++k) {
@@ -176,20 +179,20 @@ void BlockCones::measureFall() {
     fall_.slopeY = squareY > 0 ? sumY / squareY : 0;
     overCells([&](std::size_t n) {
         fall_.apex =
-            std::min(fall_.apex, static_cast<double>(apex_[n]) - fall_.slopeX * wayX(n) - fall_.slopeY * wayY(n));
+            std::min(fall_.apex, static_cast<double>(apex_[n]) - fall_.slopeX * offsetX(n) - fall_.slopeY * offsetY(n));
     });
 }
 
-// Whether a cell of the node may rise above the cone of a cell of the block: by the maximum at the least gap, and by
-// the planes, the gap from below by its tangent between the middles (it is convex).
+// Whether a cell of the node may be above the cone of a cell of the block: by the maximum at the smallest gap, and by
+// the planes and the tangent of the gap between the middles, which is a lower bound since the gap is convex.
 bool BlockCones::matters(const ConePlanes::Node& node, const ConeNodes::Place& at, std::int64_t gap2) const {
     const int step = std::min(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(gap2))), Fall::kSteps - 1);
     if (static_cast<double>(node.highest) + fall_.above[static_cast<std::size_t>(step)] <= 0) return false;
     const NodeSpan x = NodeSpan::of(at.level, at.i, scene_.width);
     const NodeSpan y = NodeSpan::of(at.level, at.j, scene_.height);
-    const double wayX = x.middle + at.shiftX - 0.5 * (block_.x0 + block_.x1 - 1);
-    const double wayY = y.middle + at.shiftY - 0.5 * (block_.y0 + block_.y1 - 1);
-    const ConeTangent fall(wayX, wayY, fall_.flattest);
+    const double offsetX = x.middle + at.shiftX - 0.5 * (block_.x0 + block_.x1 - 1);
+    const double offsetY = y.middle + at.shiftY - 0.5 * (block_.y0 + block_.y1 - 1);
+    const ConeTangent fall(offsetX, offsetY, fall_.flattest);
     const double halfX = 0.5 * (block_.x1 - block_.x0 - 1);
     const double halfY = 0.5 * (block_.y1 - block_.y0 - 1);
     const double room = fall.room(node, x, y) - fall_.apex + halfX * std::abs(fall_.slopeX - fall.x) +
@@ -206,7 +209,7 @@ void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int se
     if (isNear(cells) || static_cast<double>(gap2) >= scene_.squaredReach || !matters(node, at, gap2) ||
         !scene_.meets(block_, cells, sector))
         return;
-    // Smaller nodes than this tell the block's cells no more.
+    // Nodes smaller than this fraction of their distance do not give the cells of the block different bounds.
     constexpr std::int64_t kFine = 8;
     constexpr int kSmallest = 1;
     const std::int64_t size = kFine << level;
@@ -225,7 +228,7 @@ void BlockCones::collect(int level, int i, int j, int shiftX, int shiftY, int se
     }
 }
 
-// A node that may steepen this cell, down to its cells.
+// Opens a node that may steepen this cell's cone, down to its cells.
 void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) {
     const ConeCells cell = cellAt(at);
     const auto apex = static_cast<double>(apex_[at]);
@@ -234,7 +237,7 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
     if (rise <= 0) return;
     const ConeCells cells = cellsOf(node);
     const auto gap2 = static_cast<double>(squaredGap(cell, cells));
-    const double slope = slope_[at] * scene_.looser;
+    const double slope = slope_[at] * scene_.slackFactor;
     if (gap2 >= scene_.squaredReach || rise * rise < slope * slope * gap2) return;
     if (node.level == 0) {
         raise(at, {cells.x0, cells.y0, static_cast<double>(plane.highest)}, sector);
@@ -242,13 +245,13 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
     }
     const NodeSpan x = NodeSpan::of(node.level, node.i, scene_.width);
     const NodeSpan y = NodeSpan::of(node.level, node.j, scene_.height);
-    const double wayX = x.middle + node.shiftX - cell.x0;
-    const double wayY = y.middle + node.shiftY - cell.y0;
-    const double room = ConeTangent(wayX, wayY, slope).room(plane, x, y) - apex;
+    const double offsetX = x.middle + node.shiftX - cell.x0;
+    const double offsetY = y.middle + node.shiftY - cell.y0;
+    const double room = ConeTangent(offsetX, offsetY, slope).room(plane, x, y) - apex;
     if (room <= -kRoomMargin || !scene_.meets(cell, cells, sector)) return;
-    // The nearer children first.
-    const int nearX = wayX > 0 ? 0 : 1;
-    const int nearY = wayY > 0 ? 0 : 1;
+    // Nearer children first.
+    const int nearX = offsetX > 0 ? 0 : 1;
+    const int nearY = offsetY > 0 ? 0 : 1;
     for (int n = 0; n < 4; ++n) {
         const int ci = 2 * node.i + (nearX ^ (n & 1));
         const int cj = 2 * node.j + (nearY ^ (n >> 1));
@@ -259,11 +262,11 @@ void BlockCones::open(std::size_t at, const ConeNodes::Place& node, int sector) 
 }
 
 void BlockCones::refine(std::size_t at, int sector) {
-    // What decided its neighbours is likely to decide this one.
+    // The cells that determined its neighbours are likely to determine this one.
     if (at % kBlock > 0 && decided_[at - 1]) raise(at, decider_[at - 1], sector);
     if (at >= kBlock && decided_[at - kBlock]) raise(at, decider_[at - kBlock], sector);
     const std::size_t found = nodesAbove(nodes_, static_cast<float>(at % kBlock), static_cast<float>(at / kBlock),
-                                         apex_[at], static_cast<float>(slope_[at] * scene_.looser), which_.data());
+                                         apex_[at], static_cast<float>(slope_[at] * scene_.slackFactor), which_.data());
     for (std::size_t n = 0; n < found; ++n) open(at, nodes_.places[which_[n]], sector);
 }
 
@@ -290,7 +293,7 @@ void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<flo
         overCells([&](std::size_t n) {
             refine(n, sector);
             slopes[static_cast<std::size_t>(sector) * cells + index(n)] =
-                static_cast<float>(slope_[n] * scene_.looser) * kSteeper;
+                static_cast<float>(slope_[n] * scene_.slackFactor) * kSteeper;
             constexpr std::size_t kSeeds = 4;
             if (decided_[n] && seeds.size() < kSeeds &&
                 std::find(seeds.begin(), seeds.end(), decider_[n]) == seeds.end()) {

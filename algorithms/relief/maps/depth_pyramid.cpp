@@ -48,7 +48,7 @@ std::shared_ptr<const DepthPyramid> depthPyramid(const HeightField& field,
     if (field.surface() == Surface::Bilinear) {
         kind = field.address() == Address::Repeat ? "depth-pyramid/bilinear/repeat" : "depth-pyramid/bilinear/clamped";
     }
-    constexpr std::uint64_t kBytes = 3;  // 16 bits on all levels
+    constexpr std::uint64_t kBytes = 3;  // per texel: 16 bits on all levels
     return cache.get<DepthPyramid>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,
                                    [&](Work& w) { return buildDepths(*map, w); });
 }

@@ -30,7 +30,7 @@ int voxelsAcross(int cells, int footprint) {
 
 using Shape = DistanceShape;
 
-// Buffers of one thread.
+// The buffers of one thread.
 struct LayerScratch {
     EnvelopeScratch envelope;
     FloatImage squares;
@@ -51,8 +51,8 @@ float* plane(std::vector<float>& values, const Shape& shape, int layer) {
            static_cast<std::size_t>(layer) * static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny);
 }
 
-// From each voxel's centre to the surface. From the row before, and the layer below, a distance is known that is not
-// exceeded by more than the way between the centres.
+// Distances from each voxel's centre to the surface. The distance of the previous voxel of the row, and of the one
+// below, plus the distance between the centres, is an upper bound that shortens the search.
 void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
     MapCache own;
     const SurfaceDistance distance(field, maxPyramidMap(field, own, work));
@@ -67,7 +67,7 @@ void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, s
                 float* const row =
                     plane(values, shape, k) + static_cast<std::size_t>(y) * static_cast<std::size_t>(shape.nx);
                 const double beside = x > 0 ? static_cast<double>(row[x - 1]) + across : kNone;
-                constexpr double kRounding = 1e-4;  // texels: of the floats
+                constexpr double kRounding = 1e-4;  // in texels: rounding of the stored floats
                 const double known = std::min(below + up, beside) + kRounding;
                 below = distance.at((x + 0.5) * across, (y + 0.5) * along, map.centreZ(k), known);
                 row[x] = static_cast<float>(below);
@@ -77,8 +77,8 @@ void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, s
     });
 }
 
-// A voxel is solid if its centre is not above the surface; below the slab all is solid. The distance of a voxel is that
-// of its centre to the nearest solid centre.
+// A voxel is solid if its centre is not above the surface; everything below the slab is solid. The distance of a voxel
+// is that of its centre to the nearest solid centre.
 void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
     const int layers = map.layers();
     Image<int> top(shape.nx, shape.ny);  // the highest solid layer
@@ -90,7 +90,7 @@ void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, std
         }
     });
     const double dz = field.slabTexels() / layers;
-    std::vector<float> drops;  // squares, by the number of layers
+    std::vector<float> drops;  // squared, by the number of layers
     for (int k = 0; k <= layers; ++k) drops.push_back(static_cast<float>((k * dz) * (k * dz)));
     overLayers(layers, work, [&](int k, LayerScratch& scratch) {
         FloatImage& squares = scratch.squares;
@@ -105,12 +105,13 @@ void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, std
     });
 }
 
-// The bound for whole boxes: the gap between box and cell, and the drop from the box's bottom to the cell's highest.
+// The bound for whole boxes: the gap between box and cell, and the drop from the bottom of the box to the cell's
+// highest point.
 void euclideanConservative(DistanceMap& map, const Shape& shape, const CellHeights& cells, bool wraps, double slab,
                            std::vector<float>& values, Work& work) {
     const int layers = map.layers();
     const int f = map.parameters.footprint;
-    // Rounding of the squares and roots in float stays far below this share.
+    // The rounding of squares and roots in float is far below this factor.
     constexpr float kShorter = 1 - 1e-6F;
     const BoxHeights boxes(cells, f, shape.nx, shape.ny);
     overLayers(layers, work, [&](int k, LayerScratch& scratch) {
@@ -163,7 +164,8 @@ DistanceTo parseDistanceTo(std::string_view text) {
 int azimuthSector(double x, double y, int sectors) {
     if (sectors <= 1) return 0;
     if (sectors % 4 == 0 && (x != 0 || y != 0)) {
-        // By signs first: no direction is taken for one of the next quadrant by rounding, which the maps rely on.
+        // The quadrant is chosen by signs, so that rounding cannot move a direction into the next quadrant; the maps
+        // rely on this.
         const int quarter = sectors / 4;
         const bool right = y < 0 ? x >= 0 : x > 0;
         const int quadrant = right ? (y >= 0 ? 0 : 3) : (y > 0 ? 1 : 2);
@@ -206,7 +208,8 @@ BoxHeights::BoxHeights(const CellHeights& cells, int footprint, int nx, int ny) 
 float BoxHeights::mark(int bx, int by, int layer, int layers) const {
     const double z0 = static_cast<double>(layer) / layers;
     const double z1 = static_cast<double>(layer + 1) / layers;
-    // Layer 0 as well: a ray would leave through a floor of height 0. As high as the floor of a layer counts, too.
+    // Also in layer 0, since a ray would leave through a floor of height 0. A floor at the height of the cell counts as
+    // well.
     if (z0 <= static_cast<double>(highest(bx, by)) || layer == 0) {
         return z1 <= static_cast<double>(lowest(bx, by)) ? StoredValues::kBuried : StoredValues::kSurface;
     }
@@ -248,8 +251,9 @@ std::size_t distanceMapBytes(DistanceKind kind, const DistanceParameters& parame
 
 namespace {
 
-// All values are floats until the last is known. Scratch: of euclidean maps some pictures of a layer for each thread,
-// of conservative ones the cells' heights, of refined ones tables of the least height along rows and columns.
+// Estimated memory for building. All values are floats until the last is known. Scratch memory: for Euclidean maps some
+// pictures of a layer per thread, for conservative ones the heights of the cells, for refined ones tables of the
+// smallest height along rows and columns.
 std::uint64_t distanceBuildBytes(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
                                  Work& work) {
     const Shape shape = distanceMapShape(kind, parameters, field);

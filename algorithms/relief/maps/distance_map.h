@@ -1,11 +1,12 @@
-// Distance maps of the slab: how far the surface is from each voxel. [DIST17]; Donnelly 2005; four kinds.
+// Distance maps of the slab: the distance from each voxel to the surface. [DIST17]; Donnelly 2005; four kinds.
 //
-// Metric: X = (x, y, D z) in texels, D = relief_depth * W. Distances are in that metric; a ray moves
-// |(a, b, D)| of it a unit of lambda. The metric and the flattest ray travel with the map.
+// Metric: X = (x, y, D z) in texels, D = relief_depth * W. Distances are in that metric; a ray covers |(a, b, D)| of it
+// per unit of lambda. The metric and the flattest ray are stored with the map.
 // Voxels: nx x ny footprints, L layers of equal height, layer 0 at the bottom.
-//   Centres: one value at the voxel's centre, meant to be interpolated (the papers'). Footprints tile W x H evenly. On
-//   one grid the refined value is nowhere smaller than the Euclidean one: both measure to the surface.
-//   Boxes: a bound for every point of the box, never to be interpolated. Footprints of F x F cells of the cell grid
+//   Centres: one value at the voxel's centre, meant to be interpolated (as in the papers). Footprints tile W x H
+//   uniformly. On the same grid a refined value is never smaller than the Euclidean one, since both measure to the
+//   surface.
+//   Boxes: a bound for every point of the box, not to be interpolated. Footprints of F x F cells of the cell grid
 //   (cell_grid.h), the last of a row clipped. Marks: surface (the patch must be tested), buried.
 #pragma once
 
@@ -23,36 +24,39 @@
 
 namespace relief {
 
-// Which distance: to the surface (Euclidean), or the smallest to the first hit over the rays that reach the voxel from
-// above without having hit anything (refined). Sampled ones are the papers' and not safe; the others are proven.
+// Euclidean: distance to the surface. Refined: the smallest distance to the first hit over the rays that reach the
+// voxel from above without having hit anything. RefinedSampled is that of the papers and not safe;
+// EuclideanConservative and Refined are proven bounds.
 enum class DistanceKind : std::uint8_t { Euclidean, EuclideanConservative, RefinedSampled, Refined };
 std::string_view distanceKindName(DistanceKind kind);
 
+// True for kinds of boxes, false for kinds of centres.
 constexpr bool ofBoxes(DistanceKind kind) {
     return kind == DistanceKind::EuclideanConservative || kind == DistanceKind::Refined;
 }
 
-// What a Euclidean map measures to. Surface: the surface itself. Voxel: the centre of the nearest solid voxel, as in
-// Donnelly's volume; a third of a texel too long on average.
+// The target of a Euclidean map. Surface: the surface itself. Voxel: the centre of the nearest solid voxel, as in
+// Donnelly's volume; on average a third of a texel too long.
 enum class DistanceTo : std::uint8_t { Surface, Voxel };
 std::string_view distanceToName(DistanceTo to);
-// InputError("--set", ...) with the known names.
+// Throws InputError("--set", ...), which lists the known names.
 DistanceTo parseDistanceTo(std::string_view text);
 
-// What a map is built with; those that its kind does not use stay at their defaults.
+// The parameters with which a map is built. Those that its kind does not use keep their defaults.
 struct DistanceParameters {
-    int footprint = 1;     // F, texels (cells) a side
+    int footprint = 1;     // F, texels (cells) per side
     int layers = 32;       // L
-    double flattest = 10;  // degrees below which rays are not served (refined): m_min = tan(flattest)
-    int horizons = 16;     // K, azimuth sectors that horizons are kept for (refined)
-    int sectors = 1;       // azimuth sectors that distances are stored for (refined)
-    int directions = 64;   // rays a voxel (refined, sampled)
+    double flattest = 10;  // degrees from the plane below which rays are not served (refined): m_min = tan(flattest)
+    int horizons = 16;     // K, azimuth sectors in which horizons are computed (refined)
+    int sectors = 1;       // azimuth sectors in which distances are stored (refined)
+    int directions = 64;   // rays per voxel (refined, sampled)
     Precision precision = Precision::Float;
     DistanceTo to = DistanceTo::Surface;  // (euclidean)
 
     bool operator==(const DistanceParameters&) const = default;
 };
 
+// A distance map: immutable once built, may be shared by threads. Which rays it is valid for: rays(), maxRun.
 class DistanceMap {
   public:
     DistanceKind kind = DistanceKind::Euclidean;
@@ -61,10 +65,10 @@ class DistanceMap {
     Address address = Address::Repeat;
     int fieldWidth = 0;  // of the height map
     int fieldHeight = 0;
-    double slabTexels = 0;                                    // D: the metric it was built in
+    double slabTexels = 0;                                    // D: the metric in which the map was built
     double maxRun = std::numeric_limits<double>::infinity();  // |(a, b)| of the flattest ray it serves
-    double cap = 0;                                           // distances are cut there
-    StoredValues values;                                      // layer of sector q: q * layers + k
+    double cap = 0;                                           // upper limit of the distances
+    StoredValues values;                                      // values of sector q, layer k: layer q * layers + k
 
     int nx() const { return values.width(); }
     int ny() const { return values.height(); }
@@ -76,40 +80,41 @@ class DistanceMap {
     }
     float at(int bx, int by, int layer, int sector) const { return values(bx, by, sector * layers() + layer); }
 
-    // Centres only: texels (s, t) and height z of a voxel's centre, and the trilinear value at a point, addressed.
+    // For kinds of centres only: texels (s, t) and height z of a voxel's centre, and the trilinearly interpolated value
+    // at a point, with addressing.
     double centreS(int bx) const { return (bx + 0.5) * fieldWidth / nx(); }
     double centreT(int by) const { return (by + 0.5) * fieldHeight / ny(); }
     double centreZ(int layer) const { return (layer + 0.5) / layers(); }
     double trilinear(double s, double t, double z) const;
 };
 
-// The azimuth sector of a direction: sector q holds the angles from 2 pi q / n to 2 pi (q + 1) / n, of (x, y).
+// The azimuth sector of a direction (x, y): sector q contains the angles from 2 pi q / n to 2 pi (q + 1) / n.
 int azimuthSector(double x, double y, int sectors);
 
-// Traces rays over one height field, exactly. The caller gives it to the builder of refined-sampled maps, because maps
-// know no method.
+// Traces rays exactly over one height field. The caller passes it to the builder of refined-sampled maps, because maps
+// do not depend on methods.
 using ExactHits = std::function<void(const RayBlock& rays, HitBlock& hits)>;
 using MakeExactHits = ExactHits (*)(const HeightField& field, Work& work);
 
-// From the cache, or built: in parallel, with progress; throws Cancelled, InputError if it would take more memory than
-// the cache may hold, or if the kind is not proven for the field's addressing (refined: not under clamp).
-// exactHits: needed for refined-sampled only; methods/distance_options.h has one.
+// Takes the map from the cache, or builds it in parallel, with progress. Throws Cancelled, and InputError if it would
+// exceed the cache's memory or if the kind is not proven for the field's addressing (refined: not under clamp).
+// exactHits: required for refined-sampled only; methods/distance_options.h provides one.
 std::shared_ptr<const DistanceMap> distanceMap(DistanceKind kind, const DistanceParameters& parameters,
                                                const HeightField& field, MapCache& cache, Work& work,
                                                MakeExactHits exactHits = nullptr);
-// Built without a cache.
+// Builds the map without a cache.
 DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field,
                              Work& work, MakeExactHits exactHits = nullptr);
-// Under which the cache keeps it.
+// The key under which the cache stores the map.
 MapKey distanceMapKey(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
-// Of its values: voxels across, and layers times stored sectors.
+// Size of the stored values: voxels on each axis, and layers times stored sectors.
 struct DistanceShape {
     int nx;
     int ny;
     int planes;
 };
 DistanceShape distanceMapShape(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
-// What it will take.
+// Memory of the stored values.
 std::size_t distanceMapBytes(DistanceKind kind, const DistanceParameters& parameters, const HeightField& field);
 
 }  // namespace relief

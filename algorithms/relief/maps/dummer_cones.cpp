@@ -10,7 +10,8 @@ namespace relief {
 
 namespace {
 
-// Searches the nodes of a pyramid around one texel. Texels count from 0 in one period; others are shifted copies.
+// Searches the nodes of a pyramid around one texel. Texels count from 0 in one period; those of other periods are
+// shifted copies.
 class DummerSearch {
   public:
     DummerSearch(const Pyramid& pyramid, bool wraps)
@@ -20,14 +21,15 @@ class DummerSearch {
           height_(pyramid.level(0).height()),
           reach_(std::hypot(width_, height_)) {}
 
-    // The texel that decided, in any period.
+    // The texel that determines a slope, in any period.
     struct Seed {
         int x = 0;
         int y = 0;
         bool known = false;
     };
 
-    // seed: what decided a texel nearby is likely to decide this one, and prunes the rest; then what decides this one.
+    // kappa of the texel (x, y). seed: the texel that determined a neighbour, which probably determines this one and
+    // prunes the search; receives the one that determines this texel.
     double slope(int x, int y, Seed& seed) const {
         const int around = wraps_ ? 1 : 0;
         const float apex = pyramid_.level(0)(x, y);
@@ -37,7 +39,7 @@ class DummerSearch {
             const int j = ((before.y % height_) + height_) % height_;
             visit(x, y, apex, 0, i, j, before.x - i, before.y - j, kappa, seed);
         }
-        // The own period first: what it finds prunes the others.
+        // The own period first: its results prune the others.
         visit(x, y, apex, pyramid_.levels() - 1, 0, 0, 0, 0, kappa, seed);
         for (int py = -around; py <= around; ++py) {
             for (int px = -around; px <= around; ++px) {
@@ -53,7 +55,7 @@ class DummerSearch {
                Seed& seed) const {
         const float highest = pyramid_.level(level)(i, j);
         if (highest <= apex) return;
-        // From the texel: [x0, x1) x [y0, y1).
+        // Relative to the texel: [x0, x1) x [y0, y1).
         const int x0 = (i << level) + shiftX - x;
         const int x1 = std::min((i + 1) << level, width_) + shiftX - x;
         const int y0 = (j << level) + shiftY - y;
@@ -70,7 +72,7 @@ class DummerSearch {
             return;
         }
         const FloatImage& below = pyramid_.level(level - 1);
-        // The nearer children first.
+        // Nearer children first.
         const int nearX = x0 + x1 > 0 ? 0 : 1;
         const int nearY = y0 + y1 > 0 ? 0 : 1;
         for (int n = 0; n < 4; ++n) {

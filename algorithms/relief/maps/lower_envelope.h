@@ -1,6 +1,6 @@
-// Exact distance transforms of sampled functions, in windows as wide as something nearer can be, in lanes; by lines'
-// lower envelopes of parabolas where such windows are very wide, which takes linear time (Felzenszwalb & Huttenlocher
-// 2012). Each value is the least of the sums rounded to float.
+// Exact distance transforms of sampled functions: by SIMD in windows as wide as a nearer sample can be, or by lower
+// envelopes of parabolas (Felzenszwalb & Huttenlocher 2012), which take linear time, where such windows are very wide.
+// Each value is the smallest of the sums, rounded to float.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace relief {
 
-// Buffers of one thread.
+// The buffers of one thread.
 struct EnvelopeScratch {
     std::vector<float> line;
     std::vector<float> out;
@@ -21,11 +21,11 @@ struct EnvelopeScratch {
     std::vector<const float*> rows;
 };
 
-// In place: f(x, y) becomes min over (i, j) of f(i, j) + (x - i)^2 dx^2 + (y - j)^2 dy^2, dx and dy the spacing of
-// samples. wraps: the function is periodic. Values are squared lengths, finite.
+// In place: f(x, y) becomes min over (i, j) of f(i, j) + (x - i)^2 dx^2 + (y - j)^2 dy^2, where dx and dy are the
+// spacing of samples. wraps: the function is periodic. Values are squared lengths, finite.
 void envelope2D(FloatImage& f, double dx, double dy, bool wraps, EnvelopeScratch& scratch);
 
-// The same with the gap between unit boxes, max(|x - i| - 1, 0), instead of the distance of their centres.
+// The same with the gap between unit boxes, max(|x - i| - 1, 0), instead of the distance between their centres.
 void gapEnvelope2D(FloatImage& f, bool wraps, EnvelopeScratch& scratch);
 
 }  // namespace relief

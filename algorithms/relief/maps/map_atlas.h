@@ -1,4 +1,4 @@
-// The inside of a map's file: layers as tiles of one picture, and the sums that tell a damaged one. For map_files.cpp.
+// The contents of a map file: layers as tiles of one picture, and the checksums that detect damage. For map_files.cpp.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class Checksum {
     }
     void add(std::string_view text) { add(text.data(), text.size()); }
     std::uint64_t value() const { return hash_; }
-    // JSON numbers hold 53 bits.
+    // As text, since JSON numbers have only 53 bits.
     std::string text() const {
         std::string digits(16, '0');
         for (std::size_t i = 0; i < digits.size(); ++i) {
@@ -30,7 +30,7 @@ class Checksum {
         }
         return digits;
     }
-    // Low byte first, whatever the machine.
+    // Low byte first on every machine.
     void add(float value) { addBits(std::bit_cast<std::uint32_t>(value), sizeof value); }
     void add(std::uint64_t value) { addBits(value, sizeof value); }
     void add(std::uint16_t value) { addBits(value, sizeof value); }
@@ -44,7 +44,7 @@ class Checksum {
     std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
 
-// Where the layers lie: tiles of nx x ny, row by row.
+// The arrangement of the layers: tiles of nx x ny, row by row.
 struct Atlas {
     int nx = 0;
     int ny = 0;
@@ -59,15 +59,16 @@ struct Atlas {
     int width() const { return columns * nx; }
     int height() const { return rows() * ny; }
     std::size_t pixels() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()); }
-    // First pixel of a tile's row.
+    // Index of the first pixel of a tile's row.
     std::size_t at(int tile, int y) const {
         const auto row = static_cast<std::size_t>(tile / columns * ny + y);
         return row * static_cast<std::size_t>(width()) + static_cast<std::size_t>(tile % columns * nx);
     }
 };
 
+// The layers of all stacks as one picture.
 template <class Code>
-std::vector<Code> laidOut(const std::vector<const StoredValues*>& stacks, const Atlas& atlas) {
+std::vector<Code> pictureOfLayers(const std::vector<const StoredValues*>& stacks, const Atlas& atlas) {
     std::vector<Code> pixels(atlas.pixels());
     int tile = 0;
     for (const StoredValues* stack : stacks) {
@@ -81,8 +82,9 @@ std::vector<Code> laidOut(const std::vector<const StoredValues*>& stacks, const 
     return pixels;
 }
 
+// The stack of `layers` layers that begins with tile `first`.
 template <class Code>
-StoredValues takenOut(const std::vector<Code>& pixels, const Atlas& atlas, int first, int layers, float unit) {
+StoredValues layersOfPicture(const std::vector<Code>& pixels, const Atlas& atlas, int first, int layers, float unit) {
     std::vector<Code> codes;
     codes.reserve(static_cast<std::size_t>(atlas.nx) * static_cast<std::size_t>(atlas.ny) *
                   static_cast<std::size_t>(layers));

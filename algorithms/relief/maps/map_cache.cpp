@@ -9,7 +9,8 @@ namespace relief {
 
 namespace {
 
-// Of the maps, and of the heights that they keep alive: each once, for the entries of one height map stand together.
+// Memory of the maps and of the heights that they keep alive. Heights count once: the entries of one height map are
+// adjacent.
 template <class Entries>
 std::size_t heldBytes(const Entries& entries) {
     std::size_t total = 0;
@@ -34,7 +35,7 @@ std::shared_ptr<const void> MapCache::find(const MapKey& key, std::uint64_t need
             found->second.lastUse = ++clock_;
             return found->second.map;
         }
-        // Woken also from time to time, so that a waiting request can be cancelled.
+        // The wait ends at intervals, so that a waiting request can be cancelled.
         done_.wait_for(lock, std::chrono::milliseconds(20));
         work.throwIfStopped();
     }

@@ -47,7 +47,7 @@ std::string checksumText(const PictureCodes& codes) {
     throw InputError(path, Message(MessageId::MapDamaged, {{"why", oneLine(why)}}));
 }
 
-// The stacks of values in a map, of one size and precision.
+// The stacks of values in a map, all of one size and precision.
 std::vector<const StoredValues*> stacksOf(const StoredMap& map) {
     if (const auto* distances = std::get_if<std::shared_ptr<const DistanceMap>>(&map)) return {&(*distances)->values};
     const auto& cones = std::get<std::shared_ptr<const ConeMap>>(map);
@@ -56,7 +56,7 @@ std::vector<const StoredValues*> stacksOf(const StoredMap& map) {
 
 // --- the description
 
-// JSON knows no infinity.
+// As a number, or as text since JSON has no infinity.
 Json numberJson(double value) {
     return std::isinf(value) ? Json("infinite") : Json(value);
 }
@@ -130,14 +130,14 @@ Json headerOf(const Map& map, const std::vector<const StoredValues*>& stacks, co
 Json parsedHeader(const std::string& path, const std::string& description) {
     Json header = Json::parse(description, nullptr, false);
     if (!header.is_object() || header.value("format", Json()) != Json(kFormat)) {
-        // Ours, but cut or altered, is not the same as another program's picture.
+        // A file of this program that is cut or altered is reported as damaged, not as an unknown picture.
         if (description.find(kFormat) != std::string::npos) refuseDamaged(path, "description");
         throw InputError(path, Message(MessageId::MapNotAMap));
     }
     if (const Json version = header.value("version", Json()); version != Json(kMapVersion)) {
         throw InputError(path, Message(MessageId::MapVersion, {{"version", version.dump()}, {"known", kMapVersion}}));
     }
-    // Of the text as it stands before the sum was added.
+    // The checksum covers the text before it was appended.
     const std::string text = description.substr(0, description.rfind(",\"header checksum\"")) + "}";
     if (header.value("header checksum", Json()) != Json(checksumText(text))) refuseDamaged(path, "description");
     return header;
@@ -173,8 +173,9 @@ void checkField(const std::string& path, const Json& header, const HeightField& 
                       {{"what", "relief-depth"}, {"stored", texels(slab)}, {"given", texels(field.slabTexels())}}));
 }
 
-// Codes that no map of ours holds: not a number, negative but no mark, marks where there are none.
-bool sound(const StoredValues& values, bool marks) {
+// False if the codes contain values that no valid map has: NaN, negative values that are not marks, or marks where none
+// are allowed.
+bool hasValidCodes(const StoredValues& values, bool marks) {
     if (!(values.unit() >= 0 && std::isfinite(values.unit()))) return false;
     return std::visit(
         [&](const auto& codes) {
@@ -192,7 +193,7 @@ bool sound(const StoredValues& values, bool marks) {
 
 // --- reading
 
-// An empty map with all but its values, and the shape that its values must have.
+// A map without its values, and the shape that its values must have.
 struct Shell {
     std::shared_ptr<DistanceMap> distances;
     std::shared_ptr<ConeMap> cones;
@@ -232,7 +233,7 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
     if (distance) {
         DistanceMap map;
         map.kind = *distance;
-        // Written before there was a choice.
+        // Files from before the parameter existed.
         if (map.kind == DistanceKind::Euclidean) map.parameters.to = DistanceTo::Voxel;
         fillCommon(map, header, field);
         map.slabTexels = field.slabTexels();
@@ -268,7 +269,7 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
 PictureCodes readCodes(const std::string& path, PictureInput& input, Precision precision, Work& work) {
     constexpr std::array kTypes{NumberType::Float, NumberType::UInt16, NumberType::UInt8};
     const std::array<int, 1> channel{0};
-    // The atlas, and the layers taken out of it.
+    // Reads the atlas and extracts the layers.
     const RawPlanes raw = input.read(channel, work, 2 * bytesEach(precision));
     const RawPlane& plane = raw.planes.front();
     if (plane.type != kTypes[static_cast<std::size_t>(precision)] || plane.stride != 1) refuseDamaged(path, "codes");
@@ -306,9 +307,10 @@ StoredMap readMap(const std::string& path, PictureInput& input, const Json& head
     int first = 0;
     for (std::size_t s = 0; s < units.size(); first += shell.layers[s], ++s) {
         StoredValues values = std::visit(
-            [&](const auto& pixels) { return takenOut(pixels, atlas, first, shell.layers[s], units[s]); }, codes);
+            [&](const auto& pixels) { return layersOfPicture(pixels, atlas, first, shell.layers[s], units[s]); },
+            codes);
         const bool marks = shell.distances && ofBoxes(shell.distances->kind);
-        if (!sound(values, marks)) refuseDamaged(path, "values");
+        if (!hasValidCodes(values, marks)) refuseDamaged(path, "values");
         (shell.distances ? shell.distances->values
          : s == 0        ? shell.cones->apex
                          : shell.cones->slopes) = std::move(values);
@@ -342,9 +344,9 @@ void saveMap(const std::string& path, const StoredMap& map, const FloatImage& he
     const Atlas atlas(stacks.front()->width(), stacks.front()->height(), tiles);
     Json header = std::visit([&](const auto& m) { return headerOf(*m, stacks, atlas); }, map);
     requireMemory(mapBytes(map), path);
-    const PictureCodes codes =
-        std::visit([&]<class Code>(const std::vector<Code>&) { return PictureCodes(laidOut<Code>(stacks, atlas)); },
-                   stacks.front()->codes());
+    const PictureCodes codes = std::visit(
+        [&]<class Code>(const std::vector<Code>&) { return PictureCodes(pictureOfLayers<Code>(stacks, atlas)); },
+        stacks.front()->codes());
     header["heights checksum"] = checksumOf(heights).text();
     header["codes checksum"] = checksumText(codes);
     header["header checksum"] = checksumText(header.dump());

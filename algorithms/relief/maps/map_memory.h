@@ -1,4 +1,4 @@
-// What maps take: those that would take more memory than the cache may hold are refused before anything is allocated.
+// Memory of maps: those that would exceed the cache's memory are rejected before anything is allocated.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace relief {
 
-// Bytes of a map, or of its building, that has so many for each texel of the heights (and of the cells around them).
+// Memory of a map, or of building it, with the given bytes per texel of the heights (and of the cells around them).
 inline std::uint64_t bytesForTexels(const HeightField& field, std::uint64_t bytesEach) {
     return byteProduct(
         {static_cast<std::uint64_t>(field.width()) + 1, static_cast<std::uint64_t>(field.height()) + 1, bytesEach});
 }
 
-// Throws InputError naming the map, what it would take and the cap.
+// Throws InputError, which names the map, its memory and the limit, if `bytes` exceed the limit of the cache.
 void checkMapMemory(const std::string& map, std::size_t bytes, const MapCache& cache);
 
 }  // namespace relief

@@ -21,17 +21,17 @@ FloatImage cellMaxima(const HeightField& field, Work& work) {
 
 std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work,
                                                    const MaxPyramidMap* before) {
-    // Clamp and border share their cells; columns do so in every addressing.
+    // Clamp and border have the same cells; for columns all addressing modes do.
     std::string kind = "max-pyramid/columns";
     if (field.surface() == Surface::Bilinear) {
         kind = field.address() == Address::Repeat ? "max-pyramid/bilinear/repeat" : "max-pyramid/bilinear/clamped";
     }
-    constexpr std::uint64_t kBytes = 6;  // cells, and a third of them on the levels above
+    constexpr std::uint64_t kBytes = 6;  // per texel: cells, and a third of them on the levels above
     return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work, [&](Work& w) {
         const CellGrid grid(field);
         const bool edit = before != nullptr && before->pyramid.level(0).width() == grid.x.cells &&
                           before->pyramid.level(0).height() == grid.y.cells;
-        // A column's largest height is its own.
+        // The largest height of a column is its own.
         if (field.surface() == Surface::Columns) {
             if (edit) return MaxPyramidMap{Pyramid::edited(before->pyramid, field.sharedHeights())};
             return MaxPyramidMap{Pyramid(PyramidKind::Max, field.sharedHeights(), w)};

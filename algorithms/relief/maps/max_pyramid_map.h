@@ -1,5 +1,5 @@
 // The hierarchy of maxima over the cells of a height field. [MIP18] fig. 3.
-// Level 0: the texel heights (columns), the largest of a cell's four corners (bilinear). Valid for any ray.
+// Level 0: the texel heights (columns), or the largest of a cell's four corners (bilinear). Valid for any ray.
 #pragma once
 
 #include "images/pyramid.h"
@@ -18,10 +18,10 @@ struct MaxPyramidMap {
     float highest() const { return pyramid.level(top())(0, 0); }
 };
 
-// The largest height that the surface in each cell touches: level 0.
+// Level 0: the largest height of the surface in each cell.
 FloatImage cellMaxima(const HeightField& field, Work& work);
-// From the cache, or built (O(cells), in parallel). before: of heights that differ in few texels; with as many cells,
-// levels that do not change are shared with it.
+// Takes the map from the cache, or builds it in parallel; O(cells). before: the map of heights that differ in few
+// texels; if it has as many cells, unchanged levels are shared with it.
 std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, MapCache& cache, Work& work,
                                                    const MaxPyramidMap* before = nullptr);
 

@@ -14,7 +14,7 @@ std::size_t MeanLevelsMap::bytes() const {
 }
 
 std::shared_ptr<const MeanLevelsMap> meanLevelsMap(const HeightField& field, MapCache& cache, Work& work) {
-    // A pyramid of a copy, its sums, and its levels once more.
+    // Per texel: a pyramid of a copy, its sums, and its levels.
     constexpr std::uint64_t kBytes = 9;
     return cache.get<MeanLevelsMap>({"mean-levels", field.sharedHeights()}, bytesForTexels(field, kBytes), work,
                                     [&](Work& w) {

@@ -1,4 +1,4 @@
-// The mean pyramid's levels as height maps of their own: what a base level k > 0 traces. [MIP18] fig. 2.
+// The levels of the mean pyramid as height maps: with a base level k > 0, level k is traced. [MIP18] fig. 2.
 #pragma once
 
 #include <memory>
@@ -20,11 +20,11 @@ struct MeanLevelsMap {
     std::size_t bytes() const;
 };
 
-// From the cache, or built (O(texels), in parallel).
+// Takes the map from the cache, or builds it in parallel; O(texels).
 std::shared_ptr<const MeanLevelsMap> meanLevelsMap(const HeightField& field, MapCache& cache, Work& work);
 
-// A height field at a base level: its own texels are larger, `perS` and `perT` of them to a texel of the whole field
-// (W_k / W; 1 at level 0). Lambda is the same in both.
+// A height field at a base level. Its texels are larger: perS and perT of them correspond to one texel of the whole
+// field on each axis (W_k / W; 1 at level 0). Lambda is the same in both.
 struct BaseField {
     HeightField field;
     int level = 0;
@@ -32,14 +32,14 @@ struct BaseField {
     double perT = 1;
 };
 
-// The option of methods that trace a base level: a number, or `auto`, which only who knows the view turns into one
-// (rendering/base_level.h).
+// The option of methods that trace a base level: a number, or `auto`, which the renderer replaces, since it depends on
+// the view (rendering/base_level.h).
 inline constexpr std::string_view kBaseOption = "base";
 inline constexpr std::string_view kBaseAuto = "auto";
-// The number of a checked option. Throws InputError("--set", ...) for auto.
+// The number of a checked option. Throws InputError("--set", ...) for `auto`.
 int baseLevelNumber(const std::string& text);
 
-// Level: clamped to the last there is. Level 0 builds nothing.
+// The field at a base level, at most the last one. Level 0 builds nothing.
 BaseField baseField(const HeightField& field, int level, MapCache& cache, Work& work);
 
 }  // namespace relief

@@ -17,7 +17,7 @@ using D = hn::CappedTag<float, kConePad>;
 using DU = hn::RebindToUnsigned<D>;
 using V = hn::Vec<D>;
 
-// In strips from left to right, each from top to bottom: what a window reads has not been written yet.
+// Processes strips from left to right, each from top to bottom, so that windows are read before they are overwritten.
 void grow(float* windows, std::size_t stride, int width, int height, int shift) {
     const D d;
     const auto lanes = static_cast<int>(hn::Lanes(d));
@@ -61,7 +61,7 @@ float steepen(const ConeRings& rings, float highest, float farther, const ConeTi
     const D d;
     const DU du;
     const auto lanes = static_cast<int>(hn::Lanes(d));
-    // Lane n of a vector that begins on a block's border is in block n / 2^level.
+    // Lane n of a vector that begins at the border of a block is in block n / 2^level.
     const auto block = hn::IndicesFromVec(d, hn::ShiftRightSame(hn::Iota(du, 0), std::min(rings.level, 31)));
     const V top = hn::Set(d, highest), far = hn::Set(d, farther);
     V left = hn::Set(d, -1.0F);
@@ -87,8 +87,8 @@ void apexes(const std::uint32_t* depths, std::size_t stride, float highest, floa
     const D d;
     const DU du;
     const auto lanes = static_cast<int>(hn::Lanes(d));
-    // Lower than the stored apexes by more than all that is rounded on the way to the slopes, in heights of at most 1:
-    // four roundings here, and three of the rise (a difference, 1 / gap, a product), of 2^-24 each.
+    // Subtracted from the apexes: more than all rounding on the way to the slopes, for heights of at most 1. There are
+    // four roundings here and three of the rise (a difference, 1 / gap, a product), of 2^-24 each.
     constexpr float kApexLower = 0x1p-21F;
     const V top = hn::Set(d, highest - kApexLower), step = hn::Set(d, unit);
     for (int y = 0; y < tile.height; ++y) {
@@ -106,7 +106,7 @@ void apexes(const std::uint32_t* depths, std::size_t stride, float highest, floa
     }
 }
 
-void pack(const ConeTile& tile, int row, std::uint32_t* words) {
+void pack(const ConeTile& tile, int row, std::uint32_t* entries) {
     const D d;
     const DU du;
     const auto lanes = static_cast<int>(hn::Lanes(d));
@@ -115,8 +115,8 @@ void pack(const ConeTile& tile, int row, std::uint32_t* words) {
     for (int x = 0; x < tile.width; x += lanes) {
         const std::size_t cone = static_cast<std::size_t>(row) * tile.stride + static_cast<std::size_t>(x);
         const auto slope = hn::Max(hn::BitCast(du, hn::LoadU(d, tile.slope + cone)), least);
-        const auto word = hn::Or(hn::ShiftLeft<20>(hn::ShiftRight<20>(slope)), hn::LoadU(du, tile.depths + cone));
-        hn::StoreU(hn::IfThenElse(hn::Lt(word, slope), hn::Add(word, step), word), du, words + x);
+        const auto entry = hn::Or(hn::ShiftLeft<20>(hn::ShiftRight<20>(slope)), hn::LoadU(du, tile.depths + cone));
+        hn::StoreU(hn::IfThenElse(hn::Lt(entry, slope), hn::Add(entry, step), entry), du, entries + x);
     }
 }
 
@@ -144,8 +144,8 @@ float steepenByBlocks(const ConeRings& rings, float highest, float farther, cons
 void placeApexes(const std::uint32_t* depths, std::size_t stride, float highest, float unit, const ConeTile& tile) {
     HWY_DYNAMIC_DISPATCH(apexes)(depths, stride, highest, unit, tile);
 }
-void packCones(const ConeTile& tile, int row, std::uint32_t* words) {
-    HWY_DYNAMIC_DISPATCH(pack)(tile, row, words);
+void packCones(const ConeTile& tile, int row, std::uint32_t* entries) {
+    HWY_DYNAMIC_DISPATCH(pack)(tile, row, entries);
 }
 
 }  // namespace relief

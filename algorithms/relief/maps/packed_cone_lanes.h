@@ -1,5 +1,5 @@
-// The inner loops of packed_cones.cpp, in lanes. Rows are `stride` numbers apart; each loop reads and writes up to
-// kConePad numbers past the end of a row, where there must be room.
+// SIMD loops of packed_cones.cpp. Rows are `stride` values apart. Each loop reads and writes up to kConePad values past
+// the end of a row, where there must be room.
 #pragma once
 
 #include <array>
@@ -9,25 +9,27 @@
 namespace relief {
 
 inline constexpr int kConePad = 16;
-inline constexpr std::size_t kConeRings = 8;  // an octave
+inline constexpr std::size_t kConeRings = 8;  // rings per octave
 
-// One tile of cells.
+// The cones of one tile of cells; pointers are not owned.
 struct ConeTile {
     std::size_t stride = 0;
     int width = 0;
     int height = 0;
     float* apex = nullptr;
     float* slope = nullptr;
-    std::uint32_t* depths = nullptr;  // own cell, apex << 10
+    std::uint32_t* depths = nullptr;  // depth of the own cell | depth of the apex << 10
 };
 
-// Windows of numbers, each the highest from its corner on, in place: larger by shift in x and in y. width, height: of
-// the result; the windows before reach shift farther.
+// Enlarges windows in place, by `shift` in x and in y. Each value is the maximum of a window that begins at it. width,
+// height: size of the result; the input extends `shift` farther.
 void growWindows(float* windows, std::size_t stride, int width, int height, int shift);
-// By 1, and no cone of the tile (at the windows' corner) less steep than the windows' highest at that gap asks.
+// Enlarges windows by 1, and raises the slopes of the tile (at the corner of the windows) to what the maximum of each
+// window requires at the given gap.
 void growAndSteepen(float* windows, std::size_t stride, int width, int height, float inverseGap, const ConeTile& tile);
 
-// Windows over blocks of 2^level cells, one plane a ring. x0, y0: of the tile, from the first block's corner.
+// Windows over blocks of 2^level cells, one plane per ring. x0, y0: offset of the tile from the corner of the first
+// block.
 struct ConeRings {
     std::array<const float*, kConeRings> planes{};
     std::array<float, kConeRings> inverseGaps{};
@@ -36,14 +38,14 @@ struct ConeRings {
     int x0 = 0;
     int y0 = 0;
 };
-// Returns what the highest cell would still rise above a cone of the tile, were it `farther` away; at most 0: nothing
-// farther matters.
+// Raises the slopes of the tile. Returns the largest height by which the highest cell, at distance `farther`, would
+// exceed a cone of the tile; if it is at most 0, cells at that distance and beyond do not matter.
 float steepenByBlocks(const ConeRings& rings, float highest, float farther, const ConeTile& tile);
 
-// The tile's apexes (at most a little lower than what is stored) and depths from those of cells, a row and column more
-// than the tile's; slopes 0.
+// Sets the tile's apexes (slightly lower than the stored ones) and depths from the depths of cells, which extend one
+// row and one column beyond the tile; sets slopes to 0.
 void placeApexes(const std::uint32_t* depths, std::size_t stride, float highest, float unit, const ConeTile& tile);
-// A row of words.
-void packCones(const ConeTile& tile, int row, std::uint32_t* words);
+// Packs a row of the tile into entries.
+void packCones(const ConeTile& tile, int row, std::uint32_t* entries);
 
 }  // namespace relief

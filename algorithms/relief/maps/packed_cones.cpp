@@ -14,29 +14,29 @@ namespace relief {
 
 namespace {
 
-constexpr int kTileWidth = 256;  // a tile's buffers stay in L2
+constexpr int kTileWidth = 256;  // so that the buffers of a tile fit L2
 constexpr int kTileHeight = 64;
-constexpr int kReach = 16;       // cells, or blocks of a level, beyond a tile's that its windows reach
-constexpr int kNearRings = 15;   // gaps of 1 to 15 cells, one by one
-constexpr int kFirstBlocks = 8;  // then gaps of 8 to 15 blocks, of each level
+constexpr int kReach = 16;       // cells, or blocks of a level, by which windows extend beyond a tile
+constexpr int kNearRings = 15;   // gaps of 1 to 15 cells, in single steps
+constexpr int kFirstBlocks = 8;  // then gaps of 8 to 15 blocks on each level
 constexpr float kEmpty = -1;     // below every height
 using DepthImage = Image<std::uint16_t>;
 
-std::size_t place(int at) {
+std::size_t toSize(int at) {
     return static_cast<std::size_t>(at);
 }
-// Numbers a row of windows of that many takes.
+// Padded length of a row of windows.
 std::size_t strideOf(int width) {
-    return place((width + kReach + 2 * kConePad - 1) / kConePad * kConePad);
+    return toSize((width + kReach + 2 * kConePad - 1) / kConePad * kConePad);
 }
 
-// One axis as a quadrant sees it: place n of the run is cell n, or the n-th from the end.
+// One axis in the direction of a quadrant: index n is cell n, or the n-th cell from the end.
 struct QuadrantAxis {
     int cells = 0;
     bool wraps = false;
     bool mirrored = false;
 
-    // -1: outside, nothing there.
+    // -1: outside, no cell.
     int cellAt(int n) const {
         if (n >= cells) {
             if (!wraps) return -1;
@@ -46,15 +46,15 @@ struct QuadrantAxis {
     }
 };
 
-// Blocks of 2^level cells from every block's corner on, `reach` beyond the last: the highest cell, or one a little
-// farther (where the seam cuts a block).
+// The maxima of blocks of 2^level cells, including kReach blocks beyond the last. Where the seam between periods cuts a
+// block, a maximum may include cells slightly farther.
 struct Blocks {
     int width = 0;
     int height = 0;
     std::vector<float> values;
 
-    const float* row(int j) const { return values.data() + place(j) * place(width); }
-    float* row(int j) { return values.data() + place(j) * place(width); }
+    const float* row(int j) const { return values.data() + toSize(j) * toSize(width); }
+    float* row(int j) { return values.data() + toSize(j) * toSize(width); }
 };
 
 class QuadrantCones {
@@ -66,7 +66,7 @@ class QuadrantCones {
           x_{map.nx, wraps, (quadrant & 1) != 0},
           y_{map.ny, wraps, (quadrant & 2) != 0} {}
 
-    void build(std::uint32_t* words, Work& work);
+    void build(std::uint32_t* entries, Work& work);
 
   private:
     struct Scratch {
@@ -75,12 +75,12 @@ class QuadrantCones {
         std::vector<float> apex, slope;
         std::vector<std::uint32_t> own;
         std::array<std::vector<float>, kConeRings> planes;
-        std::vector<std::uint32_t> words = std::vector<std::uint32_t>(kTileWidth + kConePad);
+        std::vector<std::uint32_t> entries = std::vector<std::uint32_t>(kTileWidth + kConePad);
     };
 
     void addLevel(Work& work);
     static std::vector<std::array<int, 3>> below(const QuadrantAxis& axis, int level, int belowCount, int count);
-    void buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* words) const;
+    void buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* entries) const;
     void loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     bool steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const;
     int blocksAcross(const QuadrantAxis& axis, int level) const { return ((axis.cells - 1) >> level) + 1; }
@@ -90,14 +90,14 @@ class QuadrantCones {
     const PackedCones& map_;
     QuadrantAxis x_;
     QuadrantAxis y_;
-    std::vector<Blocks> levels_;  // of blocks of 2, 4, ... cells
+    std::vector<Blocks> levels_;  // level l at index l - 1
 };
 
-// The blocks one level below (level 1: the cells) that blocks 0 to count - 1 consist of; -1: nothing.
+// For blocks 0 to count - 1, the blocks one level below (level 1: the cells) that they contain; -1: none.
 std::vector<std::array<int, 3>> QuadrantCones::below(const QuadrantAxis& axis, int level, int belowCount, int count) {
-    std::vector<std::array<int, 3>> all(place(count));
+    std::vector<std::array<int, 3>> all(toSize(count));
     for (int n = 0; n < count; ++n) {
-        auto& from = all[place(n)];
+        auto& from = all[toSize(n)];
         if (level == 1) {
             from = {axis.cellAt(2 * n), axis.cellAt(2 * n + 1), -1};
         } else if (2 * n + 1 < belowCount) {
@@ -105,7 +105,7 @@ std::vector<std::array<int, 3>> QuadrantCones::below(const QuadrantAxis& axis, i
         } else if (!axis.wraps) {
             from = {2 * n < belowCount ? 2 * n : -1, -1, -1};
         } else {
-            // Taken into the first period, where the seam may lie within a block.
+            // Reduced to the first period, where the seam may lie within a block.
             const auto start = static_cast<int>((static_cast<std::int64_t>(n) << level) % axis.cells);
             const int first = start >> (level - 1);
             const int last = (start + (1 << level) - 1) >> (level - 1);
@@ -121,10 +121,10 @@ void QuadrantCones::addLevel(Work& work) {
     const Blocks* finer = levels_.empty() ? nullptr : &levels_.back();
     const auto columns = below(x_, level, finer ? finer->width : 0, blocks.width);
     const auto rows = below(y_, level, finer ? finer->height : 0, blocks.height);
-    blocks.values.assign(place(blocks.width) * place(blocks.height), kEmpty);
+    blocks.values.assign(toSize(blocks.width) * toSize(blocks.height), kEmpty);
     const auto fillRow = [&](int j) {
         float* to = blocks.row(j);
-        for (const int row : rows[place(j)]) {
+        for (const int row : rows[toSize(j)]) {
             if (row < 0) continue;
             const float* from = finer ? finer->row(row) : cells_.row(row).data();
             for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -140,7 +140,7 @@ void QuadrantCones::addLevel(Work& work) {
     levels_.push_back(std::move(blocks));
 }
 
-// The tile's cells and kReach more, mirrored and wrapped.
+// Loads the tile's cells and kReach more, mirrored and wrapped.
 void QuadrantCones::loadCells(int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
     const auto loadRow = [&](const auto& image, int n, int count, auto* to, std::size_t stride, auto empty) {
         const int y = y_.cellAt(y0 + n);
@@ -160,16 +160,16 @@ void QuadrantCones::loadCells(int x0, int y0, const ConeTile& tile, Scratch& scr
         std::fill(to + k, to + stride, empty);
     };
     for (int n = 0; n < tile.height + kReach; ++n) {
-        loadRow(cells_, n, tile.width + kReach, scratch.windows.data() + place(n) * tile.stride, tile.stride, kEmpty);
+        loadRow(cells_, n, tile.width + kReach, scratch.windows.data() + toSize(n) * tile.stride, tile.stride, kEmpty);
     }
     for (int n = 0; n < tile.height + 1; ++n) {
-        loadRow(depths_, n, tile.width + 1, scratch.depths.data() + place(n) * tile.stride, tile.stride, kConeDepths);
+        loadRow(depths_, n, tile.width + 1, scratch.depths.data() + toSize(n) * tile.stride, tile.stride, kConeDepths);
     }
 }
 
-// Whether cells farther than this level's rings may still matter.
+// Raises the slopes by the rings of one level. Returns true if cells beyond these rings may still matter.
 bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& tile, Scratch& scratch) const {
-    const Blocks& blocks = levels_[place(level - 1)];
+    const Blocks& blocks = levels_[toSize(level - 1)];
     const int i0 = x0 >> level;
     const int j0 = y0 >> level;
     const int width = ((x0 + tile.width - 1) >> level) - i0 + 1;
@@ -179,10 +179,10 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
     rings.level = level;
     rings.x0 = x0 - (i0 << level);
     rings.y0 = y0 - (j0 << level);
-    scratch.windows.resize(std::max(scratch.windows.size(), rings.stride * place(height + kReach)));
+    scratch.windows.resize(std::max(scratch.windows.size(), rings.stride * toSize(height + kReach)));
     for (int j = 0; j < height + kReach; ++j) {
         const float* from = blocks.row(j0 + j) + i0;
-        float* to = scratch.windows.data() + place(j) * rings.stride;
+        float* to = scratch.windows.data() + toSize(j) * rings.stride;
         std::fill(std::copy(from, from + width + kReach, to), to + rings.stride, kEmpty);
     }
     int left = kReach;
@@ -190,13 +190,13 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
         left -= shift;
         growWindows(scratch.windows.data(), rings.stride, width + left, height + left, shift);
     };
-    // Windows of n + 1 blocks from a block's corner hold all gaps below n blocks of its cells.
+    // Windows of n + 1 blocks from the corner of a block contain all gaps below n blocks of its cells.
     for (const int shift : {1, 2, 4, 1}) grow(shift);
     for (std::size_t k = 0; k < kConeRings; ++k) {
         grow(1);
         auto& plane = scratch.planes[k];
         const auto begin = scratch.windows.begin();
-        plane.assign(begin, begin + static_cast<std::ptrdiff_t>(rings.stride * place(height)));
+        plane.assign(begin, begin + static_cast<std::ptrdiff_t>(rings.stride * toSize(height)));
         rings.planes[k] = plane.data();
         rings.inverseGaps[k] = 1.0F / static_cast<float>((kFirstBlocks + static_cast<int>(k)) << level);
     }
@@ -204,12 +204,12 @@ bool QuadrantCones::steepenByLevel(int level, int x0, int y0, const ConeTile& ti
     return steepenByBlocks(rings, static_cast<float>(map_.highest), farther, tile) > 0;
 }
 
-void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* words) const {
+void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* entries) const {
     ConeTile tile;
     tile.width = std::min(kTileWidth, x_.cells - x0);
     tile.height = std::min(kTileHeight, y_.cells - y0);
     tile.stride = strideOf(tile.width);
-    const std::size_t room = tile.stride * place(tile.height + kReach + 1);
+    const std::size_t room = tile.stride * toSize(tile.height + kReach + 1);
     scratch.windows.resize(std::max(scratch.windows.size(), room));
     scratch.depths.resize(room);
     scratch.apex.resize(room);
@@ -231,9 +231,9 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* w
         if (!steepenByLevel(level, x0, y0, tile, scratch)) break;
     }
     for (int n = 0; n < tile.height; ++n) {
-        packCones(tile, n, scratch.words.data());
-        std::uint32_t* row = words + map_.index(0, y_.cellAt(y0 + n));
-        const auto* from = scratch.words.data();
+        packCones(tile, n, scratch.entries.data());
+        std::uint32_t* row = entries + map_.index(0, y_.cellAt(y0 + n));
+        const auto* from = scratch.entries.data();
         if (x_.mirrored) {
             std::reverse_copy(from, from + tile.width, row + (x_.cells - x0 - tile.width));
         } else {
@@ -242,23 +242,23 @@ void QuadrantCones::buildTile(int x0, int y0, Scratch& scratch, std::uint32_t* w
     }
 }
 
-void QuadrantCones::build(std::uint32_t* words, Work& work) {
+void QuadrantCones::build(std::uint32_t* entries, Work& work) {
     const int farthest = std::max(x_.cells, y_.cells) - 2;  // largest gap
     while (farthest >= kFirstBlocks << (levels_.size() + 1)) addLevel(work);
     const int across = (x_.cells + kTileWidth - 1) / kTileWidth;
     const int down = (y_.cells + kTileHeight - 1) / kTileHeight;
     ScratchPool<Scratch> scratch;
     parallelFor(work, across * down, [&](int n) {
-        buildTile(n % across * kTileWidth, n / across * kTileHeight, *scratch.borrow(), words);
+        buildTile(n % across * kTileWidth, n / across * kTileHeight, *scratch.borrow(), entries);
         work.progress().advance();
     });
 }
 
-// Depths of the cells, rounded down.
+// The depths of the cells, rounded down.
 DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work) {
     DepthImage depths(cells.width(), cells.height());
     const double perUnit = map.unit > 0 ? 1 / map.unit : 0;
-    constexpr double kRounding = 1e-6;  // of a unit; the comparison decides
+    constexpr double kRounding = 1e-6;  // of a unit; the comparison below decides
     parallelFor(work, cells.height(), [&](int y) {
         const auto from = cells.row(y);
         const auto to = depths.row(y);
@@ -273,18 +273,18 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
     return depths;
 }
 
-// Row after row of cells: pairs of nodes, the one before the row's cells and the one after.
+// For each row of cells, pairs of nodes: the one before the row and the one after it.
 LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
-    LargeVector<float> nodes(2 * map.quadrantWords());
+    LargeVector<float> nodes(2 * map.quadrantEntries());
     parallelFor(work, map.ny, [&](int cy) {
         const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
         float* to = nodes.data() + 2 * map.index(0, cy);
         for (int cx = 0; cx <= map.nx; ++cx) {
             const int i = cx < map.nx ? grid.x.nodeBefore(cx) : grid.x.nodeAfter(map.nx - 1);
-            *to++ = before[place(i)];
-            *to++ = after[place(i)];
+            *to++ = before[toSize(i)];
+            *to++ = after[toSize(i)];
         }
     });
     return nodes;
@@ -305,28 +305,28 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
     const auto tiles = [](int size, int tile) { return (size + tile - 1) / tile; };
     work.progress().begin("map packed-cones", std::int64_t{4} * tiles(map.nx, kTileWidth) * tiles(map.ny, kTileHeight));
     map.stride = field.surface() == Surface::Bilinear ? map.nx + 1 : map.nx;
-    if (map.quadrantWords() >= kWideWords) {
+    if (map.quadrantEntries() >= kWideEntries) {
         constexpr int kUnit = 1 << kRowShift;
         map.stride = (map.stride + kUnit - 1) / kUnit * kUnit;
     }
     constexpr std::size_t kQuadrants = 4;
-    map.words.resize(kQuadrants * map.quadrantWords());
+    map.entries.resize(kQuadrants * map.quadrantEntries());
     for (std::size_t quadrant = 0; quadrant < kQuadrants; ++quadrant) {
         QuadrantCones cones(cells, depths, map, field.address() == Address::Repeat, static_cast<int>(quadrant));
-        cones.build(map.words.data() + quadrant * map.quadrantWords(), work);
+        cones.build(map.entries.data() + quadrant * map.quadrantEntries(), work);
     }
     if (field.surface() == Surface::Bilinear) map.nodes = nodesOf(field, map, work);
     return map;
 }
 
 std::shared_ptr<const PackedCones> packedCones(const HeightField& field, MapCache& cache, Work& work) {
-    // Clamp and border share their cells, and see nothing outside.
+    // Clamp and border have the same cells, with no surface outside.
     std::string kind = "packed-cones/" + std::string(surfaceName(field.surface()));
     kind += field.address() == Address::Repeat ? "/repeat" : "/clamped";
     const CellGrid grid(field);
-    const std::size_t words = (place(grid.x.cells) + 1) * place(grid.y.cells);
-    checkMapMemory("packed-cones", words * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
-    // Entries and nodes; cells, depths, and the levels of one quadrant while they are made.
+    const std::size_t entries = (toSize(grid.x.cells) + 1) * toSize(grid.y.cells);
+    checkMapMemory("packed-cones", entries * (4 * sizeof(std::uint32_t) + 2 * sizeof(float)), cache);
+    // Per texel: entries and nodes; cells, depths, and the levels of one quadrant during construction.
     constexpr std::uint64_t kBytes = 4 * sizeof(std::uint32_t) + 2 * sizeof(float) + 8;
     return cache.get<PackedCones>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,
                                   [&](Work& w) { return buildPackedCones(field, w); });

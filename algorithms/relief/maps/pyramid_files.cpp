@@ -33,7 +33,7 @@ const char* kindName(PyramidKind kind) {
     return "mean";
 }
 
-// Of level l: what one of its texels is.
+// The meaning of a texel of level l.
 std::string meaning(PyramidKind kind, int l) {
     const std::string side = std::to_string(std::int64_t{1} << l);
     const std::string what = kind == PyramidKind::Mean ? "mean" : std::string(kindName(kind)) + "imum";

@@ -1,4 +1,4 @@
-// The least of a stretch of a line in constant time: a sparse table over all rows (or columns) of a picture.
+// The minimum over a range of a line in constant time: a sparse table over all rows (or columns) of a picture.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace relief {
 
-// Lines are the rows of the picture given; wraps: a stretch may run over the end into the beginning.
+// Lines are the rows of the given picture. wraps: a range may continue from the end of a line at its beginning.
 class RangeMinimum {
   public:
     RangeMinimum(const FloatImage& lines, bool wraps) {
@@ -28,7 +28,7 @@ class RangeMinimum {
         }
     }
 
-    // Of the places first .. last of a line, first in [0, width), last >= first.
+    // The minimum over the indices first .. last of a line, first in [0, width), last >= first.
     float least(int line, int first, int last) const {
         const int width = levels_.front().width();
         const int count = std::min(last - first + 1, width);

@@ -14,12 +14,12 @@ namespace relief {
 
 namespace {
 
-// Gates are used in sectors over which they are crossed at no flatter an angle than this (cosine).
+// Gates are used in sectors in which they are crossed at an angle with at least this cosine.
 constexpr double kLeastCosine = 0.4;
-// Cells beyond are not looked at: the bound is cut there, which is safe.
+// Cells farther than this, in texels, are not examined: the bound is cut there, which is safe.
 constexpr int kLargestRadius = 64;
-// Relative margin of the radius in which gates are looked for; above the rounding of slopes in double.
-constexpr double kAway = 1e-9;
+// Relative margin of the radius in which gates are searched; above the rounding of slopes in double.
+constexpr double kReachMargin = 1e-9;
 
 FloatImage transposed(const FloatImage& image) {
     FloatImage turned(image.height(), image.width());
@@ -29,15 +29,15 @@ FloatImage transposed(const FloatImage& image) {
     return turned;
 }
 
-// What gates perpendicular to one axis know: along that axis the gate's number, across it the heights on it.
+// The gates perpendicular to one axis: the index of a gate along that axis, and the heights on it across.
 struct GateAxis {
     const GridAxis& along;
     const GridAxis& across;
-    RangeMinimum heights;  // line: texel number along; place: texel number across
-    bool nodes;            // bilinear: heights at nodes on the line; columns: of the column beyond it
+    RangeMinimum heights;  // line: index of the texel along; place: index across
+    bool nodes;            // bilinear: heights at nodes on the line; columns: heights of the column beyond it
 
-    // The least height that a ray crossing line `gate` between lo and hi (cell coordinates) must be above; `towards`:
-    // the sign of the way it comes from. Nothing outside the picture.
+    // The smallest height that a ray crossing line `gate` between lo and hi (cell coordinates) must exceed. towards:
+    // sign of the direction from the box to the gate. std::nullopt outside the picture.
     std::optional<float> least(int gate, int towards, double lo, double hi) const {
         const bool wraps = along.wraps;
         const int offset = !wraps && nodes ? 1 : 0;  // node i lies on line i + 1 under clamp and border
@@ -64,7 +64,7 @@ struct GateAxis {
     }
 };
 
-// A gate that matters: its least height (in the metric) and the longest way to it.
+// A gate that matters: its smallest height (in the metric) and the longest horizontal distance to it.
 struct Gate {
     double g;
     double tau;
@@ -75,13 +75,14 @@ struct Span {
     double high;
 };
 
-// Gates of one axis behind a box, in one sector: highest and nearest first kept. top: none is higher (in the metric).
+// Appends the gates of one axis behind a box, in one sector, nearest first and only those higher than all before. top:
+// upper bound of their heights (in the metric).
 void collectGates(const GateAxis& axis, Span box, Span boxAcross, double cosBegin, double sinBegin, double cosEnd,
                   double sinEnd, double slab, double reach, double top, std::vector<Gate>& gates) {
     if (cosBegin * cosEnd <= 0) return;
     const double leastCosine = std::min(std::abs(cosBegin), std::abs(cosEnd));
     if (leastCosine < kLeastCosine) return;
-    const int towards = cosBegin > 0 ? -1 : 1;  // the way back
+    const int towards = cosBegin > 0 ? -1 : 1;  // from the box back along the rays
     const double slopeA = -sinBegin / std::abs(cosBegin);
     const double slopeB = -sinEnd / std::abs(cosEnd);
     const double lowest = std::min(slopeA, slopeB);
@@ -148,7 +149,7 @@ class Builder {
 
   private:
     void box(int bx, int by, Scratch& scratch) const;
-    // Cells of the last, clipped, box of an axis.
+    // Number of cells of the last, clipped box of an axis.
     int lastWidth(const GridAxis& axis) const { return (axis.cells - 1) % map_.parameters.footprint + 1; }
     void horizons(int bx, int by, double lowestTop, std::vector<std::vector<Gate>>& gates) const;
     void distances(int bx, int by, double z0, Scratch& scratch) const;
@@ -166,29 +167,29 @@ class Builder {
     const CellHeights& cells_;
     BoxHeights boxes_;
     FloatImage tiles_;
-    double top_;  // highest point, in the metric
+    double top_;  // highest point of the relief, in the metric
     std::vector<float>& values_;
     CellGrid grid_;
     AzimuthSectors sectors_;
     int radius_;
-    std::vector<CellsAround> offsets_;  // of whole boxes, the last column, the last row, the last of both
+    std::vector<CellsAround> offsets_;  // for whole boxes, those of the last column, of the last row, and of both
     double mMin_;
     GateAxis gatesX_;
     GateAxis gatesY_;
 };
 
-// lowestTop: of the lowest layer that needs them, in the metric. Farther than its rise to the highest point at the
-// flattest slope no gate is steeper than the flattest ray.
+// Collects the gates of a box. lowestTop: top of the lowest layer that needs them, in the metric. Gates farther than
+// the distance at which the flattest ray reaches the highest point are no steeper than that ray.
 void Builder::horizons(int bx, int by, double lowestTop, std::vector<std::vector<Gate>>& gates) const {
     const int f = map_.parameters.footprint;
     const Span x{static_cast<double>(bx * f), static_cast<double>(std::min((bx + 1) * f, grid_.x.cells))};
     const Span y{static_cast<double>(by * f), static_cast<double>(std::min((by + 1) * f, grid_.y.cells))};
-    const double reach = std::min(map_.maxRun, std::max(0.0, top_ - lowestTop) / mMin_ * (1 + kAway));
+    const double reach = std::min(map_.maxRun, std::max(0.0, top_ - lowestTop) / mMin_ * (1 + kReachMargin));
     gates.resize(static_cast<std::size_t>(sectors_.count()));
     for (int k = 0; k < sectors_.count(); ++k) {
         auto& list = gates[static_cast<std::size_t>(k)];
         list.clear();
-        // Between the ends of a sector the tangent is monotone, and the cosine is least at an end.
+        // Between the ends of a sector the tangent is monotone, and the cosine is smallest at an end.
         const double c0 = std::cos(sectors_.begin(k));
         const double s0 = std::sin(sectors_.begin(k));
         const double c1 = std::cos(sectors_.end(k));
@@ -202,7 +203,7 @@ void Builder::distances(int bx, int by, double z0, Scratch& scratch) const {
     const int f = map_.parameters.footprint;
     const double steepLeast = *std::min_element(scratch.slopes.begin(), scratch.slopes.end());
     const double perT = std::sqrt(1 + steepLeast * steepLeast);
-    // Squares.
+    // Squared.
     const double cut = radius_ * radius_ * perT * perT;
     scratch.best.assign(static_cast<std::size_t>(map_.parameters.sectors), cut);
     const CellsAround& offsets = offsets_[(by == ny_ - 1 ? 2U : 0U) + (bx == nx_ - 1 ? 1U : 0U)];
@@ -214,7 +215,7 @@ void Builder::distances(int bx, int by, double z0, Scratch& scratch) const {
     }
 }
 
-// The cells of a tile around the box with its corner at the cell (x0, y0).
+// Examines the cells of a tile around the box with its corner at the cell (x0, y0).
 void Builder::tile(const CellsAround& offsets, const Tile& tile, int x0, int y0, double z0, Scratch& scratch) const {
     const auto place = [](const GridAxis& axis, int cell) {
         if (!axis.wraps) return cell >= 0 && cell < axis.cells ? cell : -1;
@@ -278,8 +279,8 @@ void Builder::box(int bx, int by, Scratch& scratch) const {
         }
         distances(bx, by, z0, scratch);
         for (int s = 0; s < stored; ++s) {
-            // Conversion to float rounds up by at most half a unit in the last place; the factor takes off at least
-            // one, and the other half covers the rounding in double.
+            // The conversion to float rounds up by at most half a unit in the last place. The factor subtracts at least
+            // one; the other half covers the rounding in double.
             constexpr float kFloatShorter = 1 - 1.2e-7F;
             value(bx, by, k, s) =
                 static_cast<float>(std::sqrt(scratch.best[static_cast<std::size_t>(s)])) * kFloatShorter;

@@ -8,7 +8,7 @@
 
 namespace relief {
 
-// Largest and smallest height that the surface reaches within each cell.
+// Largest and smallest height of the surface within each cell.
 struct CellHeights {
     FloatImage highest;
     FloatImage lowest;
@@ -16,40 +16,41 @@ struct CellHeights {
     explicit CellHeights(const HeightField& field);
 };
 
-// The same of nx x ny boxes of footprint x footprint cells, the last of a row clipped.
+// The same for nx x ny boxes of footprint x footprint cells, the last of a row clipped.
 struct BoxHeights {
     FloatImage highest;
     FloatImage lowest;
 
     BoxHeights(const CellHeights& cells, int footprint, int nx, int ny);
-    // The mark of a box, or 0 if it is free.
+    // The mark of a box (StoredValues), or 0 if it is free.
     float mark(int bx, int by, int layer, int layers) const;
 };
 
-// The papers' idea as it stands: from each voxel's centre, `directions` rays spread evenly over the half sphere below
-// (steeper than the flattest); those that were blocked before they came there do not count. What is left is the least
-// distance to the surface along them, so nowhere less than the Euclidean one. Not safe: a ray visits points beside the
-// centre, and directions in between meet nearer hits.
+// The method of the papers: from each voxel's centre, `directions` rays distributed uniformly over the lower hemisphere
+// (steeper than the flattest ray). Rays that are blocked before they reach the centre do not count. The result is the
+// smallest distance to the surface along the others, so never below the Euclidean distance. Not safe: a ray visits
+// points other than the centre, and directions in between may have nearer hits.
 void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, const ExactHits& exactHits,
                     std::vector<float>& values, Work& work);
-// A hit this little before a point's own height is the point's own place on the surface.
+// A hit above a point by at most this lambda is the point itself on the surface.
 inline constexpr double kReached = 1e-9;
 
-// A direction of rays, and the length of a unit of lambda along it in the map's metric.
+// A direction of rays, and its length per unit of lambda in the map's metric.
 struct SampledDirection {
     double a;
     double b;
     double length;
 };
-// Evenly over the half sphere below the horizontal of the metric, down from the flattest ray served: a golden spiral.
+// Directions distributed uniformly over the lower hemisphere of the metric, from the flattest ray served downwards: a
+// golden spiral.
 std::vector<SampledDirection> sampledDirections(int count, double slabTexels, double maxRun);
 
 // A bound for every point of a box and every admissible ray through it.
-// Backward, for each of K azimuth sectors: the gates (grid lines behind the box) that a ray from above must have
-// passed over, the least height g over the stretch where it can have crossed, within the horizontal way tau, give its
-// least slope m_k = max((g - z1) / tau, m_min).
-// Forward: D = min over cells q, and over the sectors k in which q can be seen from the box, of
-// sqrt(t^2 + max(z0 - H_q, t m_k, 0)^2), t the least way from box to cell in that sector.
+// Backward, for each of K azimuth sectors: the gates (grid lines behind the box) over which a ray from above must have
+// passed. The smallest height g over the range in which it can have crossed the gate, within the horizontal distance
+// tau, gives its smallest slope m_k = max((g - z1) / tau, m_min).
+// Forward: D = min over cells q, and over the sectors k in which q is visible from the box, of sqrt(t^2 + max(z0 - H_q,
+// t m_k, 0)^2), where t is the shortest distance from box to cell in that sector.
 void refinedConservative(DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
                          std::vector<float>& values, Work& work);
 

@@ -29,7 +29,7 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         HitBlock hits;
     };
     ScratchPool<Scratch> pool;
-    // A row of voxels of layer k.
+    // Computes a row of voxels of layer k.
     const auto row = [&](int y, int k, Scratch& scratch, float* out) {
         const double lambda = 1 - map.centreZ(k);
         const double t = (y + 0.5) * field.height() / ny;
@@ -37,15 +37,15 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         for (int x = 0; x < nx; ++x) {
             const double s = (x + 0.5) * field.width() / nx;
             for (std::size_t d = 0; d < count; ++d) {
-                const SampledDirection& way = directions[d];
+                const SampledDirection& direction = directions[d];
                 scratch.rays.set(static_cast<std::size_t>(x) * count + d,
-                                 {s - lambda * way.a, t - lambda * way.b, way.a, way.b});
+                                 {s - lambda * direction.a, t - lambda * direction.b, direction.a, direction.b});
             }
         }
         exactHits(scratch.rays, scratch.hits);
         for (int x = 0; x < nx; ++x) {
             const bool solid = field.at((x + 0.5) * field.width() / nx, t) >= 1 - lambda;
-            double least = solid ? 0 : (1 - lambda + 1) * map.slabTexels;  // where no ray comes: more than any drop
+            double least = solid ? 0 : (1 - lambda + 1) * map.slabTexels;  // if no ray arrives: more than any drop
             for (std::size_t d = 0; !solid && d < count; ++d) {
                 const Hit hit = scratch.hits[static_cast<std::size_t>(x) * count + d];
                 if (hit.outcome != Outcome::Hit || hit.lambda < lambda - kReached) continue;

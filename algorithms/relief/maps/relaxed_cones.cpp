@@ -10,19 +10,19 @@ namespace relief {
 
 namespace {
 
-// Wider cones than this are of no use, and a bound on slopes keeps the codes fine.
+// Upper limit of slopes: wider cones have no benefit, and a limit keeps the resolution of the codes high.
 constexpr double kSteepest = 8.0;
 
-// The slope kappa (height a texel) of the widest cone on the apex h[0] of a profile h[0], h[1], ... such that a ray
-// from above the apex (at the top of the slab) that goes into the surface at sample j comes out only outside of the
+// The slope kappa (height per texel) of the widest cone with its apex at h[0] of a profile h[0], h[1], ... such that a
+// ray from above the apex (at the top of the slab) that enters the surface at sample j leaves it only outside of the
 // cone.
 double relaxedSlope(const std::vector<double>& h) {
     double kappa = 0;
     const auto count = static_cast<int>(h.size());
     for (int j = 1; j < count; ++j) {
-        // It comes out no nearer than j and no higher than h[j].
+        // The ray leaves the surface no nearer than j and no higher than h[j].
         if (h[static_cast<std::size_t>(j)] - h.front() <= kappa * j) continue;
-        // The ray from (0, 1) to (j, h[j]); it comes out where it is above the profile again.
+        // The ray from (0, 1) to (j, h[j]); it leaves where it is above the profile again.
         const double slope = (h[static_cast<std::size_t>(j)] - 1) / j;
         bool inside = false;
         for (int k = j; k < count; ++k) {

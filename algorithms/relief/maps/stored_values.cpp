@@ -41,7 +41,7 @@ std::vector<Code> StoredValues::encode(const std::vector<float>& values, Roundin
         if (unit_ == 0) return static_cast<Code>(kMarks);
         const double steps = static_cast<double>(value) / static_cast<double>(unit_);
         int code = kMarks + static_cast<int>(rounding == Rounding::Down ? std::floor(steps) : std::ceil(steps));
-        // What comes out must lie on the safe side to the last bit.
+        // The decoded value must be on the safe side to the last bit.
         code = std::min(code, kLast);
         if (rounding == Rounding::Down) {
             while (code > kMarks && decode(code) > value) --code;
@@ -64,7 +64,7 @@ StoredValues::StoredValues(int width, int height, int layers, std::vector<float>
     const float largest = values.empty() ? 0.0F : std::max(0.0F, *std::max_element(values.begin(), values.end()));
     const int last = precision == Precision::U16 ? 65535 : 255;
     unit_ = largest / static_cast<float>(last - kMarks);
-    // The largest value needs a code not below it when rounding up.
+    // When rounding up, the largest value needs a code that is not below it.
     while (rounding == Rounding::Up && decode(last) < largest) {
         unit_ = std::nextafter(unit_, std::numeric_limits<float>::infinity());
     }

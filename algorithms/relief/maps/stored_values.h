@@ -1,4 +1,4 @@
-// A stack of layers of numbers as maps store them: float, or 16 or 8 bits rounded to the safe side.
+// A stack of layers of values as maps store them: float, or 16 or 8 bits rounded to the safe side.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +10,26 @@
 
 namespace relief {
 
+// How values are stored: as floats, or as codes of 16 or 8 bits.
 enum class Precision : std::uint8_t { Float, U16, U8 };
-// To which side a value that has no exact code goes: distances down, cone slopes up.
+// Rounding of a value without exact code: distances down, cone slopes up.
 enum class Rounding : std::uint8_t { Down, Up };
 
 std::string_view precisionName(Precision precision);
-// "float", "u16", "u8"; throws InputError("--set", ...).
+// Parses "float", "u16" or "u8". Throws InputError("--set", ...).
 Precision parsePrecision(std::string_view text);
 std::size_t bytesEach(Precision precision);
 
-// width x height x layers values; a value is 0 or more, or one of two marks, which every precision keeps apart.
+// width x height x layers values. A value is 0 or more, or one of two marks, which every precision preserves.
 class StoredValues {
   public:
     static constexpr float kSurface = -1;
     static constexpr float kBuried = -2;
 
     StoredValues() = default;
-    // values: layer by layer, row by row; finite, or a mark.
+    // values: layer by layer, row by row; each finite, or a mark.
     StoredValues(int width, int height, int layers, std::vector<float> values, Precision precision, Rounding rounding);
-    // As stored in a file: codes as they are.
+    // The codes as stored in a file.
     using Codes = std::variant<std::vector<float>, std::vector<std::uint16_t>, std::vector<std::uint8_t>>;
     StoredValues(int width, int height, int layers, Codes codes, float unit);
 
@@ -36,7 +37,7 @@ class StoredValues {
     int height() const { return height_; }
     int layers() const { return layers_; }
     Precision precision() const { return static_cast<Precision>(codes_.index()); }
-    // What one code is worth; 0 for float.
+    // Value of one code step; 0 for float.
     float unit() const { return unit_; }
     const Codes& codes() const { return codes_; }
     std::size_t bytes() const { return count() * bytesEach(precision()); }

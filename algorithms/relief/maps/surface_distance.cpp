@@ -23,7 +23,7 @@ double gap(double x, Side side) {
 }
 
 // The squared distance of (a, b, z) to the patch h00 + hu u + hv v + huv u v over its sides, as a function of v: the
-// least over u, in closed form, for it is a parabola in u.
+// minimum over u in closed form, since it is a parabola in u.
 struct PatchDistance {
     double a, b;
     double e, eu, ev, euv;  // D (h - z) = e + eu u + ev v + euv u v
@@ -39,13 +39,13 @@ struct PatchDistance {
     }
 };
 
-// The v of the least of the patch over its sides. Samples first: the function has more than one valley where the patch
-// is twisted.
+// The v at which the distance to the patch is smallest. Sampled first, because the function has several local minima
+// where the patch is twisted.
 double leastV(const PatchDistance& patch, Side v) {
     constexpr int kSamples = 5;
-    constexpr int kNarrowings = 22;  // by the golden section: to 1e-5 of the side
+    constexpr int kNarrowings = 22;  // golden-section steps: to 1e-5 of the side
     const double middle = std::clamp(patch.b, v.low, v.high);
-    // A side without an end is a rim on which the height does not change.
+    // An unbounded side belongs to a rim on which the height is constant.
     if (!std::isfinite(v.low) || !std::isfinite(v.high)) return middle;
     double best = patch.at(middle);
     const double spacing = (v.high - v.low) / (kSamples - 1);
@@ -107,7 +107,7 @@ SurfaceDistance::Best SurfaceDistance::patch(const Node& cell, const Point& p) c
     return {patch.at(v), x + patch.bestU(v), y + v};
 }
 
-// The bound of a column is its distance.
+// For a column the lower bound is its distance.
 SurfaceDistance::Best SurfaceDistance::column(const Node& cell, const Point& p) const {
     const double x = std::clamp(p.x, grid_.x.edge(cell.i, cell.baseX), grid_.x.edge(cell.i + 1, cell.baseX));
     const double y = std::clamp(p.y, grid_.y.edge(cell.j, cell.baseY), grid_.y.edge(cell.j + 1, cell.baseY));
@@ -122,7 +122,7 @@ void SurfaceDistance::visit(const Node& node, const Point& p, Best& best) const 
         return;
     }
     const FloatImage& children = maxima_->pyramid.level(node.level - 1);
-    // The nearest child first.
+    // Nearest child first.
     const int half = 1 << (node.level - 1);
     const bool right = p.x >= static_cast<double>(node.baseX + (std::int64_t{node.i} << node.level) + half);
     const bool below = p.y >= static_cast<double>(node.baseY + (std::int64_t{node.j} << node.level) + half);
@@ -154,7 +154,7 @@ SurfaceDistance::Nearest SurfaceDistance::nearest(double s, double t, double z, 
             visit({top, 0, 0, n * grid_.x.cells, m * grid_.y.cells}, p, best);
         }
     }
-    // Of a column its top, or its wall at the point's height.
+    // The nearest point of a column is on its top, or on its wall at the height of the point.
     const double rise = std::sqrt(std::max(best.squared - squared(best.x - p.x) - squared(best.y - p.y), 0.0));
     return {std::sqrt(best.squared), best.x - grid_.x.shift, best.y - grid_.y.shift, slab_ > 0 ? z - rise / slab_ : z};
 }

@@ -1,9 +1,10 @@
-// The distance of a point to the surface itself: the nearest of its bilinear patches or columns, found by branch and
+// The distance of a point to the surface itself: to the nearest of its bilinear patches or columns, found by branch and
 // bound over the max pyramid.
 //
-// Metric: X = (x, y, D z) in texels, D = HeightField::slabTexels. Columns have walls. Outside of a border is no
-// surface. Accuracy: columns exact to rounding; patches to better than 1e-4 texels, found by a search along one side.
-// Cost: some tens of nodes and a few patches per point. Thread-safe.
+// Metric: X = (x, y, D z) in texels, D = HeightField::slabTexels. Columns have walls. Outside a border there is no
+// surface.
+// Accuracy: columns exact to rounding; patches to better than 1e-4 texels, found by a search along one side. Cost: some
+// tens of nodes and a few patches per point. Thread-safe.
 #pragma once
 
 #include <memory>
@@ -17,10 +18,11 @@ class SurfaceDistance {
   public:
     SurfaceDistance(HeightField field, std::shared_ptr<const MaxPyramidMap> maxima);
 
-    // Of the point (s, t, z), texels and height; 0 at or below the surface. (s, t) lies in the picture. known: a
-    // distance that is certainly not exceeded (infinity: none known), which spares work where it is tight.
+    // Distance of the point (s, t, z), in texels and height; 0 at or below the surface. (s, t) must lie in the picture.
+    // known: an upper bound of the distance (infinity: unknown), which speeds up the search if it is tight.
     double at(double s, double t, double z, double known) const { return nearest(s, t, z, known).distance; }
-    // And where the nearest point is, unwrapped texels and height; on a wall at the point's own height.
+    // The distance and the nearest point, in texels not reduced to a period and height; on a wall at the height of the
+    // point.
     struct Nearest {
         double distance = 0;
         double s = 0;
@@ -43,7 +45,7 @@ class SurfaceDistance {
         std::int64_t baseX;  // first cell of the period
         std::int64_t baseY;
     };
-    // The least squared distance so far, and the point's place in cell coordinates.
+    // The smallest squared distance found, and the position of that point in cell coordinates.
     struct Best {
         double squared;
         double x;

@@ -16,7 +16,7 @@ namespace relief::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 void least(const float* const* rows, const float* steps, int reach, const float* floor, int n, float* out) {
-    // Two vectors at once, for one waits for the other's minima.
+    // Processes two vectors at once, so that their dependency chains of minima overlap.
     const hn::CappedTag<float, kWindowPad / 2> d;
     const auto lanes = static_cast<int>(hn::Lanes(d));
     for (int i = 0; i < n; i += 2 * lanes) {
@@ -25,7 +25,7 @@ void least(const float* const* rows, const float* steps, int reach, const float*
         const auto floorI = hn::LoadU(d, floor + i), floorK = hn::LoadU(d, floor + k);
         for (int o = 1; o <= reach; ++o) {
             const auto step = hn::Set(d, steps[o]);
-            // Rounding is monotone: no sum farther off is less than this one.
+            // Rounding is monotone: no sum farther away is smaller than this one.
             const auto open = hn::Or(hn::Lt(hn::Add(floorI, step), bestI), hn::Lt(hn::Add(floorK, step), bestK));
             if (hn::AllFalse(d, open)) break;
             const float* before = rows[-o];

@@ -1,8 +1,8 @@
-// bump: bump mapping; the picture stays where it is, the light sees the slope of the heights. Blinn 1978.
+// bump: bump mapping. The picture is not displaced; lighting uses the slope of the heights. Blinn 1978.
 //
 // Frame, units, surfaces, failure mode, cost: top_plane.h.
-// Model: the normal is n - D (dh/ds) e_s - D (dh/dt) e_t, D = relief_depth * W texels, from the heights' derivatives
-// (HeightField::slope) where the ray enters.
+// Model: the normal is n - D (dh/ds) e_s - D (dh/dt) e_t, D = relief_depth * W texels, from the derivatives of the
+// heights (HeightField::slope) at the point where the ray enters.
 #pragma once
 
 #include "relief/methods/top_plane.h"

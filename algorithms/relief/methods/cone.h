@@ -1,15 +1,15 @@
 // cone: steps along a conservative cone map. Dummer 2006, made safe for the interpolated surface (Ban et al. 2024).
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: if the ray leaves its cell above the cell's apex A, nothing can be hit before it meets the cone of slope kappa
-// that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Below the apex the cell is skipped if the ray
-// stays above it (packed), else the one leaf tests it.
-// Layouts: packed, four square cones a cell, one a quadrant of directions, |dxy| the larger of |dx| and |dy|
-// (maps/packed_cones.h; cone_walk.h, SIMD: simd/cone_walk-inl.h); texel, one round cone a cell or one a sector, as
-// engines store them (maps/cone_map.h).
+// Model: if the ray leaves its cell above the cell's apex A, it cannot hit anything before it meets the cone of slope
+// kappa that stands on A: t = t_exit + (z_exit - A) / (|dz| + kappa |dxy|). Below the apex the cell is skipped if the
+// ray passes above the cell's highest point (packed layout only), otherwise the leaf tests it.
+// Layouts: packed, four square cones per cell, one for each quadrant of directions, where |dxy| is the larger of |dx|
+// and |dy| (maps/packed_cones.h; cone_walk.h, SIMD: simd/cone_walk-inl.h); texel, one round cone per cell or one per
+// sector, as engines store them (maps/cone_map.h).
 // Guarantee: exact, the same bits as `exact`. Failure mode: needle forests at grazing angles.
-// Cost: one or two stored values a step, one leaf a cell near the surface; memory 16 bytes a cell (packed; bilinear
-// surfaces 24), or 4 (1 + sectors).
+// Cost: one or two stored values per step, one leaf per cell near the surface; memory 16 bytes per cell (packed; 24 for
+// bilinear surfaces), or 4 (1 + sectors) bytes.
 #pragma once
 
 #include <optional>
@@ -41,7 +41,7 @@ class ConeTracer {
         int sectors = 1;
         std::string precision = "float";
 
-        // Sectors and precisions exist in that layout only.
+        // True for the texel layout, which alone has sectors and precisions.
         bool ofTexels() const {
             return layout == kStoredLayout || sectors != 1 || parsePrecision(precision) != Precision::Float;
         }
@@ -71,7 +71,7 @@ class ConeTracer {
                  &Options::precision}};
         }
     };
-    // The map of texels alone: what files hold.
+    // The map of the texel layout, which is the one that files store.
     static std::shared_ptr<const ConeMap> makeMap(const HeightField& field, const Options& options, MapCache& cache,
                                                   Work& work) {
         ConeParameters parameters;
@@ -99,7 +99,7 @@ class ConeTracer {
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return walk_ ? walk_->traceSegment(ray, segment, sink) : run<false>(ray, segment, sink);
     }
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         std::vector<std::size_t> flat;
         traceByCones(field_, walk_->scene(), *packed_, rays, first, last, hits, flat);
         NullSink sink;
@@ -107,7 +107,7 @@ class ConeTracer {
     }
 
     const HeightField& field() const { return field_; }
-    // Null: the layout is packed.
+    // Null for the packed layout.
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
     bool hasSimdMap() const { return packed_ != nullptr; }
     std::size_t bytes() const { return packed_ ? packed_->bytes() : map_->bytes(); }
@@ -125,7 +125,7 @@ class ConeTracer {
     std::optional<ConeWalk> walk_;
 };
 
-// The layout of texels.
+// The walk through the texel layout.
 template <bool kWhole, class Sink>
 Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
@@ -135,7 +135,7 @@ Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     const double end = std::min(segment.out, ray.end(grid_));
     AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
     AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
-    // Where the cell's cone stands: under the point at which the ray leaves the cell.
+    // The cell's cone, which stands below the point at which the ray leaves the cell.
     const auto cone = [&](double out, double apex, double slope) {
         const double s = ray.x.start + out * ray.x.run - grid_.x.shift;
         const double t = ray.y.start + out * ray.y.run - grid_.y.shift;
@@ -165,7 +165,7 @@ Hit ConeTracer::run(const ViewRay& viewRay, Segment segment, Sink& sink) const {
     for (double left = ray.cellBound() + 2; left > 0; --left) {
         cx = ray.x.cellAt(grid_.x, lambda);
         cy = ray.y.cellAt(grid_.y, lambda);
-        const double out = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+        const double out = std::max(cellInterval(grid_, ray, cx, cy).out, lambda);
         const double apex = static_cast<double>(map_->apex(cx.index, cy.index, 0));
         double after = out;
         sink.read(1);

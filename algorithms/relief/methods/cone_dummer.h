@@ -1,11 +1,11 @@
 // cone-dummer: cone steps as published. Dummer 2006.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: from each point the ray goes to the edge of the cone there, both interpolated between texel centres, where the
-// cones were measured.
+// Model: from each point the ray advances to the edge of the cone there. Height and slope are interpolated between
+// texel centres, where the cones were measured.
 // Guarantee: none. Failure mode: between texel centres neither the heights nor the slopes are those of the cones, so
-// steps cut through walls and spikes; a fixed number of steps does not arrive at grazing angles.
-// Cost: one height and one slope a step; memory 2 W H values.
+// steps cut through walls and spikes; at grazing angles a fixed number of steps does not reach the surface.
+// Cost: one height and one slope per step; memory 2 W H values.
 #pragma once
 
 #include "relief/methods/cone_march.h"

@@ -9,7 +9,8 @@ namespace relief {
 
 class ConeMarch {
   public:
-    // bisections: halvings of the last step, after the first point below the surface.
+    // iterations: largest number of cone steps. bisections: number of halvings of the last step once a point below the
+    // surface is found.
     ConeMarch(HeightField field, std::shared_ptr<const ConeMap> map, int iterations, int bisections)
         : field_(std::move(field)), map_(std::move(map)), iterations_(iterations), bisections_(bisections) {}
 
@@ -36,7 +37,7 @@ class ConeMarch {
     double segmentRecords() const { return iterations_ + bisections_ + 4.0; }
 
   private:
-    // The slope between the texels' centres, bilinear whatever the surface: a texture fetch.
+    // The slope interpolated bilinearly between texel centres, for either surface type, as a texture fetch does.
     double slopeAt(double s, double t) const {
         const double x = s - 0.5;
         const double y = t - 0.5;

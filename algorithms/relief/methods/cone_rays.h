@@ -1,5 +1,5 @@
-// All rays of a block by packed cones: by the SIMD walk (simd/cone_rays.cpp), and in double where that cannot finish
-// them. Reference: cone_walk.h.
+// Traces the rays of a block by packed cones: with the SIMD walk (simd/cone_rays.cpp), and in double where that cannot
+// finish a ray. Reference: cone_walk.h.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace relief {
 
-// The hits of rays [first, last) of the block, any number. Rays that the SIMD walk cannot finish and that are flatter
-// than the domain of exactness are added to `flat` instead.
+// Sets hits for the rays [first, last) of the block. Rays that the SIMD walk cannot finish and that are flatter than
+// the domain of exactness are appended to `flat` instead, by their index in the block.
 void traceByCones(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& rays,
                   std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat);
 

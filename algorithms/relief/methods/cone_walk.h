@@ -1,10 +1,11 @@
-// The walk by packed cones, one ray: the reference of simd/cone_walk-inl.h, in the same precision and with the same
-// margins (margins.md), so that both visit the same cells. Cells are only excluded in float; where a ray meets one is
-// decided by the one leaf, and what float cannot decide, next to corners and ends of the map, by the walk in double.
+// The walk by packed cones for one ray: the reference of simd/cone_walk-inl.h. Both use the same precision and the same
+// margins (margins.md), so that they visit the same cells. Float only excludes cells. The leaf decides where a ray hits
+// the surface in a cell. Where float cannot choose the next cell, next to corners and at the ends of the map, the walk
+// in double takes over.
 //
-// Frame: float_scene.h. n: cells from the one in which the ray begins, the way it runs; the line behind cell n is
-// crossed at lambda = n * inverse + base, at or after the true crossing, and by no more than `tie` on both axes
-// together.
+// Frame: float_scene.h. n counts cells from the one in which the ray begins, in the direction of the ray. The line
+// after cell n is crossed at lambda = n * inverse + base, which is at or after the true crossing, later by no more than
+// `tie` for both axes together.
 #pragma once
 
 #include <optional>
@@ -19,13 +20,13 @@ namespace relief {
 
 // One axis of a ray.
 struct ConeAxis {
-    bool back = false;  // it runs towards lower indices
-    int first = 0;      // cell of its start, before any addressing
+    bool back = false;  // the ray runs towards lower indices
+    int first = 0;      // cell of the ray's start, before addressing is applied
     int n = 0;
-    int last = 0;  // n of the map's last cell (of this period, where it repeats)
+    int last = 0;  // n of the map's last cell (of the current period under repeat)
     float run = 0, inverse = 0, base = 0;
-    float place = 0;   // n at lambda is lambda * run - place, rounded; a little early
-    float margin = 0;  // of a crossing
+    float place = 0;   // n at lambda is lambda * run - place, rounded; slightly early
+    float margin = 0;  // largest error of a crossing, in lambda
 
     AxisCell cell(const GridAxis& axis) const { return cellOf(axis, back ? first - n : first + n); }
     static AxisCell cellOf(const GridAxis& axis, int at) {
@@ -33,19 +34,19 @@ struct ConeAxis {
         const int base = at >= 0 ? at / axis.cells * axis.cells : -((axis.cells - 1 - at) / axis.cells) * axis.cells;
         return {at - base, base};
     }
-    // The cell in which the jump to lambda ends, or the next one.
+    // The cell in which a jump to lambda ends, but at least the next cell if the ray moves along this axis.
     int beyond(bool moves, float lambda) const {
         const float whole = (lambda * run - place + kWhole) - kWhole;
         return std::max(moves ? n + 1 : n, static_cast<int>(whole));
     }
 };
 
-// A ray in float, from lambda `begin` on: nothing is met before.
+// A ray in float. It does not meet the surface before lambda `begin`.
 struct ConeRay {
     ConeAxis x, y;
-    float rim = 1;  // lambda at which it has left the map or is at the bottom
+    float rim = 1;  // lambda at which the ray has left the map or reached the bottom of the slab
     float tie = 0;
-    float steep = 0;  // the larger run, times kSteeper
+    float steep = 0;  // the longer run, times kSteeper
     FloatFit fit = FloatFit::Fit;
 
     ConeRay(const FloatScene& scene, const GridRay& ray, double begin) {
@@ -55,7 +56,7 @@ struct ConeRay {
         steep = std::max(x.run, y.run) * kSteeper;
         goTo(scene, x.cell(scene.grid.x), y.cell(scene.grid.y));
     }
-    // In that cell.
+    // Places the ray in the given cell.
     void goTo(const FloatScene& scene, AxisCell cx, AxisCell cy) {
         rim = 1;
         for (ConeAxis* axis : {&x, &y}) {
@@ -65,12 +66,12 @@ struct ConeRay {
             axis->n = axis->back ? axis->first - at : at - axis->first;
             axis->last = axis->n + (axis->back ? cell.index : of.cells - 1 - cell.index);
             if (scene.address != Address::Border) continue;
-            // The rim is a line like others, so far beyond that behind the last cell.
+            // The rim is a line like others, at this distance beyond the line after the last cell.
             const float lines = static_cast<float>(axis->last) + static_cast<float>(of.high - of.cells);
             rim = std::min(rim, lines * axis->inverse + axis->base);
         }
     }
-    // lambda at which it leaves the cell along each axis.
+    // Lambda at which the ray leaves the cell across each axis.
     struct Crossings {
         float x, y;
         float first() const { return std::min(x, y); }
@@ -90,7 +91,7 @@ struct ConeRay {
                           ConeAxis& out) {
         const FloatPlace place(scene, axis, ray, begin);
         const bool fits = place.fit != FloatFit::Unfit;
-        const float ahead = fits ? 1 - static_cast<float>(place.share) : 0;  // of its cell, to the line
+        const float ahead = fits ? 1 - static_cast<float>(place.share) : 0;  // cells from the start to the next line
         out.back = place.back;
         out.first = fits ? static_cast<int>(place.back ? place.line - 1 : place.line) : 0;
         out.run = place.run;
@@ -102,15 +103,15 @@ struct ConeRay {
     }
 };
 
-// The part of a ray near a corner of cells where float cannot decide which cell comes next: nothing is met before
-// `from`; from `until` on float can decide again (infinite: hardly before the ray's end).
-struct UnclearPart {
+// The part of a ray near a corner of cells where float cannot decide which cell comes next. The ray does not meet the
+// surface before `from`; float can decide again after `until` (infinite if that is beyond the ray's end).
+struct AmbiguousPart {
     double from, until;
 
-    // In that cell.
-    UnclearPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
-        // Walks come to a cell at most so much later, cells, than the ray does; past the corner, by as much, float
-        // can decide again.
+    // The part around the exit of the given cell.
+    AmbiguousPart(const CellGrid& grid, const GridRay& ray, AxisCell cx, AxisCell cy) {
+        // In cells: upper bound of how much later than the ray a float walk enters a cell. After the corner, float can
+        // decide again beyond the same distance.
         constexpr double kLate = 0x1p-16;
         const auto enters = [](const RayAxis& of, const GridAxis& axis, AxisCell c) {
             return of.enter(axis, c.index, c.index + 1, c.base);
@@ -127,9 +128,10 @@ struct UnclearPart {
     }
 };
 
+// The walk for one field and its packed cones. Thread-safe.
 class ConeWalk {
   public:
-    // cones: of this field; kept by the caller.
+    // cones: those of this field; not owned, must outlive the walk.
     ConeWalk(const HeightField& field, const PackedCones& cones)
         : field_(field),
           cones_(cones),
@@ -142,11 +144,11 @@ class ConeWalk {
     Hit trace(const ViewRay& viewRay, Sink& sink) const {
         return trace(viewRay, scene_.start, sink, sink);
     }
-    // begin: lambda at which the ray parts from the packet that it began with, or scene().start. inDouble: gets the
-    // steps that float cannot take.
+    // begin: lambda at which the ray leaves the packet in which it began, or scene().start. inDouble: receives the
+    // steps that double takes where float cannot.
     template <class Sink, class DoubleSink>
     Hit trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink& inDouble) const;
-    // Within a segment, in double.
+    // Traces within a segment, in double.
     template <class Sink>
     Hit traceSegment(const ViewRay& viewRay, Segment segment, Sink& sink) const {
         if (!viewRay.finite()) return Hit::none(Outcome::Miss);
@@ -167,11 +169,12 @@ class ConeWalk {
     const FloatScene& scene() const { return scene_; }
 
   private:
-    // Left: it has come back too often.
-    enum class End : std::uint8_t { Hit, Miss, Unclear, Left };
+    // Ambiguous: float cannot choose the next cell. Fallback: the ray has returned to float too often and continues in
+    // double to its end.
+    enum class End : std::uint8_t { Hit, Miss, Ambiguous, Fallback };
 
     float depthAt(std::uint32_t depth) const { return static_cast<float>(depth) * unit_ + top_; }
-    std::uint32_t word(std::size_t quadrant, int cx, int cy) const {
+    std::uint32_t entry(std::size_t quadrant, int cx, int cy) const {
         return cones_.quadrant(quadrant)[cones_.index(cx, cy)];
     }
     bool below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const;
@@ -184,10 +187,10 @@ class ConeWalk {
     HeightField field_;
     const PackedCones& cones_;
     FloatScene scene_;
-    float unit_, top_, topOfApex_;  // depth d is at lambda top + d unit
+    float unit_, top_, topOfApex_;  // depth value d is at lambda top + d unit
 };
 
-// Whether the surface is surely below the ray in the cell.
+// Returns true if the surface in the cell is certainly below the ray.
 inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float out) const {
     const FloatImage& heights = field_.heights();
     if (scene_.surface == Surface::Columns) return columnBelow(heights(cx.index, cy.index), out);
@@ -196,43 +199,45 @@ inline bool ConeWalk::below(const ConeRay& ray, AxisCell cx, AxisCell cy, float 
     };
     const float latest = std::max(entered(ray.x), entered(ray.y));
     const float in = std::min(std::max(latest - ray.tie, 0.0F), out);
-    const auto stay = [](const ConeAxis& axis) {
-        return FloatStayAxis{static_cast<float>(axis.n), axis.base - axis.inverse, axis.run, axis.back};
+    const auto cellAxis = [](const ConeAxis& axis) {
+        return FloatCellAxis{static_cast<float>(axis.n), axis.base - axis.inverse, axis.run, axis.back};
     };
     std::array<float, 4> corners;
     std::ranges::transform(cellCorners(heights, scene_.grid, cx.index, cy.index), corners.begin(),
                            [](double height) { return static_cast<float>(height); });
-    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+    return patchBelow(corners, cellAxis(ray.x), cellAxis(ray.y), in, out, ray.tie);
 }
 
-// Whether the ray is surely above the neighbouring cell along one axis until it has passed the corner.
+// Returns true if the ray is certainly above the surface of the neighbouring cell along one axis until it has passed
+// the corner.
 inline bool ConeWalk::neighbourClear(const ConeRay& ray, std::size_t quadrant, bool alongX, float out) const {
     ConeAxis next = alongX ? ray.x : ray.y;
     if (next.n == next.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
     ++next.n;
     const AxisCell cx = (alongX ? next : ray.x).cell(scene_.grid.x), cy = (alongX ? ray.y : next).cell(scene_.grid.y);
-    return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(word(quadrant, cx.index, cy.index)));
+    return out + (ray.tie + ray.tie) < depthAt(coneOwnDepth(entry(quadrant, cx.index, cy.index)));
 }
 
-// To the cell where the jump ends, the next one at least; or an end.
+// Moves to the cell where the jump ends, but at least to the next one; returns an end if the walk stops.
 inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t quadrant, const ConeRay::Crossings& cross,
                                                    float jump) const {
     const float out = std::min(cross.first(), ray.rim);
     if (ray.rim < 1) {
-        // Beyond the rim for sure; or float cannot decide which comes first, rim or line.
+        // The ray is certainly beyond the rim; or float cannot decide whether rim or line comes first.
         if (std::max(cross.first(), jump) > ray.rim + ray.tie) return End::Miss;
-        if (cross.first() + ray.tie >= ray.rim) return End::Unclear;
+        if (cross.first() + ray.tie >= ray.rim) return End::Ambiguous;
     } else if (out >= 1) {
-        return End::Unclear;
+        return End::Ambiguous;
     }
-    // Too near a corner to decide which neighbour comes first, and the jump does not pass it: both are skipped if they
-    // can be, and if the ray passes the corner before it leaves the cell behind it.
+    // The ray passes too close to a corner to decide which neighbour comes first, and the jump does not pass the
+    // corner. Both neighbours are skipped if they can be, and if the ray passes the corner before it leaves the cell
+    // after it.
     const bool corner = std::abs(cross.x - cross.y) < ray.tie && jump < cross.last() + ray.tie;
     const auto clear = [&] {
         return ray.tie + ray.tie < std::min(ray.x.inverse, ray.y.inverse) && neighbourClear(ray, quadrant, true, out) &&
                neighbourClear(ray, quadrant, false, out);
     };
-    if (corner && !clear()) return End::Unclear;
+    if (corner && !clear()) return End::Ambiguous;
     const int nextX = ray.x.beyond(corner || cross.x <= cross.y, jump);
     const int nextY = ray.y.beyond(corner || cross.y <= cross.x, jump);
     const auto take = [&](ConeAxis& axis, const GridAxis& of, int next) {
@@ -249,7 +254,7 @@ inline std::optional<ConeWalk::End> ConeWalk::move(ConeRay& ray, std::size_t qua
     return std::nullopt;
 }
 
-// Until it hits, misses, or float cannot decide where it goes on.
+// Walks until the ray hits, misses, or float cannot choose the next cell.
 template <class Sink>
 ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeRay& ray, double& lambda, int& returns,
                              Hit& hit, Sink& sink) const {
@@ -257,14 +262,14 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
     const std::size_t quadrant = quadrantOf(exact);
     while (true) {
         const AxisCell cx = ray.x.cell(scene_.grid.x), cy = ray.y.cell(scene_.grid.y);
-        const std::uint32_t bits = word(quadrant, cx.index, cy.index);
+        const std::uint32_t bits = entry(quadrant, cx.index, cy.index);
         const ConeRay::Crossings cross = ray.crossings(scene_);
         const float exit = cross.first();
         float jump = std::min(exit, ray.rim);
-        // What is logged: the cell's way out itself, which float puts a little later.
+        // The log stores the exact exit of the cell; float places it slightly later.
         double out = lambda;
         if constexpr (!std::is_same_v<Sink, NullSink>) {
-            out = std::clamp(cellStay(scene_.grid, exact, cx, cy).out, lambda, 1.0);
+            out = std::clamp(cellInterval(scene_.grid, exact, cx, cy).out, lambda, 1.0);
         }
         double after = out;
         const auto note = [&](Decision decision) {
@@ -272,12 +277,12 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
         };
         sink.read(1);
         if (exit < depthAt(coneOwnDepth(bits))) {
-            // To where it meets the cone.
+            // The jump ends where the ray meets the cone.
             const float apexDepth = (kApexMore + static_cast<float>(coneApexDepth(bits))) * unit_ + topOfApex_;
             const float steepness = coneSlope(bits) * ray.steep + kSteeper;
             jump = std::max(apexDepth - exit, 0.0F) * (1 / steepness) + exit;
             after = std::min(out + static_cast<double>(jump - exit), 1.0);
-            // Below the apex it is above the cell alone.
+            // Below the apex the ray is only known to be above the cell.
             const bool inCone = 1 - out > cones_.heightAt(coneApexDepth(bits));
             sink.step([&] { return note(inCone ? Decision::Advance : Decision::Skip); });
         } else {
@@ -291,8 +296,8 @@ ConeWalk::End ConeWalk::walk(const ViewRay& viewRay, const GridRay& exact, ConeR
                 return End::Hit;
             }
             sink.step([&] { return note(Decision::Test); });
-            // In lanes a ray that the one leaf has refused comes back.
-            if (!excluded && ++returns > kMostReturns) return End::Left;
+            // In SIMD, a ray whose candidate hit the leaf rejects resumes the walk.
+            if (!excluded && ++returns > kMostReturns) return End::Fallback;
         }
         lambda = after;
         if (const auto end = move(ray, quadrant, cross, jump)) return *end;
@@ -317,7 +322,7 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
     sink.step([&] { return record(Decision::Start, 0, 1); });
     if (exact.entersOutside(scene_.grid)) return miss(0);
     ConeRay ray(scene_, exact, begin);
-    // Down to where anything is as high; or, in a packet, to where the ray parts from it.
+    // Advance to the height of the highest point; or, in a packet, to where the ray leaves the packet.
     if (begin > 0) {
         sink.step([&] {
             Step step = record(Decision::Advance, begin, cones_.highest);
@@ -337,9 +342,9 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
             const End end = walk(viewRay, exact, ray, lambda, returns, hit, sink);
             if (end == End::Hit) return hit;
             if (end == End::Miss) return miss(lambda);
-            const UnclearPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
+            const AmbiguousPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
             from = part.from;
-            until = end == End::Left || ++returns > kMostReturns ? kEnd : part.until;
+            until = end == End::Fallback || ++returns > kMostReturns ? kEnd : part.until;
         }
         PackedWalk part(ground, {viewRay}, 0, from, until);
         StepsWithin<DoubleSink> rest{inDouble, lambda, 1};

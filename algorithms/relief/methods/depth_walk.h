@@ -1,10 +1,11 @@
-// The walk down and up the pyramid of depths, one ray: the reference of simd/pyramid_lanes-inl.h, in the same precision
-// and with the same margins (margins.md), so that both visit the same nodes, but where fused sums round to another
-// decision (DepthNodes). Nodes and cells are only excluded in float; the one leaf decides where a ray meets a cell.
+// The walk down and up the pyramid of depths for one ray: the reference of simd/pyramid_lanes-inl.h. Both use the same
+// precision and the same margins (margins.md), so that they visit the same nodes, except where fused multiply-adds
+// round to another decision (DepthNodes). Float only excludes nodes and cells; the leaf decides where a ray hits the
+// surface in a cell.
 //
-// Frame: float_scene.h. Node k of level l: cells k << l and on, mirrored where the ray runs towards lower indices; the
-// line before cell c is crossed at lambda = (c + offset) * inverse + base, at or after the true crossing, and by no
-// more than `tie` on both axes together.
+// Frame: float_scene.h. Node k of level l begins with cell k << l; cells are mirrored where the ray runs towards lower
+// indices. The line before cell c is crossed at lambda = (c + offset) * inverse + base, which is at or after the true
+// crossing, later by no more than `tie` for both axes together.
 #pragma once
 
 #include <bit>
@@ -26,16 +27,16 @@ inline int startLevel(float run, int top) {
 // One axis of a ray.
 struct DepthAxis {
     bool back = false;
-    int mirror = 0;  // node k is k ^ (mirror >> level) of the map
+    int mirror = 0;  // node k of the walk is node k ^ (mirror >> level) of the map
     int k = 0;
     int offset = 0;
-    int first = 0;  // cell of its start, mirrored, before any addressing
+    int first = 0;  // cell of the ray's start, mirrored, before addressing is applied
     int low = 0;    // the map's first cell, mirrored
-    int high = 0;   // behind its last
+    int high = 0;   // one past the map's last cell, mirrored
     float run = 0, inverse = 0, base = 0;
-    float rim = 0;  // border: lambda at which it leaves the map
+    float rim = 0;  // border: lambda at which the ray leaves the map
 
-    // On that level, at lambda `begin`.
+    // The axis on level 0, at lambda `begin`.
     DepthAxis(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, const FloatPlace& place, double begin)
         : back(place.back),
           mirror(place.back ? scene.mirror - 1 : 0),
@@ -52,17 +53,17 @@ struct DepthAxis {
         }
         offset = scene.address == Address::Repeat ? -k : -first;
         if (scene.address != Address::Border) return;
-        const double way = back ? ray.start - axis.low : axis.high - ray.start;
-        rim = inverse * kCrossingMargin + (std::min(static_cast<float>(way) * inverse, 1e30F) + kCrossingMargin);
+        const double toRim = back ? ray.start - axis.low : axis.high - ray.start;
+        rim = inverse * kCrossingMargin + (std::min(static_cast<float>(toRim) * inverse, 1e30F) + kCrossingMargin);
     }
 
     float lambdaAt(int line) const { return static_cast<float>(line + offset) * inverse + base; }
-    // The node of the map, and its period.
+    // The node of the map, and the period that contains it.
     AxisCell node(int level) const { return {k ^ (mirror >> level), back ? -(offset + first) : offset + first}; }
 
     struct Crossing {
         float lambda;
-        bool last;  // out of the map or its period
+        bool last;  // the line is the edge of the map or of its period
     };
     Crossing crossing(Address address, int level) const {
         const int edge = std::min((k + 1) << level, high);
@@ -71,13 +72,13 @@ struct DepthAxis {
         if (last && address == Address::Clamp) return {kNever, last};
         return {last && address == Address::Border ? rim : lambdaAt(edge), last};
     }
-    void toChild(int below, float surely) {
+    void toChild(int below, float certain) {
         const int middle = (2 * k + 1) << below;
-        // The line through the start, and those before it, are behind, however slowly the ray moves.
-        const bool far = middle + offset <= 0 || surely >= lambdaAt(middle);
+        // The line through the start and those before it are behind the ray, however slowly it moves.
+        const bool far = middle + offset <= 0 || certain >= lambdaAt(middle);
         k = 2 * k + ((far || middle <= low) && middle < high ? 1 : 0);
     }
-    // One node on.
+    // Moves to the next node.
     void advance(Address address, const Crossing& crossing, int level) {
         if (!crossing.last || address != Address::Repeat) {
             ++k;
@@ -88,19 +89,20 @@ struct DepthAxis {
     }
 };
 
+// The walk for one field and its pyramid of depths. Thread-safe.
 class DepthWalk {
   public:
-    // depths: of the walk's map, kept by the caller.
+    // depths: those of the walk's map; not owned, must outlive the walk.
     DepthWalk(const PyramidWalk& walk, const DepthPyramid& depths)
         : depths_(depths), scene_(walk.field(), depths.highest, 1 << depths.top) {}
 
-    // Unfit: float cannot follow the ray. Left: float cannot choose the next node, the leaf found no hit in a candidate
-    // cell, or the walk reached lambda 1; the walk in double takes over.
-    enum class End : std::uint8_t { Hit, Miss, Unfit, Left };
+    // Unfit: float cannot follow the ray. Fallback: float cannot choose the next node, the leaf found no hit in a
+    // candidate cell, or the walk reached lambda 1; the walk in double takes over.
+    enum class End : std::uint8_t { Hit, Miss, Unfit, Fallback };
     struct Answer {
         End end = End::Unfit;
-        double lambda = 0;  // of the hit, or where the log goes on
-        double from = 0;    // Left: nothing is met before it
+        double lambda = 0;  // of the hit, or from which the log continues
+        double from = 0;    // Fallback: the ray does not meet the surface before this lambda
     };
     template <class Sink>
     Answer trace(const PyramidWalk& walk, const GridRay& exact, Sink& sink) const;
@@ -137,11 +139,12 @@ class DepthWalk {
     FloatScene scene_;
 };
 
-// Whether the surface is surely below the ray in its cell.
+// Returns true if the surface in the ray's cell is certainly below the ray.
 inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out) const {
-    if (scene_.surface == Surface::Columns) return false;  // the cell's depth is its own
-    const auto stay = [](const DepthAxis& axis) {
-        return FloatStayAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
+    if (scene_.surface == Surface::Columns)
+        return false;  // the height of the column is that of its node, which was tested
+    const auto cellAxis = [](const DepthAxis& axis) {
+        return FloatCellAxis{static_cast<float>(axis.k + axis.offset), axis.base, axis.run, axis.back};
     };
     const float entered = std::max(ray.x.lambdaAt(ray.x.k), ray.y.lambdaAt(ray.y.k));
     const float in = std::min(std::max(entered - ray.tie, 0.0F), out);
@@ -149,10 +152,10 @@ inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out)
     std::array<float, 4> corners;
     std::ranges::transform(cellCorners(walk.field().heights(), scene_.grid, cell.x.index, cell.y.index),
                            corners.begin(), [](double height) { return static_cast<float>(height); });
-    return patchBelow(corners, stay(ray.x), stay(ray.y), in, out, ray.tie);
+    return patchBelow(corners, cellAxis(ray.x), cellAxis(ray.y), in, out, ray.tie);
 }
 
-// Whether the ray is surely above the neighbouring node along one axis until it has passed the corner.
+// Returns true if the ray is certainly above the neighbouring node along one axis until it has passed the corner.
 inline bool DepthWalk::neighbourClear(const Ray& ray, bool alongX, const Crossings& cross) const {
     const DepthAxis::Crossing& line = alongX ? cross.x : cross.y;
     if (line.last && scene_.address != Address::Repeat) return scene_.address == Address::Clamp;
@@ -165,10 +168,11 @@ inline bool DepthWalk::neighbourClear(const Ray& ray, bool alongX, const Crossin
 inline std::optional<DepthWalk::End> DepthWalk::moveOn(Ray& ray, const Crossings& cross) const {
     const float x = cross.x.lambda, y = cross.y.lambda;
     float out = cross.out();
-    if (out >= 1) return End::Left;
-    // Too near a corner to tell which neighbour comes first: both must be skipped, then it does not matter.
+    if (out >= 1) return End::Fallback;
+    // The ray passes too close to a corner to decide which neighbour comes first. If both can be skipped, the order
+    // does not matter.
     const bool near = std::abs(x - y) < ray.tie;
-    if (near && !cornerClear(ray, cross)) return End::Left;
+    if (near && !cornerClear(ray, cross)) return End::Fallback;
     if (near) out = std::max(x, y);
     const bool moveX = near || x <= y, moveY = near || y <= x;
     const int oldX = ray.x.k, oldY = ray.y.k;
@@ -196,7 +200,7 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
             (placeX.margin + placeY.margin) + (placeX.margin + placeY.margin)};
     ray.x.k >>= level, ray.y.k >>= level;
     double lambda = scene_.start;
-    // The highest point is the top's; the walk itself begins lower.
+    // The highest point is that of the top node, though the walk begins on a lower level.
     const auto above = [&](Decision decision, double after) {
         return walk.record(decision, depths_.top, walk.topNode(exact, 0), 0, after, depths_.highest, after);
     };
@@ -214,7 +218,7 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
         const Crossings cross{ray.x.crossing(scene_.address, at), ray.y.crossing(scene_.address, at)};
         const float depth = depthAt(node, at);
         const double value = 1 - static_cast<double>(depth);
-        // What is logged: the way out itself, which float puts a little later.
+        // The log stores the exact exit of the node; float places it slightly later.
         double out = lambda;
         if constexpr (!std::is_same_v<Sink, NullSink>) {
             out = std::clamp(walk.exit(exact, at, node).first(), lambda, 1.0);
@@ -223,8 +227,8 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
         const bool skip = cross.out() < depth;
         if (!skip && at > 0) {
             sink.step([&] { return walk.descent(exact, at, node, lambda, out, value); });
-            const float surely = ray.lambda - ray.tie;
-            ray.x.toChild(at - 1, surely), ray.y.toChild(at - 1, surely);
+            const float certain = ray.lambda - ray.tie;
+            ray.x.toChild(at - 1, certain), ray.y.toChild(at - 1, certain);
             --ray.level;
             continue;
         }
@@ -237,13 +241,13 @@ DepthWalk::Answer DepthWalk::trace(const PyramidWalk& walk, const GridRay& exact
                 return {End::Hit, *met, lambda};
             }
             sink.step([&] { return walk.record(Decision::Test, 0, node, lambda, out, value, out); });
-            if (!excluded) return {End::Left, out, from};
+            if (!excluded) return {End::Fallback, out, from};
         } else {
             sink.step([&] { return walk.record(Decision::Skip, at, node, lambda, out, value, out); });
         }
         lambda = out;
         if (const auto end = moveOn(ray, cross)) {
-            return *end == End::Miss ? missed(node, value) : Answer{End::Left, lambda, from};
+            return *end == End::Miss ? missed(node, value) : Answer{End::Fallback, lambda, from};
         }
         if (ray.level > at) {
             PyramidNode left = node;

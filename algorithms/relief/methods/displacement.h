@@ -1,13 +1,15 @@
-// displacement: the relief made of triangles, as graphics cards tessellate it. Cook 1984.
+// displacement: the relief as a triangle mesh, as graphics cards tessellate it. Cook 1984.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns (whose walls become slopes one quad wide); any addressing.
-// Model: a regular mesh, `density` quads along each side of the texture (displacement_mesh.h has vertices and
-// diagonal). Two forms of it, held against each other by the tests:
-// - a single ray (here) walks over the quads that it crosses, two triangles each;
-// - a frame rasterises the projected mesh with a depth buffer (rendering/mesh_raster.h) and traces no ray.
-// A difference of model: a rasterised polygon shows one texture, [0, W] x [0, H], and where a view ray leaves it within
-// the slab there is nothing; a traced ray goes on into the repeated or clamped picture. Under border both agree.
-// Guarantee: none. Failure mode: what is smaller than a quad. Cost: one quad (four stored heights) a quad crossed.
+// Model: a regular mesh of `density` quads along each side of the texture (displacement_mesh.h defines vertices and
+// diagonal). There are two implementations, which the tests compare:
+// - for a single ray (here), a walk over the quads that it crosses, two triangles each;
+// - for a frame, rasterisation of the projected mesh with a depth buffer (rendering/mesh_raster.h), which traces no
+// ray.
+// The two differ in one respect: a rasterised polygon shows one texture, [0, W] x [0, H], and there is nothing where a
+// view ray leaves it within the slab, whereas a traced ray continues into the repeated or clamped picture. Under border
+// they agree.
+// Guarantee: none. Failure mode: details smaller than a quad. Cost: four stored heights per quad crossed.
 #pragma once
 
 #include "relief/describe.h"

@@ -1,11 +1,12 @@
-// distance: sphere tracing in a distance map of the slab: each step by the trilinear distance, until the ray is at the
-// surface. Donnelly 2005 (GPU Gems 2, ch. 8); [DIST17] figs. 3 and 4.
+// distance: sphere tracing in a distance map of the slab. Each step advances by the trilinearly interpolated distance,
+// until the ray reaches the surface. Donnelly 2005 (GPU Gems 2, ch. 8); [DIST17] figs. 3 and 4.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: distance_march.h. `map=refined-sampled`: the refined map of [DIST17] in the unchanged tracer.
-// `stop=never`: Donnelly's shader, a fixed number of steps; `to=voxel`: distances between voxels' centres, as in his
-// volume. Guarantee: none. Failure mode: at edges the interpolated distance reaches through the surface; grazing rays
-// come to no end. Cost: eight stored distances and the surface's height a step; memory W H L / F^2.
+// Model: distance_march.h. `map=refined-sampled`: the refined map of [DIST17] in the unchanged tracer. `stop=never`: a
+// fixed number of steps, as in Donnelly's shader; `to=voxel`: distances between the centres of voxels, as in his
+// volume.
+// Guarantee: none. Failure mode: at edges the interpolated distance reaches through the surface; grazing rays run out
+// of steps. Cost: eight stored distances and the surface's height per step; memory W H L / F^2.
 #pragma once
 
 #include "relief/methods/distance_options.h"

@@ -1,11 +1,11 @@
-// distance-conservative: sphere tracing in a distance map that holds for every point of each voxel. Donnelly 2005 made
-// safe; [DIST17].
+// distance-conservative: sphere tracing in a distance map whose distances hold for every point of each voxel. Donnelly
+// 2005 made safe; [DIST17].
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: "exit + D" (distance_walk.h): leave the voxel, then go on by its distance; cells of surface voxels are tested.
-// `rule=classic`: "t + D". `map=refined`: the refined map in the unchanged tracer. Guarantee: exact, the same bits as
-// `exact`. Failure mode: many steps along walls; memory W H L / F^2. Cost: a distance a step, one leaf a cell near the
-// surface.
+// Model: "exit + D" (distance_walk.h): leave the voxel, then advance by its distance; cells of surface voxels are
+// tested. `rule=classic`: "t + D". `map=refined`: the refined map in the unchanged tracer.
+// Guarantee: exact, the same bits as `exact`. Failure mode: many steps along walls; memory W H L / F^2. Cost: one
+// distance per step, one leaf per cell near the surface.
 #pragma once
 
 #include "relief/methods/distance_options.h"

@@ -1,12 +1,15 @@
-// What both interpolating distance tracers share: each step goes on by the trilinear distance, until the ray is at the
-// surface. Donnelly 2005; [DIST17] fig. 4. Not safe: an interpolated distance reaches beyond the surface at edges.
+// What both interpolating distance tracers share: each step advances by the trilinearly interpolated distance, until
+// the ray reaches the surface. Donnelly 2005; [DIST17] fig. 4. Not safe: at edges an interpolated distance reaches
+// beyond the surface.
 //
-// Frame and units: ray.h; the map's own: distance_map.h.
-// Model: MarchStop::Surface: before each step the surface's height at the ray is looked up; where the ray is not above
-// it, the intersection is found, and tracing ends ([DIST17]): the answer is where a straight line between the last two
-// heights meets the ray. Distance: where the distance is below `within`.
-// Never: all `iterations` steps are taken, as Donnelly's shader does. In each case, after `iterations` steps the answer
-// is where the ray is. A ray flatter than those that the map serves walks every cell instead, as `exact`.
+// Frame and units: ray.h; those of the map: distance_map.h.
+// Model, by MarchStop:
+// - Surface ([DIST17]): before each step the height of the surface at the ray is sampled. Tracing ends where the ray is
+// not above it; the hit is where the straight line between the last two heights meets the ray.
+// - Distance: tracing ends where the distance is below `within`; the hit is the ray's position.
+// - Never: all `iterations` steps are taken, as in Donnelly's shader.
+// After `iterations` steps the hit is the ray's position in each case. A ray flatter than those that the map serves
+// walks every cell instead, as in `exact`.
 #pragma once
 
 #include "relief/maps/distance_map.h"
@@ -34,14 +37,14 @@ class DistanceMarch {
         }
         return march(ray, surface, {}, true, sink);
     }
-    // The SIMD version, the same bits: rays first to last - 1.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    // The SIMD version, with the same results: sets hits for the rays first to last - 1.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
-        for (const std::size_t i : marchInLanes({field(), *map_, iterations_, end_}, rays, first, last, hits)) {
+        for (const std::size_t i : marchSimd({field(), *map_, iterations_, end_}, rays, first, last, hits)) {
             hits.set(i, trace(rays[i], sink));
         }
     }
-    // Counts as a hit if the steps did not lead out of the segment.
+    // The result is a hit unless the steps lead out of the segment.
     template <class Sink>
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         if (!serves(ray)) return exact_.traceSegment(ray, segment, sink);
@@ -60,7 +63,7 @@ class DistanceMarch {
     template <class Sink>
     Hit march(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole, Sink& sink) const;
 
-    // Voxels are named where the step begins: there the distance is read.
+    // Record of a step from lambda `in`, with the voxel from which its distance is fetched.
     Step record(const SampledSurface& surface, Decision decision, double in, double value, double after) const {
         Step step = surface.record(Phase::Search, decision, in, in, value, after);
         step.subject = surface.sphereAt(in, value);
@@ -82,7 +85,8 @@ Hit DistanceMarch::march(const ViewRay& ray, const SampledSurface& surface, Segm
                          Sink& sink) const {
     const double perLambda = texelsPerLambda(ray.a, ray.b, map_->slabTexels);
     double lambda = segment.in;
-    double above = lambda;  // the last point that is above the surface, and by how much (negative)
+    // lambda of the last point above the surface; its surface minus ray, negative, is gapAbove
+    double above = lambda;
     double gapAbove = 0;
     const auto hit = [&](const auto& make, double answer) {
         sink.step(make);
@@ -118,7 +122,7 @@ Hit DistanceMarch::march(const ViewRay& ray, const SampledSurface& surface, Segm
     }
     const bool left = !(lambda < segment.out) && segment.out < 1;
     if (left) return Hit::none(Outcome::Miss);
-    // The floor of the slab, or the steps are used up.
+    // The ray has reached the floor of the slab, or all steps are used.
     return hit(
         [&] { return surface.record(Phase::Search, Decision::Hit, lambda, lambda, surface.heightAt(lambda), lambda); },
         lambda);

@@ -1,5 +1,6 @@
-// SIMD version of distance_march.h: a ray per lane of double, finished lanes refilled; the operations of
-// DistanceMarch::trace and DistanceMap::trilinear in their order, so the same bits for any target and width.
+// SIMD version of distance_march.h in double, one ray per lane; finished lanes are refilled. It performs the operations
+// of DistanceMarch::trace and DistanceMap::trilinear in the same order, so the results are the same bits for any target
+// and vector width.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace relief {
 
-// Where a march ends: distance_march.h. within: texels, of Distance.
+// Criterion that ends a march (distance_march.h).
 enum class MarchStop : std::uint8_t { Surface, Distance, Never };
 struct MarchEnd {
     MarchStop stop = MarchStop::Surface;
@@ -25,10 +26,10 @@ struct MarchSearch {
     MarchEnd end;
 };
 
-// hits of rays first to last - 1. Returns those that are left to the reference implementation: all if the map is not of
-// floats or has more than 2^31 values, those flatter than the map serves, and those so far off that a period cannot be
-// taken off exactly by one product.
-std::vector<std::size_t> marchInLanes(const MarchSearch& search, const RayBlock& rays, std::size_t first,
-                                      std::size_t last, HitBlock& hits);
+// Sets hits for the rays first to last - 1. Returns the indices of rays that the reference has to trace: all if the map
+// is not stored in floats or has more than 2^31 values; rays flatter than the map serves; and rays so distant that one
+// product cannot subtract their period exactly.
+std::vector<std::size_t> marchSimd(const MarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last,
+                                   HitBlock& hits);
 
 }  // namespace relief

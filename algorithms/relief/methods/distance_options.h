@@ -1,4 +1,4 @@
-// Options that the distance methods share: how their map is built.
+// The options that the distance methods share: how their map is built.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace relief {
 
-// A struct of options that has these members gets the described fields for them.
+// Describes the fields of those of these members that the struct of options has.
 template <class Options>
 std::vector<OptionField<Options>> distanceFields() {
     std::vector<OptionField<Options>> fields{
@@ -106,7 +106,7 @@ StepRule stepRule(const Options& options) {
     return options.rule == "classic" ? StepRule::Classic : StepRule::Exit;
 }
 
-// Of a map of that kind: options that it does not use stay out.
+// The parameters of a map of the given kind. Options that the kind does not use keep their defaults.
 template <class Options>
 DistanceParameters distanceParameters(DistanceKind kind, const Options& options) {
     const bool refined = kind == DistanceKind::Refined;
@@ -135,17 +135,17 @@ DistanceParameters distanceParameters(DistanceKind kind, const Options& options)
     return parameters;
 }
 
-// Traces the rays of sampled maps: by the max pyramid, whose maps it keeps.
+// Traces the rays from which sampled maps are built, by the max pyramid; keeps its maps alive.
 inline ExactHits exactHits(const HeightField& field, Work& work) {
     MapCache own;
     return [tracer = std::make_shared<const MaxPyramidTracer>(MaxPyramidTracer::make(field, {}, own, work))](
                const RayBlock& rays, HitBlock& hits) {
         hits.resize(rays.size());
-        tracer->traceLanes(rays, 0, rays.size(), hits);
+        tracer->traceSimd(rays, 0, rays.size(), hits);
     };
 }
 
-// The map that the options describe.
+// Takes the map that the options describe from the cache, or builds it.
 template <class Options>
 std::shared_ptr<const DistanceMap> distanceMapOf(DistanceKind kind, const Options& options, const HeightField& field,
                                                  MapCache& cache, Work& work) {

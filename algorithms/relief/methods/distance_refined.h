@@ -1,10 +1,11 @@
-// distance-refined: the same tracer in a map of larger distances, which hold only for rays that come from above and
-// have not hit anything before. [DIST17] figs. 5 to 8, [TEX]; in a form that is safe for whole voxels.
+// distance-refined: distance-conservative with a map of larger distances, which hold only for rays that come from above
+// and have not hit anything before. [DIST17] figs. 5 to 8, [TEX], in a form that is safe for whole voxels.
 //
-// Frame and units: ray.h. Surfaces: bilinear, columns; repeat and border (not proven under clamp: refused).
+// Frame and units: ray.h. Surfaces: bilinear, columns; repeat and border (refused under clamp, for which safety is not
+// proven).
 // Model: "exit + D" (distance_walk.h) with the bounds of maps/refined.h. `rule=classic`: "t + D".
 // Guarantee: exact, the same bits as `exact`, for view rays. Failure mode: rays flatter than `flattest` walk every
-// cell. Cost: as distance-conservative, with some fewer steps in deep pits and between walls, none on smooth relief.
+// cell. Cost: as distance-conservative; slightly fewer steps in deep pits and between walls, as many on smooth relief.
 #pragma once
 
 #include "relief/methods/distance_options.h"

@@ -1,10 +1,10 @@
-// distance-refined-sampled: the papers' refined distance map as it stands. Each voxel holds the smallest distance to
-// the first hit over sampled rays that reach its centre unhindered. [DIST17] figs. 5 to 8, [TEX].
+// distance-refined-sampled: the refined distance map as the papers define it. Each voxel stores the smallest distance
+// to the first hit over sampled rays that reach its centre unobstructed. [DIST17] figs. 5 to 8, [TEX].
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: distance_march.h; `distance` with map=refined-sampled is the same. Guarantee: none. Failure mode: overshoots
-// at walls; more directions do not cure it (maps/refined.h says why). Rays flatter than `flattest` are not served: they
-// walk every cell. Cost: as `distance`; building it traces `directions` rays a voxel.
+// at walls, which more directions do not cure (reasons: maps/refined.h). Rays flatter than `flattest` are not served:
+// they walk every cell. Cost: as `distance`; building the map traces `directions` rays per voxel.
 #pragma once
 
 #include "relief/methods/distance_options.h"

@@ -1,12 +1,12 @@
-// What both conservative distance tracers share: the walk by the rule "exit + D", or by the classic "t + D".
+// What both conservative distance tracers share: the walk by the rule "exit + D", or by the classic rule "t + D".
 //
-// Frame and units: ray.h; the map's own: distance_map.h.
-// Model: in a free voxel the ray goes on to where it leaves the voxel, and by the voxel's distance beyond: the bound
-// holds for every point of the box, the exit included. In a surface voxel the one leaf tests the cell, and the ray goes
-// on to the next cell. Never interpolated, never over-relaxed, no epsilon stop. A ray flatter than those that the map
-// serves takes every voxel for a surface voxel.
-// Classic: by the distance from where the ray is, as sphere tracing does; it creeps, and where a step would be shorter
-// than kShortestClassic the cell is tested as in a surface voxel.
+// Frame and units: ray.h; those of the map: distance_map.h.
+// Exit: in a free voxel the ray advances to where it leaves the voxel, and from there by the voxel's distance, which
+// holds for every point of the box including the exit. In a surface voxel the leaf tests the cell, and the ray advances
+// to the next cell. There is no interpolation, no over-relaxation and no epsilon to stop at. A ray flatter than those
+// that the map serves treats every voxel as a surface voxel.
+// Classic: the ray advances from its position by the distance, as in sphere tracing. Steps become very short near the
+// surface: where a step would be shorter than kShortestClassic, the cell is tested as in a surface voxel.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,7 @@
 
 namespace relief {
 
+// Exit: leave the voxel, then advance by its distance. Classic: advance by the distance from the current point.
 enum class StepRule : std::uint8_t { Exit, Classic };
 
 class DistanceWalk {
@@ -35,10 +36,10 @@ class DistanceWalk {
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return run<false>(ray, segment, sink);
     }
-    // The same bits in lanes: rays first to last - 1.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    // The SIMD version, with the same results: sets hits for the rays first to last - 1.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
-        for (const std::size_t i : walkInLanes(*this, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
+        for (const std::size_t i : walkSimd(*this, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
     }
 
     const HeightField& field() const { return field_; }
@@ -46,18 +47,18 @@ class DistanceWalk {
     const CellGrid& grid() const { return grid_; }
     StepRule rule() const { return rule_; }
     std::size_t bytes() const { return map_->bytes(); }
-    // A step leaves a cell, or a voxel through its side or its floor.
+    // Upper bound of the number of records: a step leaves a cell, or a voxel through its side or its floor.
     double stepBound(const ViewRay& ray) const { return records(GridRay(grid_, ray)) + 3; }
     double segmentRecords() const { return 3; }
 
-    // Whether the map holds for the ray.
+    // Returns true if the map is valid for the ray.
     bool serves(const GridRay& ray) const { return std::hypot(ray.x.run, ray.y.run) <= map_->maxRun && ray.inDomain(); }
-    // Of the map's metric, a unit of lambda.
+    // Texels of the map's metric per unit of lambda.
     double perLambda(const GridRay& ray) const { return texelsPerLambda(ray.x.run, ray.y.run, map_->slabTexels); }
-    // Steps after which it is given up.
+    // Number of steps after which the walk ends with Outcome::Limit.
     double records(const GridRay& ray) const {
         const double walked = 2 * ray.cellBound() + map_->layers() + 4;
-        // Half of the shortest: what the exclusion margin takes off is less.
+        // Half of the shortest distance: the exclusion margin subtracts less than the other half.
         return rule_ == StepRule::Exit || !ray.inDomain() ? walked : walked + 2 * perLambda(ray) / kShortestClassic;
     }
 
@@ -69,8 +70,8 @@ class DistanceWalk {
     };
     Voxel voxelAt(AxisCell cx, AxisCell cy, double lambda) const {
         const int f = map_->parameters.footprint;
-        // On the floor of a layer the descending ray is in the one below: by the number that leaveVoxel() gives, or it
-        // would stay there where a distance is 0.
+        // On the floor of a layer the descending ray is in the layer below. The comparison uses the lambda that
+        // leaveVoxel() returns; otherwise the ray could stop there where the distance is 0.
         const double guess = std::ceil((1 - lambda) * map_->layers()) - 1;
         int layer = static_cast<int>(std::clamp(guess, 0.0, map_->layers() - 1.0));
         if (layer > 0 && floorOf(layer) <= lambda) --layer;
@@ -138,7 +139,7 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
         sink.read(1);
         double after = 0;
         if (distance < nearest) {
-            after = std::max(cellStay(grid_, ray, cx, cy).out, lambda);
+            after = std::max(cellInterval(grid_, ray, cx, cy).out, lambda);
             sink.read(leafReads(field_.surface()));
             if (const auto hit = leafHit(field_, grid_, ray, cx, cy)) {
                 sink.step(note(Decision::Hit, lambda, after, distance, *hit));
@@ -147,7 +148,7 @@ Hit DistanceWalk::run(const ViewRay& viewRay, Segment segment, Sink& sink) const
             sink.step(note(Decision::Test, lambda, after, distance, after));
         } else {
             const double out = rule_ == StepRule::Classic ? lambda : std::max(leaveVoxel(ray, voxel, cx, cy), lambda);
-            // What the leaf's rounding could still call a hit is left to the leaf.
+            // The exclusion margin covers hits that are within the rounding of the leaf.
             after = out + std::max(0.0, distance / metric - kExclusionMargin);
             sink.step(note(Decision::Advance, lambda, out, distance, std::min(after, segment.out)));
         }

@@ -1,8 +1,8 @@
-// exact: every cell in order, exact intersection. The ground truth of all tests.
+// exact: visits every cell in order, with an exact intersection. The ground truth of all tests.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Guarantee: the first hit, to the rounding of the leaf (double). Failure mode: none within the domain; slow.
-// Cost: one leaf a cell crossed, at most |a| + |b| + 2 of them.
+// Cost: one leaf per cell crossed, at most |a| + |b| + 2 of them.
 // Source: Amanatides & Woo 1987 for the walk.
 #pragma once
 
@@ -37,7 +37,7 @@ class ExactTracer {
         return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, true>(ray, {}, sink)
                                                      : walk<Surface::Columns, true>(ray, {}, sink);
     }
-    // The cells of a segment that begins and ends on their borders.
+    // Visits the cells of a segment that begins and ends on their borders.
     template <class Sink>
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, false>(ray, segment, sink)
@@ -47,11 +47,11 @@ class ExactTracer {
 
     const HeightField& field() const { return field_; }
     std::size_t bytes() const { return 0; }
-    // Records at most, asserted by stress tests.
+    // Upper bound of the number of records; stress tests assert it.
     double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 3; }
 
   private:
-    // kWhole: the whole ray, with records of its start and of a miss.
+    // kWhole: traces the whole ray, with records of its start and of a miss.
     template <Surface kSurface, bool kWhole, class Sink>
     Hit walk(const ViewRay& viewRay, Segment segment, Sink& sink) const;
 

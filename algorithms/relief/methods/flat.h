@@ -1,7 +1,7 @@
-// flat: the picture on its polygon, as if there were no relief: what all other methods are better than.
+// flat: the picture on its polygon without relief, the baseline of all other methods.
 //
 // Frame, units, surfaces, failure mode, cost: top_plane.h.
-// Model: the colour where the ray enters, lit by the polygon's own normal.
+// Model: the colour at the point where the ray enters, lit with the normal of the polygon.
 #pragma once
 
 #include "relief/methods/top_plane.h"

@@ -11,25 +11,25 @@
 
 namespace relief {
 
-// Whether float can follow a ray. Gone: under border it has left the map before its walk begins.
+// Whether float can follow a ray. Gone: under border the ray has left the map before its walk begins.
 enum class FloatFit : std::uint8_t { Fit, Gone, Unfit };
 
-// Of both axes.
+// The result for a ray from those of its two axes.
 inline FloatFit bothFit(FloatFit x, FloatFit y) {
     return x == FloatFit::Unfit || y == FloatFit::Unfit ? FloatFit::Unfit : std::max(x, y);
 }
 
-// Unfit rays get the axis of one that stands still in cell 0: nobody walks along it.
+// Start of a ray on one axis. An unfit ray gets a resting axis in cell 0, along which no walk is made.
 struct FloatPlace {
     FloatFit fit = FloatFit::Fit;
-    bool back = false;  // it runs towards lower indices
-    double line = 0;    // the grid line at or before the start, the way the ray runs
-    double share = 0;   // from that line to the start, cells
-    float run = 0;      // its size
+    bool back = false;  // the ray runs towards lower indices
+    double line = 0;    // the grid line at or before the start in the direction of the ray
+    double share = 0;   // cells from that line to the start
+    float run = 0;      // absolute value of the run, cells
     float inverse = 0;
-    float margin = 0;  // of a crossing
+    float margin = 0;  // largest error of a crossing, in lambda
 
-    // At lambda `begin`: nothing is met before.
+    // The start at lambda `begin`, before which the ray does not meet the surface.
     FloatPlace(const FloatScene& scene, const GridAxis& axis, const RayAxis& ray, double begin) {
         const double place = ray.start + begin * ray.run;
         back = ray.run < 0;
@@ -38,7 +38,7 @@ struct FloatPlace {
         const double size = std::abs(ray.run);
         const double alongLine = back ? scene.mirror - behind : behind;
         bool good = std::abs(alongLine) < kFloatPlaces && size <= kFloatRun && (size >= 1e-30 || size == 0);
-        // Hardly moving and next to a line: the walk could begin on the wrong side of it.
+        // A ray that hardly moves and begins next to a line could begin on the wrong side of it.
         good = good && !(begin > 0 && size < kLeastRun && part < kLeastRun);
         if (scene.address == Address::Border) {
             const auto inside = [&](double at) { return at > axis.low && at < axis.high; };

@@ -1,8 +1,8 @@
-// A height field as walks in float go over it: references (cone_walk.h, depth_walk.h) and SIMD versions alike.
+// The height field as walks in float use it; shared by references (cone_walk.h, depth_walk.h) and SIMD versions.
 //
-// Frame of the walk: cells of cell_grid.h, mirrored so that every ray runs towards larger indices, n counted in cells
-// from the one in which the walk begins. The ray crosses line n at lambda = n * inverse + base; base holds a margin, so
-// that this is at or after the true crossing, and by no more than `tie` on both axes together.
+// Frame of the walk: cells of cell_grid.h, mirrored so that every ray runs towards larger indices; n counts cells from
+// the one in which the walk begins. The ray crosses line n at lambda = n * inverse + base. base includes a margin, so
+// that this is at or after the true crossing, later by no more than `tie` for both axes together.
 #pragma once
 
 #include <algorithm>
@@ -14,18 +14,19 @@
 
 namespace relief {
 
-// What walks in float go over; pointers are not owned.
+// Pointers are not owned.
 struct FloatScene {
     const float* heights = nullptr;
     std::int32_t stride = 0;
-    // The four of a cell in one place (PackedCones); null: they are read from the heights.
+    // The four corner heights of each cell stored together (PackedCones::nodes); null: they are fetched from the
+    // heights.
     const float* nodes = nullptr;
     std::int32_t nodeStride = 0;
     CellGrid grid;
     Surface surface{};
     Address address{};
-    std::int32_t mirror = 1;  // cell i is mirrored to mirror - 1 - i; at least the cells of either axis
-    double start = 0;         // lambda at which walks begin: nothing is as high
+    std::int32_t mirror = 1;  // cell i is mirrored to mirror - 1 - i; at least the number of cells of either axis
+    double start = 0;         // lambda at which walks begin: the surface does not reach as high before
 
     FloatScene() = default;
     FloatScene(const HeightField& field, double highest, std::int32_t mirrored)

@@ -1,6 +1,6 @@
-// layers, layers-secant, layers-bisection in lanes of double, a ray a lane, finished lanes refilled: the operations of
-// layers.h and HeightField::at in their order, so the same bits for any target and width. Reference:
-// LayersTracerOf::trace.
+// SIMD version of layers, layers-secant and layers-bisection in double, one ray per lane; finished lanes are refilled.
+// Reference: LayersTracerOf::trace. It performs the operations of layers.h and HeightField::at in the same order, so
+// the results are the same bits for any target and vector width.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 
 namespace relief {
 
+// How the hit is refined between the last two layers.
 enum class LayerRefinement : std::uint8_t { None, Secant, Bisection };
 
 struct LayerSearch {
@@ -20,9 +21,9 @@ struct LayerSearch {
     int bisections;
 };
 
-// hits of rays first to last - 1. Returns those that are left to the reference: so far off that a period cannot be
-// taken off exactly by one product.
-std::vector<std::size_t> layersInLanes(const LayerSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits);
+// Sets hits for the rays first to last - 1. Returns the indices of rays that the reference has to trace: those so
+// distant that one product cannot subtract their period exactly.
+std::vector<std::size_t> layersSimd(const LayerSearch& search, const RayBlock& rays, std::size_t first,
+                                    std::size_t last, HitBlock& hits);
 
 }  // namespace relief

@@ -1,12 +1,12 @@
-// layers, layers-secant, layers-bisection: the slab cut into N equal layers; the first layer at which the ray is at or
-// below the surface, then nothing, a secant or a bisection between it and the layer above.
+// layers, layers-secant, layers-bisection: the slab is divided into N equal layers. The walk finds the first layer at
+// which the ray is at or below the surface; a secant or bisection between it and the layer above may refine the hit.
 // McGuire 2005 and [DIST17] fig. 2 (layers), Tatarchuk 2006 (secant), Policarpo 2005 (bisection).
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: lambda_n = n / N, n = 0 .. N; looked at only there.
-// Guarantee: none; the answer lies on the surface's far side at most one layer behind a crossing, but a feature thinner
-// than the ray's run in one layer, (|a| + |b|) / N texels, can be missed altogether. Failure mode: thin features.
-// Cost: one height a layer, and one a bisection.
+// Model: the surface is sampled only at lambda_n = n / N, n = 0 .. N.
+// Guarantee: none. The hit lies behind a crossing, by at most one layer, but a feature thinner than the ray's run in
+// one layer, (|a| + |b|) / N texels, can be missed altogether. Failure mode: thin features.
+// Cost: one height per layer and per bisection.
 #pragma once
 
 #include "relief/describe.h"
@@ -73,13 +73,13 @@ class LayersTracerOf {
         sink.step([&] { return surface.record(Phase::Start, Decision::Start, 0, 0, 1, 0); });
         return search(ray, surface, {}, true, sink);
     }
-    // The same bits in lanes: rays first to last - 1.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    // The SIMD version, with the same results: sets hits for the rays first to last - 1.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
         const LayerSearch inLanes{field_, options_.layers, kRefinement, options_.bisections};
-        for (const std::size_t i : layersInLanes(inLanes, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
+        for (const std::size_t i : layersSimd(inLanes, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
     }
-    // The same distance between layers, counted from the segment's begin; its end is looked at, too.
+    // Uses the same distance between layers, counted from the begin of the segment; also samples its end.
     template <class Sink>
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return search(ray, SampledSurface(field_, ray), segment, false, sink);
@@ -92,8 +92,8 @@ class LayersTracerOf {
 
   private:
     struct Bracket {
-        double above, gapAbove;  // the last layer above the surface, and how far (negative)
-        double below, gapBelow;  // the first one not above
+        double above, gapAbove;  // lambda of the last layer above the surface, and surface minus ray there (negative)
+        double below, gapBelow;  // lambda of the first layer at or below the surface, and surface minus ray there
     };
     template <class Sink>
     Hit search(const ViewRay& ray, const SampledSurface& surface, Segment segment, bool whole, Sink& sink) const;
@@ -145,7 +145,7 @@ Hit LayersTracerOf<kRefinement>::search(const ViewRay& ray, const SampledSurface
         const double lambda = std::min(segment.in + static_cast<double>(n) / options_.layers, segment.out);
         const auto record = [&](Decision decision, double height, double after) {
             Step step = surface.record(Phase::Search, decision, above, lambda, height, after);
-            // Within a segment layers are counted from its begin: they are none of the slab's.
+            // Within a segment, layers are counted from its begin and are not layers of the slab.
             if (whole && decision != Decision::Miss) step.subject = subject::Layer{n, options_.layers, height};
             return step;
         };
@@ -155,7 +155,7 @@ Hit LayersTracerOf<kRefinement>::search(const ViewRay& ray, const SampledSurface
         }
         const double gap = surface.gapAt(lambda);
         sink.read(surface.readsEach());
-        // At the bottom of the slab nothing is left below the ray, whatever rounding says.
+        // At the bottom of the slab the surface cannot be below the ray, even if rounding says so.
         if (gap >= 0 || lambda >= 1) {
             const double hit = n == 0 ? lambda : refined(surface, {above, gapAbove, lambda, std::max(gap, 0.0)}, sink);
             sink.step([&] { return record(Decision::Hit, gap + 1 - lambda, hit); });

@@ -1,16 +1,17 @@
-// max-pyramid: hierarchical skip on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008.
+// max-pyramid: hierarchical skips on the pyramid of maxima, iterative and stackless. [MIP18]; Tevs 2008.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
 // Model: the walk begins at the height of the highest point, on the level whose nodes are a quarter to half as long as
-// the ray's run along its longer axis, or the nearest level that there is. A node whose maximum is below the ray during
-// the whole interval that the ray spends in it is skipped; otherwise its children are visited; the one leaf decides at
-// level 0. After a step that leaves the parent, the walk goes up one level.
+// the ray's run along its longer axis, or on the nearest existing level. A node whose maximum is below the ray over the
+// ray's whole interval in it is skipped; otherwise its children are visited. On level 0 the leaf decides. After a step
+// that leaves the parent, the walk goes up one level.
 //
 // Walk: depth_walk.h, in float over 16-bit depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h. Fallback, where
 // float cannot decide and for maps too large for these depths: the paper's walk in double (max_pyramid_paper.h).
 //
 // Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
-// grazing angles, where little can be skipped. Cost: O(log) steps per ray on even surfaces, one stored maximum a step.
+// grazing angles, where little can be skipped. Cost: O(log) steps per ray on smooth surfaces, one stored maximum per
+// step.
 #pragma once
 
 #include <optional>
@@ -41,7 +42,7 @@ class MaxPyramidTracer {
 
         static std::vector<OptionField<Options>> fields() { return {baseLevelField(&Options::base)}; }
     };
-    // An automatic base level counts as one above 0.
+    // An automatic base level counts as one above 0, for which there is no SIMD version.
     static bool simdWith(const Options& options) { return options.base == "0"; }
     static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         const BaseField base = baseField(field, baseLevelNumber(options.base), cache, work);
@@ -58,11 +59,11 @@ class MaxPyramidTracer {
         if (!viewRay.finite()) return Hit::none(Outcome::Miss);
         return trace(viewRay, sink, sink);
     }
-    // Requires a finite ray and depths. inDouble: gets the steps of the fallback in double.
+    // Requires a finite ray and depths. inDouble: receives the steps of the fallback in double.
     template <class Sink, class DoubleSink>
     Hit trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const;
-    // The same hits, many at a time; rays [first, last) of the block.
-    void traceLanes(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    // The SIMD version, with the same results: sets hits for the rays [first, last) of the block.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
         NullSink sink;
         if (!hasSimdMap()) {
             for (std::size_t i = first; i < last; ++i) hits.set(i, trace(rays[i], sink));
@@ -76,7 +77,7 @@ class MaxPyramidTracer {
     const HeightField& field() const { return paper_.field(); }
     bool hasSimdMap() const { return depths_ != nullptr && pyramidWalk().baseLevel() == 0; }
     std::size_t bytes() const { return paper_.bytes() + (depths_ ? depths_->bytes() : 0); }
-    // The walk in double begins anew, a little before the place where float leaves the ray.
+    // The walk in double starts anew, slightly before the place where float stops.
     double stepBound(const ViewRay& ray) const { return (depths_ ? 2 : 1) * paper_.stepBound(ray); }
     Guarantee guarantee() const { return paper_.guarantee(); }
     const PyramidWalk& pyramidWalk() const { return paper_.pyramidWalk(); }
@@ -88,7 +89,7 @@ class MaxPyramidTracer {
     }
 
     MaxPyramidPaperTracer paper_;
-    std::shared_ptr<const DepthPyramid> depths_;  // null: the paper's walk alone
+    std::shared_ptr<const DepthPyramid> depths_;  // null: only the paper's walk is used
     std::optional<DepthWalk> walk_;
 };
 
@@ -103,11 +104,11 @@ Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDo
             return Hit::none(Outcome::Miss);
         case DepthWalk::End::Unfit:
             return paper_.trace(viewRay, inDouble);
-        case DepthWalk::End::Left:
+        case DepthWalk::End::Fallback:
             break;
     }
     StepsWithin<DoubleSink> rest{inDouble, answer.lambda, 1};
-    return paper_.goOn(viewRay, ray, answer.from, pyramidWalk().topNode(ray, answer.from), rest);
+    return paper_.resume(viewRay, ray, answer.from, pyramidWalk().topNode(ray, answer.from), rest);
 }
 
 }  // namespace relief

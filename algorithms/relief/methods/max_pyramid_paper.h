@@ -1,16 +1,15 @@
-// max-pyramid-paper: the recursion of [MIP18], whose step log follows the paper's procedure step for
-// step.
+// max-pyramid-paper: the recursion of [MIP18]. Its step log follows the procedure of the paper step by step.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
-//   1. The highest point first: the ray is advanced to its height; if the start is as high, it is the hit.
-//   2. Down a level: coordinates double, V(i+1) = 2 V(i); step through the texels that the ray crosses.
-//   3. A texel whose maximum is strictly below the ray all along its stay is free: skipped.
-//   4. Otherwise the same one level lower, down to the base level (option; 0: the heights themselves).
-//   5. No hit confirmed in it ("the higher point is not on the ray's projection"): back to the level above, go on.
-//   6. Done when the base level confirms the hit.
+//   1. Highest point: the ray is advanced to its height; if the surface at the start is as high, it is the hit.
+//   2. One level down: coordinates double, V(i+1) = 2 V(i); step through the texels that the ray crosses.
+//   3. A texel whose maximum is strictly below the ray over its whole interval is free and skipped.
+//   4. Otherwise repeat one level lower, down to the base level (option; 0: the heights themselves).
+//   5. Without a confirmed hit ("the higher point is not on the ray's projection") return to the level above, continue.
+//   6. The search ends when the base level confirms the hit.
 // Guarantee: with base level 0 exact, the same bits as `exact`. Failure mode and cost: see max_pyramid.h, which begins
-// lower and goes down without recursion.
-// Departures: a line crosses one, two or three of four children, where the paper says at most two.
+// on a lower level and descends without recursion.
+// Difference: a line crosses one, two or three of four children, where the paper says at most two.
 #pragma once
 
 #include "relief/describe.h"
@@ -45,27 +44,27 @@ class MaxPyramidPaperTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
-    // From lambda `from` on, on the top level: nothing is met before.
+    // Continues from lambda `from`, before which the ray does not meet the surface, on the top level.
     template <class Sink>
-    Hit goOn(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node, Sink& sink) const;
+    Hit resume(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node, Sink& sink) const;
 
     const HeightField& field() const { return walk_.wholeField(); }
     std::size_t bytes() const { return walk_.bytes(); }
     double stepBound(const ViewRay& ray) const { return walk_.stepBound(walk_.gridRay(ray)); }
-    // A base level above 0 is another surface.
+    // A base level above 0 is a different surface.
     Guarantee guarantee() const { return walk_.baseLevel() == 0 ? Guarantee::Exact : Guarantee::Approximate; }
     const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
     struct State {
         double lambda = 0;
-        double left = 0;  // nodes until the step limit
+        double left = 0;  // number of nodes until the step limit
         Outcome outcome = Outcome::Unset;
         double hit = 0;
     };
 
-    // Steps through the texels of `level` that the ray crosses, from `node` on, until it leaves their parent (on the
-    // top level: until the ray ends). True: the outcome is known.
+    // Steps through the texels of `level` that the ray crosses, beginning with `node`, until it leaves their parent (on
+    // the top level: until the ray ends). Returns true if the outcome is known.
     template <class Sink>
     bool level(const GridRay& ray, int level, PyramidNode node, State& state, Sink& sink) const;
 
@@ -79,12 +78,12 @@ Hit MaxPyramidPaperTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     const PyramidStart start = pyramidStart(walk_, ray, sink);
     if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
     if (start.hit) return Hit::at(viewRay, *start.hit);
-    return goOn(viewRay, ray, start.lambda, start.node, sink);
+    return resume(viewRay, ray, start.lambda, start.node, sink);
 }
 
 template <class Sink>
-Hit MaxPyramidPaperTracer::goOn(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node,
-                                Sink& sink) const {
+Hit MaxPyramidPaperTracer::resume(const ViewRay& viewRay, const GridRay& ray, double from, const PyramidNode& node,
+                                  Sink& sink) const {
     State state;
     state.lambda = from;
     state.left = walk_.nodeBound(ray);

@@ -1,9 +1,9 @@
-// normal-map: as `bump`, with normals computed beforehand and looked up. Cohen et al. 1998.
+// normal-map: as `bump`, with precomputed normals from a normal map. Cohen et al. 1998.
 //
 // Frame, units, surfaces, failure mode, cost: top_plane.h.
-// Model: the normal picture's normal where the ray enters, or, if none is given, that of a normal map baked from the
-// heights in 8 bits a component (maps/baked_normals.h). Beside `bump` it shows what baking and rounding cost.
-// The renderer looks the normal up, and bakes the map only where no picture is given.
+// Model: the normal of the given normal picture at the point where the ray enters, or without one, that of a normal map
+// baked from the heights with 8 bits per component (maps/baked_normals.h). The comparison with `bump` shows the cost of
+// baking and rounding. The renderer samples the normal, and bakes the map only if no picture is given.
 #pragma once
 
 #include "relief/methods/top_plane.h"

@@ -1,8 +1,8 @@
-// offset: one sample, the ray taken to the height found where it enters. Kaneko et al. 2001; [DIST17]'s printed formula
-// (its plane is the bottom of the slab, ours the top).
+// offset: parallax mapping; one sample, after which the ray is advanced to the height at its point of entry. Kaneko et
+// al. 2001; the formula printed in [DIST17] (whose reference plane is the bottom of the slab, here the top).
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: the surface is flat, as high as where the ray enters: T = T0 + (1 - h(T0)) (a, b).
+// Model: the surface is taken as flat, as high as at the point of entry: T = T0 + (1 - h(T0)) (a, b).
 // Guarantee: none. Failure mode: anything steep; grazing rays slide far over the picture ("swimming").
 // Cost: one height.
 #pragma once
@@ -41,7 +41,7 @@ class OffsetTracer {
     }
     double segmentRecords() const { return 3; }
 
-    // The answer of both offset methods: lambda = (1 - h(T0)) * share.
+    // The result of both offset methods: lambda = (1 - h(T0)) * share.
     template <class Sink>
     static Hit shifted(const HeightField& field, const ViewRay& ray, double share, Sink& sink) {
         if (!ray.finite()) return Hit::none(Outcome::Miss);
@@ -60,7 +60,7 @@ class OffsetTracer {
         return Hit::at(ray, lambda);
     }
 
-    // The same from where a segment begins; nothing if the height found there is reached beyond its end.
+    // The same from the begin of a segment. A miss if the sampled height is reached after the segment's end.
     template <class Sink>
     static Hit shiftedWithin(const HeightField& field, const ViewRay& ray, Segment segment, double share, Sink& sink) {
         const SampledSurface surface(field, ray);

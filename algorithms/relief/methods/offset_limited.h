@@ -1,5 +1,5 @@
 // offset-limited: as `offset`, without the division by V_z, so that the shift never exceeds the depth of the relief.
-// Welsh 2004 ([DIST17] gives this name to the formula of `offset`).
+// Welsh 2004 ([DIST17] uses this name for the formula of `offset`).
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: (a, b) is replaced by (a, b) D / sqrt(a^2 + b^2 + D^2), D = relief_depth * W texels.
@@ -49,7 +49,7 @@ class OffsetLimitedTracer {
   private:
     double share(const ViewRay& ray) const {
         const double length = texelsPerLambda(ray.a, ray.b, field_.slabTexels());
-        // A vertical ray through a slab without thickness: there is nothing to limit.
+        // For a vertical ray through a slab without thickness there is nothing to limit.
         return length > 0 ? field_.slabTexels() / length : 1.0;
     }
 

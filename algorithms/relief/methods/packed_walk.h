@@ -1,6 +1,6 @@
-// The walk by packed cones in double, a step at a time: for what float cannot decide (cone_walk.h), for rays that the
-// SIMD walk cannot finish, from where it stopped, and for visibility queries (visibility/packed_cone_any.h). All exact
-// methods give the same bits: the one leaf decides, and cells partition the ray.
+// The walk by packed cones in double, one step at a time. It is used where float cannot decide (cone_walk.h), to finish
+// rays that the SIMD walk cannot, from where that stopped, and for visibility queries (visibility/packed_cone_any.h).
+// All exact methods return the same bits, since the leaf decides all hits and the cells partition the ray.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 #pragma once
@@ -16,51 +16,53 @@
 
 namespace relief {
 
-// What all walks share; the caller keeps it.
+// The data that all walks share; not owned.
 struct ConeGround {
     const HeightField& field;
     const CellGrid& grid;
     const PackedCones& cones;
 };
 
-// The record of a step: an advance is over the word's cone, which stands under the place where the ray leaves the cell;
-// any other is about the cell's highest point.
+// The record of a step. The subject of an advance is the entry's cone, which stands below the point where the ray
+// leaves the cell; that of other decisions is the cell's highest point.
 inline Step coneRecord(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy, Decision decision,
-                       Stay stay, std::uint32_t word, double after) {
-    // In the order of azimuths.
+                       CellInterval interval, std::uint32_t entry, double after) {
+    // Azimuth sector of each quadrant.
     constexpr std::array<int, 4> kSectors{0, 1, 3, 2};
     const bool advances = decision == Decision::Advance;
-    const double own = ground.cones.heightAt(coneOwnDepth(word)), slope = static_cast<double>(coneSlope(word));
-    Step step =
-        cellRecord(ground.field, ground.grid, cx, cy, decision, stay.in, stay.out, advances ? slope : own, after);
+    const double own = ground.cones.heightAt(coneOwnDepth(entry)), slope = static_cast<double>(coneSlope(entry));
+    Step step = cellRecord(ground.field, ground.grid, cx, cy, decision, interval.in, interval.out,
+                           advances ? slope : own, after);
     if (!advances) {
         step.subject = subject::Texel{0, step.i, step.j, own, {}};
         return step;
     }
-    const double s = ray.x.start + stay.out * ray.x.run - ground.grid.x.shift;
-    const double t = ray.y.start + stay.out * ray.y.run - ground.grid.y.shift;
-    const double apex = ground.cones.heightAt(coneApexDepth(word));
+    const double s = ray.x.start + interval.out * ray.x.run - ground.grid.x.shift;
+    const double t = ray.y.start + interval.out * ray.y.run - ground.grid.y.shift;
+    const double apex = ground.cones.heightAt(coneApexDepth(entry));
     step.subject = subject::Cone{s, t, apex, slope, kSectors[quadrantOf(ray)], 4, true, true};
     return step;
 }
 
-// Rays flatter than the domain of exactness each method gives up after steps of its own.
+// True if the ray ends in the same way in every method. Rays flatter than the domain of exactness end in each method
+// after a different number of steps.
 inline bool packedWalks(const CellGrid& grid, const ViewRay& ray) {
     return !ray.finite() || GridRay(grid, ray).inDomain();
 }
 
-// Rays that come back to float more often go on in double to their end.
+// Rays that return to float more often continue in double to their end.
 inline constexpr int kMostReturns = 4;
 
-// What a walk looks for: where a view ray meets the surface. Its parameter is lambda.
+// The target of a walk for a view ray: the first hit of the surface. The parameter is lambda.
 struct FirstHit {
     ViewRay line;
 
-    // By how much, in heights, a ray must pass above what the leaf could still call a hit.
+    // Clearance, in heights, by which a ray must pass above a cell; the leaf's rounding could still make a closer ray a
+    // hit.
     static constexpr double kMargin = kExclusionMargin;
     const ViewRay& course() const { return line; }
     double heightAt(double lambda) const { return 1 - lambda; }
-    double rise() const { return -1; }  // of heightAt, to the parameter
+    double rise() const { return -1; }  // derivative of heightAt() by the parameter
     double end(const CellGrid& grid, const GridRay& ray) const { return ray.end(grid); }
     double mostSteps(const GridRay& ray) const { return ray.cellBound() + 2; }
     std::optional<double> leaf(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy, double) const {
@@ -69,11 +71,13 @@ struct FirstHit {
     const Step& logged(const Step& step) const { return step; }
 };
 
+// The state of one walk. Query defines the line, its height along the parameter, and the leaf: FirstHit or BlockingCell
+// (visibility/packed_cone_any.h).
 template <class Query>
 class PackedConeWalk {
   public:
-    // from: before it the line meets nothing. It pauses at the first place from `until` on. number: as the caller
-    // counts.
+    // number: any number by which the caller identifies the walk. from: the line does not meet the surface before.
+    // until: the walk pauses at the first step that ends at or after this parameter.
     PackedConeWalk(const ConeGround& ground, const Query& query, std::size_t number, double from, double until)
         : number_(number),
           query_(query),
@@ -90,21 +94,21 @@ class PackedConeWalk {
     std::size_t number() const { return number_; }
     const GridRay& ray() const { return ray_; }
     Outcome outcome() const { return outcome_; }
-    // Of a view ray that has ended.
+    // Result of a view ray whose walk has ended.
     Hit hit() const { return outcome_ == Outcome::Hit ? Hit::at(query_.line, lambda_) : Hit::none(outcome_); }
-    // Where it is: the place of x() and y(), unless it has ended.
+    // True if the walk is paused. Then, and while it goes on, the line is at lambda() in the cell x(), y().
     bool paused() const { return paused_; }
     const AxisCell& x() const { return x_; }
     const AxisCell& y() const { return y_; }
     double lambda() const { return lambda_; }
 
-    // A step; false: it has ended, or come to where it was to pause.
+    // Takes a step. Returns false if the walk has ended or paused.
     template <class Sink>
     bool step(const ConeGround& ground, Sink& sink) {
-        const std::uint32_t word = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
+        const std::uint32_t entry = ground.cones.quadrant(quadrant_)[ground.cones.index(x_.index, y_.index)];
         const auto note = [&](Decision decision, double after) {
             return [&, decision, after] {
-                return query_.logged(coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, word, after));
+                return query_.logged(coneRecord(ground, ray_, x_, y_, decision, {lambda_, out_}, entry, after));
             };
         };
         double after = out_;
@@ -117,19 +121,19 @@ class PackedConeWalk {
         } else {
             sink.read(1);
             const double zOut = query_.heightAt(out_), lowest = std::min(query_.heightAt(lambda_), zOut);
-            if (!(ground.cones.heightAt(coneOwnDepth(word)) + Query::kMargin < lowest)) {
+            if (!(ground.cones.heightAt(coneOwnDepth(entry)) + Query::kMargin < lowest)) {
                 testing_ = true;
                 fetchHeights(ground);
                 return true;
             }
-            const double room = zOut - ground.cones.heightAt(coneApexDepth(word));
-            const double closing = static_cast<double>(coneSlope(word)) * run_ - query_.rise();
+            const double room = zOut - ground.cones.heightAt(coneApexDepth(entry));
+            const double closing = static_cast<double>(coneSlope(entry)) * run_ - query_.rise();
             if (room > 0) {
-                // What rises faster than the cone never meets it.
+                // A line that rises faster than the cone never meets it.
                 const double free = closing > 0 ? room / closing * kShorterShare : 1;
                 after += std::max(0.0, free - Query::kMargin);
             }
-            // Below the apex it is above the cell alone.
+            // Below the apex the line is only known to be above the cell.
             sink.step(note(room > 0 ? Decision::Advance : Decision::Skip, std::min(after, end_)));
         }
         if (!(after < end_)) return finish(Outcome::Miss, after);
@@ -149,7 +153,7 @@ class PackedConeWalk {
     void arrive(const ConeGround& ground) {
         x_ = ray_.x.cellAt(ground.grid.x, lambda_);
         y_ = ray_.y.cellAt(ground.grid.y, lambda_);
-        out_ = std::max(std::min(cellStay(ground.grid, ray_, x_, y_).out, end_), lambda_);
+        out_ = std::max(std::min(cellInterval(ground.grid, ray_, x_, y_).out, end_), lambda_);
         hwy::Prefetch(ground.cones.quadrant(quadrant_) + ground.cones.index(x_.index, y_.index));
     }
     void fetchHeights(const ConeGround& ground) const {
@@ -169,17 +173,17 @@ class PackedConeWalk {
     std::size_t quadrant_;
     double run_, end_;
     double lambda_, until_;
-    double left_;  // steps
+    double left_;  // steps until the limit
     double out_ = 0;
     AxisCell x_, y_;
-    bool testing_ = false;  // the cell itself is to be tested
+    bool testing_ = false;  // the surface in the cell is to be tested
     bool paused_ = false;
     Outcome outcome_ = Outcome::Unset;
 };
 using PackedWalk = PackedConeWalk<FirstHit>;
 
-// All walks, each a step in turn: each waits for memory at every step, and so they wait together. What has come to its
-// end is given to end().
+// Runs all walks, one step of each in turn. Each step waits for memory, and in this way those waits overlap. Calls
+// end() with each walk that has ended or paused. Leaves `walks` empty.
 template <class End>
 void walkAll(const ConeGround& ground, std::vector<PackedWalk>& walks, const End& end) {
     NullSink sink;

@@ -1,5 +1,5 @@
-// max-pyramid over many rays, without a log: one ray a lane, down and up the pyramid of depths
-// (simd/pyramid_lanes-inl.h). Reference: depth_walk.h, the same bits.
+// SIMD version of max-pyramid for many rays, without a log: one ray per lane, down and up the pyramid of depths
+// (simd/pyramid_lanes-inl.h). Reference: depth_walk.h, with the same results.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace relief {
 
-// Rays [first, last) of the block into the same places of hits. Those that float cannot decide are added to `left`,
-// by their number in the block, for the reference.
+// Sets hits for the rays [first, last) of the block. Rays that float cannot decide are appended to `left`, by their
+// index in the block, for the reference.
 void traceByPyramid(const FloatScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
                     std::size_t last, HitBlock& hits, std::vector<std::size_t>& left);
 

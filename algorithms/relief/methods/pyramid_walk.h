@@ -1,6 +1,6 @@
-// What walks over the max pyramid in double share: nodes of the hierarchy, the ray's stay in them, the way to a
-// neighbour and to a child, the start at the highest point. Only integers are stepped; a position is never floored on
-// the way, so the walk agrees with the leaf's intervals to the last bit.
+// What walks over the max pyramid in double share: nodes of the hierarchy, the ray's interval in them, the step to a
+// neighbour or a child, and the start at the highest point. Only integers are stepped, and positions are not floored on
+// the way, so that the walk agrees with the leaf's intervals to the last bit.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@ namespace relief {
 
 inline constexpr int kMaxLevels = 32;
 
-// A node of level l on one axis: cells [index << l, min((index + 1) << l, cells)) of the period that begins at `base`.
+// A node of level l: on each axis the cells [index << l, min((index + 1) << l, cells)) of the period that begins at
+// `base`.
 struct PyramidNode {
     AxisCell x;
     AxisCell y;
@@ -25,7 +26,7 @@ class PyramidWalk {
   public:
     PyramidWalk(HeightField field, std::shared_ptr<const MaxPyramidMap> map)
         : PyramidWalk({field, 0, 1, 1}, field, std::move(map)) {}
-    // Over a base level: rays and answers are the whole field's, cells and heights the base level's.
+    // With a base level above 0: rays and hits refer to the whole field, cells and heights to the base level.
     PyramidWalk(BaseField base, HeightField whole, std::shared_ptr<const MaxPyramidMap> map)
         : field_(std::move(base.field)),
           whole_(std::move(whole)),
@@ -37,7 +38,7 @@ class PyramidWalk {
         for (int l = 0; l <= map_->top(); ++l) levels_[static_cast<std::size_t>(l)] = &map_->pyramid.level(l);
     }
 
-    // The field that is traced, and the one that was asked about (another only with a base level).
+    // The field that is traced, and the one whose rays are given; they differ only with a base level above 0.
     const HeightField& field() const { return field_; }
     const HeightField& wholeField() const { return whole_; }
     int baseLevel() const { return base_; }
@@ -45,7 +46,7 @@ class PyramidWalk {
 
     GridRay gridRay(const ViewRay& ray) const {
         if (base_ == 0) return GridRay(grid_, ray);
-        // The period of the whole field comes first: the base level's texels need not divide it.
+        // First reduce to the period of the whole field, whose size need not be a multiple of the base level's texels.
         const bool wraps = field_.address() == Address::Repeat;
         const double s = wraps ? reduceToPeriod(ray.s0, whole_.width()) : ray.s0;
         const double t = wraps ? reduceToPeriod(ray.t0, whole_.height()) : ray.t0;
@@ -70,7 +71,8 @@ class PyramidWalk {
         return {leave(grid_.x, ray.x, level, node.x), leave(grid_.y, ray.y, level, node.y)};
     }
 
-    // To the neighbour on the same level; false: the ray leaves the field (border). A corner leads to the diagonal.
+    // Moves to the neighbour on the same level; across a corner to the diagonal one. Returns false if the ray leaves
+    // the field (border).
     bool moveOn(const GridRay& ray, int level, Exit exit, PyramidNode& node) const {
         bool inside = true;
         if (exit.x <= exit.y) inside = moveOn(grid_.x, ray.x.side, level, node.x);
@@ -78,7 +80,7 @@ class PyramidWalk {
         return inside;
     }
 
-    // The child in which the ray is at and just after lambda, which lies within its stay in the node.
+    // The child that contains the ray at, and just after, lambda, which lies within its interval in the node.
     PyramidNode child(const GridRay& ray, int level, const PyramidNode& node, double lambda) const {
         return {child(grid_.x, ray.x, level, node.x, lambda), child(grid_.y, ray.y, level, node.y, lambda)};
     }
@@ -92,8 +94,8 @@ class PyramidWalk {
         node.y.index >>= 1;
     }
 
-    // The top node (the whole texture, in one of its periods) in which the ray is at and just after lambda; lambda is 0
-    // or the ray in the domain.
+    // The top node (the whole texture, in one of its periods) that contains the ray at, and just after, lambda.
+    // Requires lambda = 0 or a ray within the domain of exactness.
     PyramidNode topNode(const GridRay& ray, double lambda) const {
         return {topNode(grid_.x, ray.x, lambda), topNode(grid_.y, ray.y, lambda)};
     }
@@ -109,25 +111,26 @@ class PyramidWalk {
                    : cellMinimum<Surface::Columns>(field_.heights(), grid_, cell.x.index, cell.y.index);
     }
 
-    // The cell at lambda by its floored position: good enough to look whether the start may be the highest point (the
-    // leaf of the true cell decides).
+    // The cell at lambda from its floored position. This is precise enough to check whether the start may be the
+    // highest point, since the leaf of the true cell decides.
     PyramidNode roughCell(const GridRay& ray, double lambda) const {
         return {{roughCell(grid_.x, ray.x, lambda), 0}, {roughCell(grid_.y, ray.y, lambda), 0}};
     }
 
-    // Step 3 of the procedure: the maximum is strictly below the ray all along its stay, i.e. below its lowest point,
-    // the exit. The margin leaves what the leaf's rounding could still call a hit to the leaf.
+    // Step 3 of the procedure: returns true if the maximum is strictly below the ray over its whole interval, that is,
+    // below its lowest point, the exit. The margin covers hits that are within the rounding of the leaf.
     static bool excluded(float maximum, double lambdaOut) {
         return static_cast<double>(maximum) + kExclusionMargin < 1 - lambdaOut;
     }
 
-    // Nodes that a line visits at most, each once. It crosses at most run / 2^l + 2 lines of level l on an axis, and on
-    // all levels the seams between periods, which cut their nodes.
+    // Upper bound of the number of nodes that a line visits, each once. It crosses at most run / 2^l + 2 lines of level
+    // l on an axis, and on all levels the seams between periods, which cut their nodes.
     double nodeBound(const GridRay& ray) const {
         const double seams = std::min(ray.cellBound(), periods(grid_.x, ray.x) + periods(grid_.y, ray.y));
         return 2 * ray.cellBound() + (seams + 5) * (top() + 1);
     }
-    // Records at most: a node is left once, and perhaps descended into and climbed out of; the start and the end.
+    // Upper bound of the number of records: each node is left once, and may be descended into and climbed out of; the
+    // start and the end are added.
     double stepBound(const GridRay& ray) const { return 2 * nodeBound(ray) + 5; }
 
     Step record(Decision decision, int level, const PyramidNode& node, double in, double out, double value,
@@ -147,7 +150,7 @@ class PyramidWalk {
         step.subject = subject::Texel{step.level, step.i, step.j, value, {}};
         return step;
     }
-    // A descent into the node at lambda `in`: with the coordinates that double on the level below.
+    // Record of a descent into the node at lambda `in`, with the coordinates that double on the level below.
     Step descent(const GridRay& ray, int level, const PyramidNode& node, double in, double out, double value) const {
         Step step = record(Decision::Descend, level, node, in, out, value, in);
         const auto along = [&](const RayAxis& axis, const AxisCell& cell) {
@@ -157,7 +160,7 @@ class PyramidWalk {
         return step;
     }
 
-    // Back up to `level`, out of the parent of a child that was left at lambda: nothing was hit in it.
+    // Record of the return to `level` without a hit, from the parent of `child`, which the ray left at lambda.
     Step ascent(int level, PyramidNode child, double lambda) const {
         toParent(child);
         return record(Decision::Ascend, level, child, lambda, lambda, static_cast<double>(maximum(level, child)),
@@ -191,7 +194,7 @@ class PyramidWalk {
         return true;
     }
 
-    // Compares lambda with the mid-plane; children that do not exist (odd sizes) are never chosen.
+    // Compares lambda with the middle line. Children that do not exist (odd sizes) are never chosen.
     static AxisCell child(const GridAxis& axis, const RayAxis& ray, int level, AxisCell node, double lambda) {
         const int first = node.index << 1;
         const int middle = (first + 1) << (level - 1);
@@ -206,7 +209,7 @@ class PyramidWalk {
         return {first + (upper ? 1 : 0), node.base};
     }
 
-    // A guess from the position, set right by the very comparisons of the walk.
+    // Estimated from the position, then corrected by the comparisons that the walk makes.
     static AxisCell topNode(const GridAxis& axis, const RayAxis& ray, double lambda) {
         const std::int64_t startBase = axis.wraps ? ray.startCell(axis).base : 0;
         if (!axis.wraps || ray.side == 0 || lambda <= 0) return {0, startBase};
@@ -227,7 +230,7 @@ class PyramidWalk {
     std::array<const FloatImage*, kMaxLevels> levels_{};
 };
 
-// The option of max-pyramid and max-pyramid-paper.
+// The option `base` of max-pyramid and max-pyramid-paper.
 template <class Options>
 OptionField<Options> baseLevelField(std::string Options::*member) {
     return {{"base",
@@ -242,14 +245,14 @@ OptionField<Options> baseLevelField(std::string Options::*member) {
             member};
 }
 
-// Step 1 of the procedure, for max-pyramid-paper and hybrid. The ray is taken to the height of the highest point;
-// `lambda` is where. If the whole cell there is as high, nothing can hide the start: its leaf is asked at once.
+// Step 1 of the procedure, for max-pyramid-paper and hybrid: the ray is advanced to the height of the highest point, at
+// `lambda`. If the whole cell there is as high, nothing can occlude the start, and its leaf is tested immediately.
 struct PyramidStart {
     double lambda = 0;
-    PyramidNode node;                  // the top node there
-    std::optional<double> hit;         // lambda, if the start is the highest point
-    PyramidNode cell;                  // its cell
-    Outcome outcome = Outcome::Unset;  // Miss, Limit: decided at once
+    PyramidNode node;                  // the top node at lambda
+    std::optional<double> hit;         // lambda of the hit, if the start is the highest point
+    PyramidNode cell;                  // the cell of the hit
+    Outcome outcome = Outcome::Unset;  // Miss, Limit: the outcome is known already
 };
 
 template <class Sink>
@@ -265,8 +268,8 @@ PyramidStart pyramidStart(const PyramidWalk& walk, const GridRay& ray, Sink& sin
         start.outcome = Outcome::Miss;
         return start;
     }
-    // Not quite to it: what the leaf's rounding could still call a hit is left to the leaf.
-    // Beyond the domain of exactness a ray walks from its very start, to the step bound at the latest.
+    // The margin covers hits that are within the rounding of the leaf. A ray beyond the domain of exactness walks from
+    // its very start, at most to the step bound.
     if (ray.inDomain()) start.lambda = std::max(0.0, 1 - highest - kExclusionMargin);
     if (start.lambda > 0) {
         if (walk.grid().bounded && walk.exit(ray, top, start.node).first() <= start.lambda) {

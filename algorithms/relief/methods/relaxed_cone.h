@@ -2,9 +2,9 @@
 // 2007 (GPU Gems 3, ch. 18).
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing. View rays from above only.
-// Guarantee: none. Failure mode: as cone-dummer; also, cones are measured along sampled azimuths and rays that come
-// from above the apex, so that other rays may cross twice and take the far crossing.
-// Cost: one height and one slope a step, one height a halving; memory 2 W H values.
+// Guarantee: none. Failure mode: as cone-dummer; in addition, cones are measured along sampled azimuths and for rays
+// that come from above the apex, so other rays may cross twice and return the far crossing.
+// Cost: one height and one slope per step, one height per halving; memory 2 W H values.
 #pragma once
 
 #include "relief/methods/cone_march.h"

@@ -1,4 +1,4 @@
-// A bilinear height field as lanes read its slopes; pointers are not owned.
+// A bilinear height field for the SIMD evaluation of slopes; pointers are not owned.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@ namespace relief {
 struct SlopeScene {
     const float* heights = nullptr;
     std::int32_t width = 0, height = 0;
-    bool repeat = true;  // else clamped, as border is
-    // The four of a cell in one place (PackedCones), cells of a row and one; null: they are read from the heights.
+    bool repeat = true;  // false: clamped, also under border
+    // The four corner heights of each cell stored together (PackedCones::nodes), and the number of cells per row; null:
+    // they are fetched from the heights.
     const float* nodes = nullptr;
     std::int32_t nodeStride = 0;
 

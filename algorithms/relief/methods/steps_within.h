@@ -1,4 +1,4 @@
-// The log of a walk in double that goes on where one in float stopped.
+// The log of a walk in double that continues where one in float stopped.
 #pragma once
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-// What the shading-only methods share: the ray stays on the top plane. They move no texture coordinate; the relief is
-// only told by the light, from a normal (MethodDescription::shading).
+// What the shading-only methods share: the ray stops on the top plane. They do not change texture coordinates; only
+// lighting shows the relief, by a normal (MethodDescription::shading).
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
 // Model: the hit is where the ray enters, lambda = 0; under border a ray that enters outside the picture is a miss.
-// Guarantee: none. Failure mode: no parallax, no silhouettes, nothing hides anything. Cost: nothing is read.
+// Guarantee: none. Failure mode: no parallax, no silhouettes, no occlusion. Cost: no stored values are fetched.
 #pragma once
 
 #include "relief/describe.h"

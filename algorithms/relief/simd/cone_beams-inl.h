@@ -1,9 +1,9 @@
-// Beams: rays that begin together, squares of 64, are led by one cone walk of their bounding box, as long as one cone
-// stands clear of all of them. Compiled for each target.
+// Beams: 64 consecutive rays (a square of pixels) begin together with one cone walk of their bounding box, as long as
+// one cone is clear of all of them. Compiled for each target.
 //
 // All runs have the signs of the quadrant. At lambda the rays are within [low + lambda slowest, high + lambda fastest]
-// on both axes, and from then on in the quadrant of the cell that holds the lower corner. A ray that is g beyond this
-// cell, in the maximum norm, is free above A + kappa g; g grows by the fastest run at most.
+// on both axes, and from then on in the quadrant of the cell that contains the lower corner. A ray at a distance g
+// beyond this cell, in the maximum norm, is free above A + kappa g; g grows at most at the fastest run.
 
 #if defined(RELIEF_CONE_BEAMS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_CONE_BEAMS_INL_H
@@ -19,16 +19,15 @@ HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 inline constexpr std::size_t kBeamRays = 64;
-inline constexpr std::size_t kChunkBeams = kLaneChunk / kBeamRays;  // as many as a vector holds, or a few vectors
-// Boxes wider than this many texels are not led, and steps that lead on by less than this part of a texel are left to
-// the rays.
+inline constexpr std::size_t kChunkBeams = kLaneChunk / kBeamRays;  // one or a few vectors
+// Wider boxes, in texels, are not walked as beams. Steps shorter than kLeastLead texels are left to the single rays.
 inline constexpr double kWidestBeam = 64;
 inline constexpr double kLeastLead = 0.5;
 inline constexpr int kMostLeads = 24;
 
 inline constexpr std::size_t kQuadrants = 4;
 
-// The quadrant of all rays; kQuadrants: they have not one in common.
+// The quadrant of all rays, or kQuadrants if they have none in common.
 inline std::size_t commonQuadrant(const double* a, const double* b, std::size_t count) {
     const DD d;
     const auto sign = [&](const double* runs) {
@@ -47,7 +46,7 @@ inline std::size_t commonQuadrant(const double* a, const double* b, std::size_t 
     return x == 2 || y == 2 ? kQuadrants : static_cast<std::size_t>(x + 2 * y);
 }
 
-// One axis of beams, mirrored; one value a beam, filled up to whole vectors.
+// One axis of beams, mirrored; one value per beam, padded to whole vectors.
 struct BeamAxis {
     alignas(64) std::array<double, kChunkBeams> low, high, slowest, fastest;
 };
@@ -82,15 +81,15 @@ class BeamWalk {
   public:
     BeamWalk(const FloatScene& scene, const PackedCones& cones, std::uint32_t quadrant)
         : scene_(scene),
-          words_(reinterpret_cast<const std::int32_t*>(cones.quadrant(quadrant))),
+          entries_(reinterpret_cast<const std::int32_t*>(cones.quadrant(quadrant))),
           stride_(cones.stride),
           unit_(cones.unit),
           top_(1 - cones.highest),
           mirroredX_((quadrant & 1U) != 0),
           mirroredY_((quadrant & 2U) != 0) {}
 
-    // lambda, for each of the beams (filled up to whole vectors): up to there none of its rays meets anything. All
-    // beams take a step, one vector after the other: their reads do not wait for each other.
+    // Advances lambda for each beam (padded to whole vectors) to a value before which none of its rays meets the
+    // surface. All beams take a step, one vector after the other, so that their memory accesses overlap.
     void lead(const BeamAxis& x, const BeamAxis& y, std::size_t beams, double* lambda) const {
         std::array<bool, kChunkBeams> on{};
         std::fill_n(on.begin(), beams, true);
@@ -104,7 +103,8 @@ class BeamWalk {
     }
 
   private:
-    // A step of a vector of beams; whether one of them gained anything. One that did not never will.
+    // Takes a step with a vector of beams. Returns true if one of them advanced; a beam that does not advance never
+    // will again.
     HWY_INLINE bool leadOn(const BeamAxis& x, const BeamAxis& y, std::size_t g, double* to) const {
         const DD d;
         const auto load = [&](const std::array<double, kChunkBeams>& from) { return hn::Load(d, from.data() + g); };
@@ -119,9 +119,9 @@ class BeamWalk {
             hn::And(hn::Lt(fastest, far), hn::Lt(hn::Max(hn::Abs(lowX), hn::Abs(lowY)), hn::Set(d, kFloatPlaces))));
         const VD cellX = hn::Floor(hn::Add(lowX, hn::Mul(lambda, slowX)));
         const VD cellY = hn::Floor(hn::Add(lowY, hn::Mul(lambda, slowY)));
-        const auto word = wordAt(fit, cellX, cellY);
-        const VD kappa = hn::PromoteTo(d, hn::BitCast(DHF(), word));
-        const auto bits = hn::And(hn::ShiftRight<10>(word), hn::Set(DHI(), static_cast<std::int32_t>(kConeDepths)));
+        const auto entry = entryAt(fit, cellX, cellY);
+        const VD kappa = hn::PromoteTo(d, hn::BitCast(DHF(), entry));
+        const auto bits = hn::And(hn::ShiftRight<10>(entry), hn::Set(DHI(), static_cast<std::int32_t>(kConeDepths)));
         const VD apex = hn::Add(hn::Set(d, top_), hn::Mul(hn::PromoteTo(d, bits), hn::Set(d, unit_)));
         const auto beyond = [&](VD high, VD fast, VD cell) {
             return hn::Sub(hn::Add(high, hn::Mul(lambda, fast)), hn::Add(cell, one));
@@ -134,11 +134,11 @@ class BeamWalk {
         return !hn::AllFalse(d, on);
     }
 
-    hn::Vec<DHI> wordAt(MD who, VD cellX, VD cellY) const {
+    hn::Vec<DHI> entryAt(MD who, VD cellX, VD cellY) const {
         const DD d;
         const VD x = addressed(scene_.grid.x, mirroredX_, cellX), y = addressed(scene_.grid.y, mirroredY_, cellY);
         const VD index = hn::Add(hn::Mul(y, hn::Set(d, stride_)), x);
-        return hn::GatherIndex(DHI(), words_, hn::DemoteTo(DHI(), hn::IfThenElseZero(who, index)));
+        return hn::GatherIndex(DHI(), entries_, hn::DemoteTo(DHI(), hn::IfThenElseZero(who, index)));
     }
     VD addressed(const GridAxis& axis, bool mirrored, VD cell) const {
         const DD d;
@@ -150,12 +150,12 @@ class BeamWalk {
     }
 
     const FloatScene& scene_;
-    const std::int32_t* words_;
+    const std::int32_t* entries_;
     double stride_, unit_, top_;
     bool mirroredX_, mirroredY_;
 };
 
-// Where the rays' groups begin; rays that are not a whole beam begin at the scene's start.
+// Sets the start of the rays' groups. Rays beyond the last whole beam begin at the scene's start.
 template <Address kAddress>
 void leadBeams(const FloatScene& scene, const PackedCones& cones, std::uint32_t quadrant, const double* const* columns,
                LaneRays& rays) {

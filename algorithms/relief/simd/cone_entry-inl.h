@@ -1,5 +1,5 @@
-// What cone_lanes_bilinear.cpp and cone_lanes_columns.cpp instantiate for their surface. One source a surface: both
-// together take a minute to compile. Compiled for each target.
+// The templates that cone_lanes_bilinear.cpp and cone_lanes_columns.cpp instantiate for their surface type. They are
+// two source files because both together take a minute to compile. Compiled for each target.
 
 #if defined(RELIEF_CONE_ENTRY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_CONE_ENTRY_INL_H
@@ -10,22 +10,23 @@
 
 #include <memory>
 
+#include "relief/simd/candidates-inl.h"
 #include "relief/simd/cone_beams-inl.h"
 #include "relief/simd/cone_walk-inl.h"
-#include "relief/simd/lane_settle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Of this thread. Not in its own storage: that is set aside for every thread from the start.
+// The buffers of this thread. They are allocated on first use, since thread-local storage would be reserved in every
+// thread.
 inline WalkColumns& columnsOfThread() {
     static thread_local const auto columns = std::make_unique<WalkColumns>();
     return *columns;
 }
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
-void goOnIn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-            HitBlock& hits) {
+void resumeConesIn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits) {
     rays.othersCount = 0;
     rays.start.fill(scene.start);
     for (LaneAxisRays* axis : {&rays.x, &rays.y}) {
@@ -34,7 +35,7 @@ void goOnIn(const FloatScene& scene, const PackedCones& cones, const double* con
     }
     hn::StoreU(hn::Zero(DI()), DI(), rays.within.data() + rays.count);
     ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, true), given, rays, true, columnsOfThread()).run();
-    settleLanes<kAddress, kSurface>(scene, given, rays, hits, 0);
+    resolveCandidates<kAddress, kSurface>(scene, given, rays, hits, 0);
 }
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
@@ -45,7 +46,8 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
     scratch.othersCount = 0;
     bool scattered = true;
     if (Arithmetic::kBeams && scratch.count >= kBeamRays) {
-        // A beam's rays are of one quadrant, and those of a view mostly come in order.
+        // The rays of a beam need a common quadrant. Those of a view mostly have one, in which case they also come in
+        // the order of neighbouring pixels.
         const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
         if (common < kQuadrants) {
             leadBeams<kAddress>(scene, cones, static_cast<std::uint32_t>(common), given, scratch);
@@ -53,7 +55,7 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
         }
     }
     ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();
-    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
+    resolveCandidates<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
 }
 
 template <Surface kSurface, class Arithmetic = FastArithmetic>
@@ -65,10 +67,11 @@ void traceConesOn(const FloatScene& scene, const PackedCones& cones, const doubl
 }
 
 template <Surface kSurface, class Arithmetic = FastArithmetic>
-void goOnOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-            HitBlock& hits) {
-    forAddress(scene,
-               [&]<Address kAddress>() { goOnIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits); });
+void resumeConesOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits) {
+    forAddress(scene, [&]<Address kAddress>() {
+        resumeConesIn<kAddress, kSurface, Arithmetic>(scene, cones, given, rays, hits);
+    });
 }
 
 }  // namespace relief::HWY_NAMESPACE

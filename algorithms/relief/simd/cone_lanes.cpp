@@ -20,12 +20,12 @@ void traceConeLanes(const FloatScene& scene, const PackedCones& cones, const Ray
     std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
 }
 
-void goOnConeLanes(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                   HitBlock& hits) {
+void resumeConeLanes(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                     HitBlock& hits) {
     assert(rays.count <= kLaneChunk);
     if (rays.count == 0) return;
-    const auto goOn = scene.surface == Surface::Bilinear ? goOnConesBilinear : goOnConesColumns;
-    goOn(scene, cones, given, rays, hits);
+    const auto resume = scene.surface == Surface::Bilinear ? resumeConesBilinear : resumeConesColumns;
+    resume(scene, cones, given, rays, hits);
 }
 
 }  // namespace relief

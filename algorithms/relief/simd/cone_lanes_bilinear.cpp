@@ -15,9 +15,9 @@ void traceBilinear(const FloatScene& scene, const PackedCones& cones, const doub
     traceConesOn<Surface::Bilinear>(scene, cones, given, hits, firstHit, scratch);
 }
 
-void goOnBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                  HitBlock& hits) {
-    goOnOn<Surface::Bilinear>(scene, cones, given, rays, hits);
+void resumeBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                    HitBlock& hits) {
+    resumeConesOn<Surface::Bilinear>(scene, cones, given, rays, hits);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -27,16 +27,16 @@ HWY_AFTER_NAMESPACE();
 namespace relief {
 
 HWY_EXPORT(traceBilinear);
-HWY_EXPORT(goOnBilinear);
+HWY_EXPORT(resumeBilinear);
 
 void traceConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                         std::size_t firstHit, LaneRays& scratch) {
     HWY_DYNAMIC_DISPATCH(traceBilinear)(scene, cones, given, hits, firstHit, scratch);
 }
 
-void goOnConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                       HitBlock& hits) {
-    HWY_DYNAMIC_DISPATCH(goOnBilinear)(scene, cones, given, rays, hits);
+void resumeConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                         HitBlock& hits) {
+    HWY_DYNAMIC_DISPATCH(resumeBilinear)(scene, cones, given, rays, hits);
 }
 
 }  // namespace relief

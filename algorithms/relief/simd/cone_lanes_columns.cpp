@@ -15,9 +15,9 @@ void traceColumns(const FloatScene& scene, const PackedCones& cones, const doubl
     traceConesOn<Surface::Columns>(scene, cones, given, hits, firstHit, scratch);
 }
 
-void goOnColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                 HitBlock& hits) {
-    goOnOn<Surface::Columns>(scene, cones, given, rays, hits);
+void resumeColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                   HitBlock& hits) {
+    resumeConesOn<Surface::Columns>(scene, cones, given, rays, hits);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -27,16 +27,16 @@ HWY_AFTER_NAMESPACE();
 namespace relief {
 
 HWY_EXPORT(traceColumns);
-HWY_EXPORT(goOnColumns);
+HWY_EXPORT(resumeColumns);
 
 void traceConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                        std::size_t firstHit, LaneRays& scratch) {
     HWY_DYNAMIC_DISPATCH(traceColumns)(scene, cones, given, hits, firstHit, scratch);
 }
 
-void goOnConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                      HitBlock& hits) {
-    HWY_DYNAMIC_DISPATCH(goOnColumns)(scene, cones, given, rays, hits);
+void resumeConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                        HitBlock& hits) {
+    HWY_DYNAMIC_DISPATCH(resumeColumns)(scene, cones, given, rays, hits);
 }
 
 }  // namespace relief

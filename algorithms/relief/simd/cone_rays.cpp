@@ -11,51 +11,52 @@ namespace relief {
 
 namespace {
 
-// As many wait for each other at most: vectors are full, and what the cache holds of their ways is not all lost.
-constexpr std::size_t kTogether = 256;
+// Largest number of rays that wait for each other: enough to fill vectors, few enough that the map entries near them
+// remain in the cache.
+constexpr std::size_t kMaxWaiting = 256;
 
-// Rays that go on in lanes, by themselves.
-struct Again {
+// Rays that resume the SIMD walk, gathered from different chunks.
+struct ResumedRays {
     LaneRays rays;
     alignas(64) std::array<std::array<double, kLaneSlots>, 4> columns;  // s0, t0, a, b
-    std::array<std::size_t, kLaneSlots> of;                             // their numbers in the block
-    std::array<double, kLaneSlots> from;                                // lambda before which nothing is met
+    std::array<std::size_t, kLaneSlots> of;                             // their indices in the block
+    std::array<double, kLaneSlots> from;  // lambda before which they do not meet the surface
     HitBlock found = HitBlock(kLaneSlots);
 };
 
-// The rays of a block that the SIMD walk cannot finish. Where float cannot decide where a ray goes on, the walk in
-// double takes it past that corner; then, as those that the exact leaf has refused, it goes on in lanes. So all wait
-// for memory together, and no ray is walked twice.
-class Leftovers {
+// The rays of a block that the SIMD walk cannot finish. Where float cannot choose a ray's next cell, the walk in double
+// takes the ray past that corner. These rays, and those whose candidate the leaf rejected, then resume the SIMD walk.
+// In this way many rays wait for memory together, and no part of a ray is walked twice.
+class RemainingRays {
   public:
-    Leftovers(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& block,
-              HitBlock& hits, std::vector<std::size_t>& flat, const ConeLanes& lanes)
+    RemainingRays(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& block,
+                  HitBlock& hits, std::vector<std::size_t>& flat, const ConeLanes& lanes)
         : lanes_(lanes), field_(field), scene_(scene), cones_(cones), block_(block), hits_(hits), flat_(flat) {
-        again().rays.count = 0;
+        resumed().rays.count = 0;
     }
 
-    // Of the chunk that begins at ray `begin`.
+    // Collects the unfinished rays of the chunk that begins at ray `begin`.
     void take(std::size_t begin, const LaneRays& chunk) {
         for (std::size_t n = 0; n < chunk.othersCount; ++n) {
             const LaneRays::Other& other = chunk.others[n];
             if (other.end == LaneEnd::Miss) continue;
-            if (waiting() == kTogether) goOn();
+            if (waiting() == kMaxWaiting) resume();
             sort(other, begin + other.ray, chunk);
         }
     }
     void finish() {
-        goOn();
+        resume();
         packedHits({field_, scene_.grid, cones_}, block_, starts_, hits_);
     }
 
   private:
-    static Again& again() {
-        static thread_local const auto rays = std::make_unique<Again>();
+    static ResumedRays& resumed() {
+        static thread_local const auto rays = std::make_unique<ResumedRays>();
         return *rays;
     }
-    std::size_t waiting() const { return again().rays.count + parts_.size(); }
+    std::size_t waiting() const { return resumed().rays.count + parts_.size(); }
 
-    // number: the ray's in the block.
+    // Queues a ray for the walk that can continue it. number: its index in the block.
     void sort(const LaneRays::Other& other, std::size_t number, const LaneRays& of) {
         if (!packedWalks(scene_.grid, block_[number])) {
             flat_.push_back(number);
@@ -65,8 +66,8 @@ class Leftovers {
             const auto cell = [&](const LaneAxisRays& axis) {
                 return AxisCell{axis.hitCell[other.ray], axis.hitPeriod[other.ray]};
             };
-            const UnclearPart part(scene_.grid, GridRay(scene_.grid, block_[number]), cell(of.x), cell(of.y));
-            if (other.end == LaneEnd::Refused) {
+            const AmbiguousPart part(scene_.grid, GridRay(scene_.grid, block_[number]), cell(of.x), cell(of.y));
+            if (other.end == LaneEnd::FalseCandidate) {
                 add(number, cell(of.x), cell(of.y), part.from, false);
             } else if (std::isfinite(part.until)) {
                 parts_.push_back({number, part.from, part.until});
@@ -76,7 +77,7 @@ class Leftovers {
         }
     }
     void add(std::size_t number, const AxisCell& x, const AxisCell& y, double from, bool within) {
-        Again& to = again();
+        ResumedRays& to = resumed();
         const std::size_t at = to.rays.count++;
         to.columns[0][at] = block_.s0[number], to.columns[1][at] = block_.t0[number];
         to.columns[2][at] = block_.a[number], to.columns[3][at] = block_.b[number];
@@ -87,12 +88,12 @@ class Leftovers {
         to.from[at] = from;
     }
 
-    void goOn() {
+    void resume() {
         for (int times = 0; waiting() > 0; ++times) {
             passCorners();
-            if (again().rays.count == 0) break;
+            if (resumed().rays.count == 0) break;
             if (times < kMostReturns) {
-                goOnInLanes();
+                resumeSimd();
             } else {
                 leave();
             }
@@ -109,18 +110,18 @@ class Leftovers {
         }
         parts_.clear();
     }
-    void goOnInLanes() {
-        Again& all = again();
+    void resumeSimd() {
+        ResumedRays& all = resumed();
         const double* const columns[] = {all.columns[0].data(), all.columns[1].data(), all.columns[2].data(),
                                          all.columns[3].data()};
-        lanes_.goOn(scene_, cones_, columns, all.rays, all.found);
+        lanes_.resume(scene_, cones_, columns, all.rays, all.found);
         for (std::size_t n = 0; n < all.rays.count; ++n) {
             const std::size_t i = all.of[n];
             hits_.lambda[i] = all.found.lambda[n];
             hits_.s[i] = all.found.s[n];
             hits_.t[i] = all.found.t[n];
         }
-        // In place: others are in the order of their rays.
+        // The rays are overwritten in place, which is safe because others are in the order of their rays.
         all.rays.count = 0;
         for (std::size_t n = 0; n < all.rays.othersCount; ++n) {
             const LaneRays::Other other = all.rays.others[n];
@@ -133,7 +134,7 @@ class Leftovers {
         }
     }
     void leave() {
-        Again& all = again();
+        ResumedRays& all = resumed();
         for (std::size_t n = 0; n < all.rays.count; ++n) {
             packedWalks(scene_.grid, block_[all.of[n]]) ? starts_.push_back({all.of[n], all.from[n]})
                                                         : flat_.push_back(all.of[n]);
@@ -157,7 +158,7 @@ class Leftovers {
 void traceByCones(const ConeLanes& lanes, const HeightField& field, const FloatScene& scene, const PackedCones& cones,
                   const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   std::vector<std::size_t>& flat) {
-    Leftovers leftovers(field, scene, cones, rays, hits, flat, lanes);
+    RemainingRays leftovers(field, scene, cones, rays, hits, flat, lanes);
     traceChunks(
         first, last, hits,
         [&](std::size_t begin, std::size_t end, LaneRays& scratch) {
@@ -169,7 +170,7 @@ void traceByCones(const ConeLanes& lanes, const HeightField& field, const FloatS
 
 void traceByCones(const HeightField& field, const FloatScene& scene, const PackedCones& cones, const RayBlock& rays,
                   std::size_t first, std::size_t last, HitBlock& hits, std::vector<std::size_t>& flat) {
-    traceByCones({&traceConeLanes, &goOnConeLanes}, field, scene, cones, rays, first, last, hits, flat);
+    traceByCones({&traceConeLanes, &resumeConeLanes}, field, scene, cones, rays, first, last, hits, flat);
 }
 
 }  // namespace relief

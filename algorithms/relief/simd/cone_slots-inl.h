@@ -1,4 +1,4 @@
-// The slots of the cone walk: what is known of each ray in flight, column by column. Compiled for each target.
+// The slots of the SIMD cone walk: the state of each ray in flight, as a structure of arrays. Compiled for each target.
 
 #if defined(RELIEF_CONE_SLOTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_CONE_SLOTS_INL_H
@@ -13,36 +13,38 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Rays in flight.
+// Number of rays in flight.
 inline constexpr std::size_t kWalkSlots = 256;
-// Words of a quadrant that L2 does not hold, though what neighbouring rays read of them; and of which it
-// does not hold that either.
+// Map sizes, in entries per quadrant. From kLargeMap on, a quadrant does not fit L2, though the entries fetched by
+// neighbouring rays do; from kVeryLargeMap on, neither do those.
 inline constexpr std::size_t kLargeMap = 1U << 19U, kVeryLargeMap = 1U << 21U;
 inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
-// How many rays ahead of its turn a ray is prefetched.
+// Prefetch distance of ray data, in rays.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 
-// A column; vectors are stored from any place on.
+// A column, padded because vectors are stored from any index on.
 template <class T>
 using WalkColumn = std::array<T, kWalkSlots + 2 * kLanes>;
 struct WalkAxis {
-    alignas(64) WalkColumn<float> n;  // cells from the start, a whole number
+    alignas(64) WalkColumn<float> n;  // cells from the start, an integer
     alignas(64)
-        WalkColumn<float> last;  // n of the map's last cell (of this period, where it repeats); not under border
-    alignas(64) WalkColumn<float> inverse, base;  // the cell is left at lambda = n * inverse + base
+        WalkColumn<float> last;  // n of the map's last cell (of the current period under repeat); not under border
+    alignas(64) WalkColumn<float> inverse, base;  // the ray leaves the cell at lambda = n * inverse + base
     alignas(64) WalkColumn<float> run;
-    alignas(64) WalkColumn<float> place;  // n at lambda is lambda * run - place, less half a cell and a little
-    // Words to the next cell, or units of 2^kRowShift words (WalkMap::wide): negative where the ray runs backwards.
+    // n at lambda is lambda * run - place; half a cell and a margin are subtracted
+    alignas(64) WalkColumn<float> place;
+    // Entries to the next cell, or to the next row in units of 2^kRowShift entries (WalkMap::wide); negative where the
+    // ray runs backwards.
     alignas(64) WalkColumn<float> stride;
 };
 struct WalkColumns {
     WalkAxis x, y;
-    alignas(64) WalkColumn<std::int32_t> first;  // a cell's word is number first + way (WalkSlots::wayTo)
-    alignas(64) WalkColumn<float> steep;         // the larger run, times kSteeper
-    alignas(64) WalkColumn<float> rim;           // lambda at which the ray has left the map or is at the bottom
+    alignas(64) WalkColumn<std::int32_t> first;  // index of a cell's entry is first + offset (WalkSlots::offsetTo)
+    alignas(64) WalkColumn<float> steep;         // the longer run, times kSteeper
+    alignas(64) WalkColumn<float> rim;  // lambda at which the ray has left the map or reached the bottom of the slab
     alignas(64) WalkColumn<float> tie;
-    alignas(64) WalkColumn<std::int32_t> slot;   // in LaneRays
-    alignas(64) WalkColumn<std::int32_t> state;  // of those below
+    alignas(64) WalkColumn<std::int32_t> slot;   // index in LaneRays
+    alignas(64) WalkColumn<std::int32_t> state;  // one of the constants below
 
     template <Address kAddress, class Body>
     HWY_INLINE void all(const Body& body) {
@@ -58,40 +60,41 @@ inline constexpr std::int32_t kWalking = 0, kAtLeaf = 1, kEnded = 2;
 
 inline constexpr auto kApexBits = std::bit_cast<std::int32_t>(kApexMore);
 
-// What is the same for all rays.
+// Values that are the same for all rays.
 struct WalkMap {
-    const std::int32_t* words = nullptr;                    // quadrant after quadrant
-    std::int32_t quadrant = 0;                              // words of one
-    std::int32_t stride = 0;                                // words of a row
-    float unit = 0, top = 0;                                // depth d is at lambda top + d unit
-    float topOfApex = 0;                                    // the same of kApexBits' number, which is more by kApexMore
-    bool prefetchesNodes = false, prefetchesWords = false;  // before they are needed
-    bool wide = false;                                      // ways are found by rows of units of 2^kRowShift words
+    const std::int32_t* entries = nullptr;  // those of each quadrant in turn
+    std::int32_t quadrant = 0;              // entries per quadrant
+    std::int32_t stride = 0;                // entries per row
+    float unit = 0, top = 0;                // depth value d is at lambda top + d unit
+    float topOfApex = 0;                    // top minus kApexMore units, for depths read as the float of kApexBits
+    bool prefetchesNodes = false, prefetchesEntries = false;  // before they are needed
+    bool wide = false;                                        // offsets count rows in units of 2^kRowShift entries
 
     WalkMap() = default;
-    // scattered: the rays are not those of neighbouring pixels, which find words that others of them have read.
+    // scattered: the rays are not those of neighbouring pixels, which find entries in the cache that others have
+    // fetched.
     WalkMap(const PackedCones& cones, bool scattered) {
-        const std::size_t size = cones.quadrantWords();
-        words = reinterpret_cast<const std::int32_t*>(cones.words.data());
+        const std::size_t size = cones.quadrantEntries();
+        entries = reinterpret_cast<const std::int32_t*>(cones.entries.data());
         quadrant = static_cast<std::int32_t>(size);
         stride = cones.stride;
         unit = static_cast<float>(cones.unit);
         top = static_cast<float>(1 - cones.highest);
         topOfApex = static_cast<float>(1 - cones.highest - static_cast<double>(kApexMore * unit));
         prefetchesNodes = size >= kLargeMap;
-        prefetchesWords = size >= (scattered ? kLargeMap : kVeryLargeMap);
-        wide = size >= kWideWords;
+        prefetchesEntries = size >= (scattered ? kLargeMap : kVeryLargeMap);
+        wide = size >= kWideEntries;
     }
 };
 
-// The slots of the rays that are walked together: taken in from the rays as they are given, and packed when many have
-// ended.
+// The slots of the rays that are walked together. Rays are taken in the given order, and slots are compacted when many
+// rays have ended.
 template <Address kAddress, class Arithmetic>
 class WalkSlots {
   public:
-    // given: s0, t0, a, b of the chunk's rays. again: they go on in the cells rays.{x,y}.hitCell or behind them
+    // given: s0, t0, a, b of the chunk's rays. resumes: the rays resume in the cells rays.{x,y}.hitCell or after them
     // (rays.within).
-    WalkSlots(const FloatScene& scene, const WalkMap& map, const double* const* given, LaneRays& rays, bool again,
+    WalkSlots(const FloatScene& scene, const WalkMap& map, const double* const* given, LaneRays& rays, bool resumes,
               WalkColumns& columns)
         : scene_(scene),
           given_(given),
@@ -100,25 +103,26 @@ class WalkSlots {
           map_(map),
           frameX_(scene.grid.x),
           frameY_(scene.grid.y),
-          again_(again),
+          resumes_(resumes),
           end_(rays.count) {}
 
   protected:
-    // What the setting up of an axis needs to know.
+    // Constants for setting up rays on one axis.
     struct EntryFrame {
         GridAxis axis;
-        double low, high;  // of the places within the map, or within the first period
-        float toRim = 0;   // from the line behind the last cell to the map's edge
+        double low, high;  // range of positions within the map, or within the first period
+        float toRim = 0;   // from the line after the last cell to the edge of the map
         explicit EntryFrame(const GridAxis& of) : axis(of) {
             const bool border = kAddress == Address::Border;
-            // Where the map repeats, starts that need not be taken into the first period: s within the texels.
+            // Under repeat: the range in which starts need no reduction to the first period, since s lies within the
+            // texels.
             const double whole = kAddress == Address::Repeat ? axis.texels + axis.shift : axis.cells;
             low = border ? axis.low : 0;
             high = border ? axis.high : whole;
             toRim = static_cast<float>(border ? axis.high - axis.cells : 0);
         }
     };
-    // An axis of rays where they begin: cell of the map; cell before addressing; from there to the next line; size of
+    // Starts of rays on one axis: cell of the map; cell before addressing; distance to the next line; absolute value of
     // the run, and whether it is backwards.
     struct Entry {
         VI cell, first;
@@ -126,15 +130,16 @@ class WalkSlots {
         MF back;
     };
 
-    // New rays behind those in flight, whole vectors as far as there is room; those that go on, when all have ended.
+    // Appends new rays to those in flight, in whole vectors as far as there is room. Rays that resume are taken only
+    // when all others have ended.
     HWY_INLINE void fill() {
-        const std::size_t room = again_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes * kLanes;
+        const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes * kLanes;
         const std::size_t taken = std::min(room, end_ - next_);
         for (std::size_t k = 0; k < taken; k += kLanes) take(next_ + k, used_ + k, std::min(kLanes, taken - k));
         next_ += taken;
         used_ += taken;
         hn::StoreU(hn::Set(di_, kEnded), di_, columns_.state.data() + used_);
-        // The words of the two vectors behind the last are read, and the state of the first of them.
+        // The entries of the two vectors beyond the last are fetched, and the state of the first of them.
         const std::size_t behind = hwy::RoundUpTo(used_, kLanes);
         hn::Store(hn::Set(di_, kEnded), di_, columns_.state.data() + behind);
         for (const std::size_t i : {behind, behind + kLanes}) {
@@ -147,10 +152,10 @@ class WalkSlots {
         }
     }
 
-    // Words from the ray's first cell to the cell (nx, ny), and kWholeBits; from the map's last cell, where the walk
-    // may begin outside or go round.
+    // Entries from the ray's first cell to the cell (nx, ny), plus kWholeBits. Except under border they count from the
+    // map's last cell, because the walk may begin outside the map or continue in the next period.
     template <bool kWide>
-    HWY_INLINE static VI wayTo(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
+    HWY_INLINE static VI offsetTo(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
         const DF df;
         const DI di;
         const auto cells = [&](VF n, const WalkAxis& axis) {
@@ -164,13 +169,13 @@ class WalkSlots {
         const VI units = hn::Sub(hn::BitCast(di, y), hn::Set(di, kWholeBits));
         return hn::Add(hn::BitCast(di, x), hn::ShiftLeft<kRowShift>(units));
     }
-    // The number of the word of the cell (nx, ny).
+    // Index of the entry of the cell (nx, ny).
     template <bool kWide>
-    HWY_INLINE static VI wordOf(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
-        return hn::Add(hn::Load(DI(), columns.first.data() + i), wayTo<kWide>(columns, i, nx, ny));
+    HWY_INLINE static VI entryIndexOf(const WalkColumns& columns, std::size_t i, VF nx, VF ny) {
+        return hn::Add(hn::Load(DI(), columns.first.data() + i), offsetTo<kWide>(columns, i, nx, ny));
     }
 
-    // Rays [from, from + count) of the chunk to the slots from `to` on.
+    // Takes the rays [from, from + count) of the chunk into the slots from `to` on.
     HWY_INLINE void take(std::size_t from, std::size_t to, std::size_t count) {
         std::array<std::array<double, kLanes>, 4> rest;
         const double* columns[] = {given_[0] + from, given_[1] + from, given_[2] + from, given_[3] + from};
@@ -184,11 +189,11 @@ class WalkSlots {
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
         Entry x, y;
-        if (HWY_LIKELY(!again_ && entry(frameX_, columns[0], columns[2], begin, x) &&
+        if (HWY_LIKELY(!resumes_ && entry(frameX_, columns[0], columns[2], begin, x) &&
                        entry(frameY_, columns[1], columns[3], begin, y))) {
             hn::StoreU(hn::Zero(di_), di_, rays_.end.data() + from);
         } else {
-            starting = hn::And(starting, entryWithCare(from, columns, begin, x, y));
+            starting = hn::And(starting, generalEntry(from, columns, begin, x, y));
         }
         const VF start = hn::Set(df_, static_cast<float>(begin));
         VF rim = hn::Set(df_, 1.0F);
@@ -196,15 +201,15 @@ class WalkSlots {
             hn::Add(takeAxis(frameX_, x, start, from, to, 1, columns_.x, rays_.x, rim),
                     takeAxis(frameY_, y, start, from, to, map_.wide ? map_.stride >> kRowShift : map_.stride,
                              columns_.y, rays_.y, rim));
-        const auto ofQuadrant = [&](MF back, std::int32_t words) {
-            return hn::IfThenElseZero(asInt(back), hn::Set(di_, words));
+        const auto ofQuadrant = [&](MF back, std::int32_t entries) {
+            return hn::IfThenElseZero(asInt(back), hn::Set(di_, entries));
         };
         const VI quadrant = hn::Add(ofQuadrant(x.back, map_.quadrant), ofQuadrant(y.back, 2 * map_.quadrant));
         const VI index = hn::Add(hn::Add(hn::Mul(y.cell, hn::Set(di_, map_.stride)), x.cell), quadrant);
         const VF nx = hn::LoadU(df_, columns_.x.n.data() + to), ny = hn::LoadU(df_, columns_.y.n.data() + to);
-        const VI way = map_.wide ? wayTo<true>(columns_, to, nx, ny) : wayTo<false>(columns_, to, nx, ny);
-        hn::StoreU(hn::Sub(index, way), di_, columns_.first.data() + to);
-        if (map_.prefetchesWords) prefetch<1>(map_.words, index);
+        const VI offset = map_.wide ? offsetTo<true>(columns_, to, nx, ny) : offsetTo<false>(columns_, to, nx, ny);
+        hn::StoreU(hn::Sub(index, offset), di_, columns_.first.data() + to);
+        if (map_.prefetchesEntries) prefetch<1>(map_.entries, index);
         hn::StoreU(hn::Mul(hn::Max(x.run, y.run), hn::Set(df_, kSteeper)), df_, columns_.steep.data() + to);
         hn::StoreU(rim, df_, columns_.rim.data() + to);
         hn::StoreU(hn::Add(margins, margins), df_, columns_.tie.data() + to);
@@ -214,8 +219,8 @@ class WalkSlots {
         walking_ += hn::CountTrue(di_, starting);
     }
 
-    // Into L2 alone: on its way into the first one each line holds one of few buffers. kSize: from one
-    // number's to the next.
+    // Prefetches into L2 only, since on its way into L1 each cache line would occupy one of few fill buffers. kSize:
+    // elements per index.
     template <std::size_t kSize, class T>
     HWY_INLINE static void prefetch(const T* memory, VI which) {
         HWY_ALIGN std::int32_t numbers[kLanes];
@@ -225,7 +230,8 @@ class WalkSlots {
         }
     }
 
-    // Rays are read once, in order, but column by column and a chunk at a time, which the processor does not foresee.
+    // Prefetches later rays. They are read once and in order, but column by column and in chunks, which the hardware
+    // prefetcher does not predict.
     HWY_INLINE void prefetchRays(std::size_t from) const {
         if (from + kRaysAhead + kLanes > end_ + rays_.behind) return;
         for (std::size_t c = 0; c < 4; ++c) {
@@ -235,11 +241,11 @@ class WalkSlots {
         }
     }
 
-    // Not Iota of the number: that is written lane by lane.
+    // Faster than Iota(di_, first), which is built lane by lane.
     HWY_INLINE VI countedFrom(std::int32_t first) const { return hn::Add(hn::Iota(di_, 0), hn::Set(di_, first)); }
 
-    // One axis of rays where they begin. Returns whether all of them are as most rays are: strictly inside the map, not
-    // on a line, of a run between kLeastRun and kFloatRun. Otherwise what it leaves is not to be used.
+    // Sets up the starts of rays on one axis for the common case: strictly inside the map, not on a line, a run between
+    // kLeastRun and kFloatRun. Returns false if one of the rays is different; then `out` must not be used.
     HWY_INLINE bool entry(const EntryFrame& frame, const double* origins, const double* runs, double begin,
                           Entry& out) const {
         const DD d;
@@ -253,7 +259,7 @@ class WalkSlots {
             const VD signedRun = hn::LoadU(d, runs + i);
             const VD absRun = hn::Abs(signedRun);
             const VD at = hn::Add(hn::LoadU(d, origins + i), hn::Set(d, frame.axis.shift));
-            // As setUpPlaces() has it, to the bit.
+            // The same bits as in setUpPlaces().
             const VD along = hn::Add(at, hn::Mul(hn::Set(d, begin), signedRun));
             const VD first = hn::Floor(along);
             const VD part = hn::Sub(along, first);
@@ -285,11 +291,11 @@ class WalkSlots {
 #endif
     }
 
-    // The same for any rays: returns which of them lanes can take, and notes what becomes of the others.
-    HWY_NOINLINE MI entryWithCare(std::size_t from, const double* const* columns, double begin, Entry& x, Entry& y) {
+    // The same for any rays. Returns the rays that float can walk, and stores what becomes of the others.
+    HWY_NOINLINE MI generalEntry(std::size_t from, const double* const* columns, double begin, Entry& x, Entry& y) {
         const auto column = [&](std::size_t c) { return columns[c] - from; };
-        const auto refused = [&](const LaneAxisRays& rays) { return hn::LoadU(di_, rays.hitCell.data() + from); };
-        const VI refusedX = refused(rays_.x), refusedY = refused(rays_.y);
+        const auto candidate = [&](const LaneAxisRays& rays) { return hn::LoadU(di_, rays.hitCell.data() + from); };
+        const VI candidateX = candidate(rays_.x), candidateY = candidate(rays_.y);
         for (std::size_t h = 0; h < kLanes; h += kHalfLanes) {
             setUpRays<kAddress>(scene_, column(0), column(1), column(2), column(3), begin, from + h, rays_);
         }
@@ -299,7 +305,7 @@ class WalkSlots {
             out.back = hn::Lt(run, hn::Zero(df_));
             out.run = hn::Abs(run);
             out.ahead = hn::Sub(hn::Set(df_, 1.0F), hn::LoadU(df_, rays.base.data() + from));
-            // Rays that are not walked: in a cell of the map, for words are read with those of their vector.
+            // Rays that are not walked get a valid cell, since entries are fetched for whole vectors.
             const auto turned = [&](const auto& cells) {
                 const VI cell = hn::LoadU(di_, cells.data() + from);
                 const VI real = hn::IfThenElse(asInt(out.back), hn::Sub(hn::Set(di_, scene_.mirror - 1), cell), cell);
@@ -308,20 +314,20 @@ class WalkSlots {
             out.cell = turned(rays.cell), out.first = turned(rays.first);
         };
         load(rays_.x, x), load(rays_.y, y);
-        if (again_) x.cell = hn::IfThenElseZero(fit, refusedX), y.cell = hn::IfThenElseZero(fit, refusedY);
+        if (resumes_) x.cell = hn::IfThenElseZero(fit, candidateX), y.cell = hn::IfThenElseZero(fit, candidateY);
         return fit;
     }
 
-    // n of the cell where the walk begins: 0, or where it goes on.
+    // n of the cell in which the walk begins: 0, or that of the cell in which it resumes.
     HWY_INLINE VI beginning(const Entry& in, std::size_t from, const LaneAxisRays& rays) const {
-        if (kAddress != Address::Clamp && !again_) return hn::Zero(di_);
+        if (kAddress != Address::Clamp && !resumes_) return hn::Zero(di_);
         VI cell = in.cell;
         if (kAddress == Address::Repeat) cell = hn::Add(cell, hn::LoadU(di_, rays.hitPeriod.data() + from));
         const VI forth = hn::Sub(cell, in.first);
         return hn::IfThenElse(asInt(in.back), hn::Neg(forth), forth);
     }
 
-    // Returns the axis's margin.
+    // Stores one axis of the slots. Returns the margin of its crossings.
     HWY_INLINE VF takeAxis(const EntryFrame& frame, const Entry& in, VF start, std::size_t from, std::size_t to,
                            std::int32_t stride, WalkAxis& out, LaneAxisRays& rays, VF& rim) const {
         const VF one = hn::Set(df_, 1.0F);
@@ -333,7 +339,7 @@ class WalkSlots {
         const VF lines = hn::ConvertTo(df_, hn::IfThenElse(asInt(in.back), in.cell, hn::Sub(last, in.cell)));
         const VF lastN = hn::Add(n, lines);
         if constexpr (kAddress == Address::Border) {
-            // The rim is a line like others, `toRim` beyond that behind the last cell.
+            // The rim is a line like others, `toRim` beyond the line after the last cell.
             rim = hn::Min(rim, Arithmetic::mulAdd(hn::Add(lastN, hn::Set(df_, frame.toRim)), inverse, base));
         } else {
             hn::StoreU(lastN, df_, out.last.data() + to);
@@ -343,15 +349,15 @@ class WalkSlots {
         hn::StoreU(inverse, df_, out.inverse.data() + to);
         hn::StoreU(base, df_, out.base.data() + to);
         hn::StoreU(in.run, df_, out.run.data() + to);
-        // base is of the line ahead.
+        // base belongs to the next line.
         const VF shorter = Arithmetic::mulAdd(in.run, hn::Set(df_, kShorterJump), hn::Set(df_, kShorterJump - 0.5F));
         hn::StoreU(Arithmetic::mulAdd(base, in.run, shorter), df_, out.place.data() + to);
-        const VF words = hn::Set(df_, static_cast<float>(stride));
-        hn::StoreU(hn::IfThenElse(in.back, hn::Neg(words), words), df_, out.stride.data() + to);
+        const VF entries = hn::Set(df_, static_cast<float>(stride));
+        hn::StoreU(hn::IfThenElse(in.back, hn::Neg(entries), entries), df_, out.stride.data() + to);
         return margin;
     }
 
-    // The rays in flight to the front; of ended ones, where they ended.
+    // Moves the rays in flight to the front, and stores the final positions of those that have ended.
     HWY_INLINE void compact() {
         alignas(64) WalkColumn<std::int32_t> slots, forthX, forthY;
         std::size_t to = 0, ended = 0;
@@ -387,14 +393,14 @@ class WalkSlots {
         }
     }
 
-    // The cells of the candidates, from their distances.
+    // The candidates' cells, from their distances to the first cell.
     HWY_INLINE void cellsOfHits() {
         for (LaneAxisRays* axis : {&rays_.x, &rays_.y}) {
             const VI cells = hn::Set(di_, (axis == &rays_.x ? frameX_ : frameY_).axis.cells);
             for (std::size_t i = 0; i < end_; i += kLanes) {
                 VI cell = hn::Add(hn::Load(di_, axis->cell.data() + i), hn::Load(di_, axis->hitPlace.data() + i));
                 if constexpr (kAddress == Address::Repeat) {
-                    // Whole numbers below 2^22: the quotient is rounded to the right side.
+                    // For integers below 2^22 the rounded quotient never crosses an integer.
                     const VF quotient = hn::Div(hn::ConvertTo(df_, cell), hn::ConvertTo(df_, cells));
                     const VI period = hn::Mul(hn::ConvertTo(di_, hn::Floor(quotient)), cells);
                     hn::Store(period, di_, axis->hitPeriod.data() + i);
@@ -413,10 +419,10 @@ class WalkSlots {
     WalkColumns& columns_;
     WalkMap map_;
     EntryFrame frameX_, frameY_;
-    bool again_;
+    bool resumes_;
     std::size_t next_ = 0, end_;
-    std::size_t used_ = 0;                   // slots, ended rays included
-    std::size_t walking_ = 0, waiting_ = 0;  // rays
+    std::size_t used_ = 0;                   // slots in use, including those of ended rays
+    std::size_t walking_ = 0, waiting_ = 0;  // numbers of rays
 };
 
 }  // namespace relief::HWY_NAMESPACE

@@ -1,5 +1,5 @@
-// The two halves of cone_lanes.cpp, one a surface: rays whose columns s0, t0, a, b are given, into hits from firstHit
-// on (traceCones), and rays that go on from a cell (goOnCones), as in cone_lanes.h.
+// The implementation of cone_lanes.cpp for each surface type: traceCones...() traces rays whose columns s0, t0, a, b
+// are given and writes their hits from index firstHit on; resumeCones...() resumes rays in a cell, as in cone_lanes.h.
 #pragma once
 
 #include "relief/simd/cone_lanes.h"
@@ -8,11 +8,11 @@ namespace relief {
 
 void traceConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                         std::size_t firstHit, LaneRays& scratch);
-void goOnConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                       HitBlock& hits);
+void resumeConesBilinear(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                         HitBlock& hits);
 void traceConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, HitBlock& hits,
                        std::size_t firstHit, LaneRays& scratch);
-void goOnConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-                      HitBlock& hits);
+void resumeConesColumns(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+                        HitBlock& hits);
 
 }  // namespace relief

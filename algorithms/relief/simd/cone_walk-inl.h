@@ -1,6 +1,6 @@
-// The cone walk of many rays: all take a step, one vector after the other; those that wait for the leaf wait in place
-// until half of them do. The steps of a pass know nothing of each other, so the processor has several vectors' reads
-// in flight, and branches are taken for whole passes. Compiled for each target.
+// The SIMD cone walk of many rays. All rays take a step, one vector after the other; rays that need a leaf test wait in
+// place until half of the rays do. The steps of a pass are independent, so the processor has memory accesses of several
+// vectors in flight, and branches are taken for whole passes. Compiled for each target.
 
 #if defined(RELIEF_CONE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_CONE_WALK_INL_H
@@ -15,13 +15,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// No crossing: beyond all.
+// Lambda of a line that is never crossed.
 inline constexpr float kNever = 1e30F;
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
 class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     using Slots = WalkSlots<kAddress, Arithmetic>;
-    using Slots::again_;
     using Slots::cellsOfHits;
     using Slots::columns_;
     using Slots::compact;
@@ -34,6 +33,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     using Slots::map_;
     using Slots::next_;
     using Slots::rays_;
+    using Slots::resumes_;
     using Slots::scene_;
     using Slots::used_;
     using Slots::waiting_;
@@ -49,19 +49,19 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     }
 
   private:
-    // Where a ray is on one axis.
+    // Position of a ray on one axis.
     struct Axis {
         VF n;
-        VF cross;  // lambda at which the cell is left
+        VF cross;  // lambda at which the ray leaves the cell
     };
-    struct Stay {
+    struct CellExit {
         Axis x, y;
         VF tie, rim, first, out;
     };
 
     template <bool kWide>
     void walk() {
-        fillAndGoOn<kWide>();
+        fillAndResume<kWide>();
         while (walking_ + waiting_ > 0 || next_ < end_) {
             if (waiting_ >= walking_) {
                 leavesOfAll<kWide>();
@@ -71,23 +71,23 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             const std::size_t idle = used_ - walking_ - waiting_;
             if (idle == used_ || (idle >= kLanes && 4 * idle >= used_)) {
                 compact();
-                fillAndGoOn<kWide>();
+                fillAndResume<kWide>();
             }
         }
         compact();
     }
 
-    // New rays; those that go on behind their cell leave it.
+    // Takes new rays. Those that resume after their cell move out of it.
     template <bool kWide>
-    HWY_INLINE void fillAndGoOn() {
+    HWY_INLINE void fillAndResume() {
         const std::size_t before = used_;
         fill();
-        if (HWY_LIKELY(!again_)) return;
+        if (HWY_LIKELY(!resumes_)) return;
         for (std::size_t i = before; i < used_; i += kLanes) {
             const VI within = hn::GatherIndex(di_, rays_.within.data(), hn::Load(di_, columns_.slot.data() + i));
             const MI walking = hn::Eq(hn::Load(di_, columns_.state.data() + i), hn::Set(di_, kWalking));
             const MF who = asFloat(hn::And(walking, hn::Eq(within, hn::Zero(di_))));
-            const Stay at = stay(columns_, i);
+            const CellExit at = cellExit(columns_, i);
             moveOn<kWide>(map_, columns_, i, at.x, at.y, who, at.out);
         }
     }
@@ -104,9 +104,9 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         }
         return out;
     }
-    HWY_INLINE static Stay stay(const WalkColumns& columns, std::size_t i) {
+    HWY_INLINE static CellExit cellExit(const WalkColumns& columns, std::size_t i) {
         const DF df;
-        Stay out;
+        CellExit out;
         out.x = load(columns.x, i);
         out.y = load(columns.y, i);
         out.tie = hn::Load(df, columns.tie.data() + i);
@@ -116,48 +116,50 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         return out;
     }
 
-    // lambda at which the ray is as high as the word's cell, and as its apex.
-    HWY_INLINE static VF ownOf(const WalkMap& map, VI word) {
+    // Lambda at which the ray is as high as the cell's highest point, and as the apex of its cone.
+    HWY_INLINE static VF ownOf(const WalkMap& map, VI entry) {
         const DF df;
-        const VI bits = hn::And(word, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
+        const VI bits = hn::And(entry, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
         return Arithmetic::mulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
     }
-    HWY_INLINE static VF apexOf(const WalkMap& map, VI word) {
+    HWY_INLINE static VF apexOf(const WalkMap& map, VI entry) {
         const DF df;
         const DI di;
         const VI bits =
-            hn::OrAnd(hn::Set(di, kApexBits), word, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
+            hn::OrAnd(hn::Set(di, kApexBits), entry, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
         return Arithmetic::mulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
     }
 
-    // What a step reads: fetched while the vector before takes its own.
+    // The data of a step, fetched while the vector before is processed.
     struct Fetched {
         Axis x, y;
-        VF out;  // lambda at which the cell is left, or the map or the slab before
-        VI word;
+        VF out;  // lambda at which the ray leaves the cell, or before that the map or the slab
+        VI entry;
     };
     template <bool kWide>
     HWY_INLINE static Fetched fetch(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
         Fetched out;
         out.x = load(columns.x, i), out.y = load(columns.y, i);
-        // Ended rays are within the map still, and behind the last vector is word 0: their words may be read.
-        out.word = hn::GatherIndex(DI(), map.words, Slots::template wordOf<kWide>(columns, i, out.x.n, out.y.n));
+        // Ended rays are still within the map, and vectors beyond the last have index 0, so that their entries may be
+        // fetched.
+        out.entry =
+            hn::GatherIndex(DI(), map.entries, Slots::template entryIndexOf<kWide>(columns, i, out.x.n, out.y.n));
         out.out = hn::Min(out.x.cross, out.y.cross);
         return out;
     }
 
-    // Where a step leads: found while the vector before goes there.
+    // The destination of a step, computed while the vector before moves.
     struct Planned {
         Axis x, y;
         VF jump;
         MF on;
     };
 
-    // A cone step of all that walk. Its parts follow each other vector by vector: each by itself is a chain, and so
-    // three vectors' are under way.
+    // A cone step of all walking rays. The stages (fetch, plan, move) of a vector form a dependency chain; processing
+    // three vectors in different stages overlaps these chains.
     template <bool kWide>
     HWY_NOINLINE void stepOfAll() {
-        // Copies, for vectors that are stored might be those members.
+        // Local copies, since the compiler must assume that vector stores change members.
         const WalkMap map = map_;
         WalkColumns& columns = columns_;
         std::size_t waiting = 0;
@@ -174,23 +176,23 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         walking_ -= waiting;
     }
 
-    // Counts how many came to a leaf. At the rim and at the bottom the way out of the cell is taken too late, which
-    // only brings more to a leaf; moving on sees to it.
+    // Plans the step of a vector; adds the number of rays that need a leaf test to `waiting`. At the rim and at the
+    // bottom of the slab the exit is too late here, which only causes additional leaf tests; moveOn() accounts for it.
     HWY_INLINE static Planned plan(const WalkMap& map, WalkColumns& columns, std::size_t i, const Fetched& at,
                                    std::size_t& waiting) {
         const DF df;
         const DI di;
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
-        if constexpr (Arithmetic::kRecords) Arithmetic::visit(columns, i, at.x.n, at.y.n, at.word, walking);
-        const MF above = hn::Lt(at.out, ownOf(map, at.word));
+        if constexpr (Arithmetic::kRecords) Arithmetic::visit(columns, i, at.x.n, at.y.n, at.entry, walking);
+        const MF above = hn::Lt(at.out, ownOf(map, at.entry));
         const MF leaf = hn::AndNot(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
         waiting += hn::CountTrue(df, leaf);
-        // The ray meets the cone.
-        const VF apex = apexOf(map, at.word);
-        const VF steepness =
-            Arithmetic::mulAdd(hn::BitCast(df, at.word), hn::Load(df, columns.steep.data() + i), hn::Set(df, kSteeper));
+        // Where the ray meets the cone.
+        const VF apex = apexOf(map, at.entry);
+        const VF steepness = Arithmetic::mulAdd(hn::BitCast(df, at.entry), hn::Load(df, columns.steep.data() + i),
+                                                hn::Set(df, kSteeper));
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
         Planned out;
         out.x = at.x, out.y = at.y;
@@ -201,14 +203,15 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 
     HWY_INLINE static VF nextCell(VF n, const WalkAxis& column, std::size_t i, MF moves, VF jump) {
         const DF df;
-        // Down to a whole number: place is half a cell less.
+        // Rounds down: half a cell has been subtracted in `place`.
         const VF place =
             Arithmetic::mulSub(jump, hn::Load(df, column.run.data() + i), hn::Load(df, column.place.data() + i));
         const VF whole = hn::Sub(hn::Add(place, hn::Set(df, kWhole)), hn::Set(df, kWhole));
         return hn::Max(hn::IfThenElse(moves, hn::Add(n, hn::Set(df, 1.0F)), n), whole);
     }
 
-    // To the cell where the jump ends, the next one at least. The jump ends no earlier than the cell is left.
+    // Moves to the cell where the jump ends, but at least to the next one. The jump ends no earlier than the ray leaves
+    // the cell.
     template <bool kWide>
     HWY_INLINE void moveOn(const WalkMap& map, WalkColumns& columns, std::size_t i, const Axis& x, const Axis& y,
                            MF who, VF jump) {
@@ -216,7 +219,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         const MF alongX = hn::Le(x.cross, y.cross);
         const VF nextX = nextCell(x.n, columns.x, i, alongX, jump);
         const VF nextY = nextCell(y.n, columns.y, i, hn::Not(alongX), jump);
-        // Near a corner, or near the rim.
+        // Rare: near a corner, or near the rim.
         const VF toCorner = hn::Abs(hn::Sub(x.cross, y.cross));
         const VF toRim = hn::Sub(hn::Load(df, columns.rim.data() + i), jump);
         MF rare = hn::Le(hn::Min(toCorner, toRim), hn::Load(df, columns.tie.data() + i));
@@ -227,19 +230,19 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             rare = hn::Or(rare, hn::Or(beyond(nextX, columns.x), beyond(nextY, columns.y)));
         }
         if (HWY_UNLIKELY(!hn::AllFalse(df, hn::And(who, rare)))) {
-            moveWithCare<kWide>(i, who, jump);
-        } else if (!map.prefetchesWords) {
+            moveNearCorner<kWide>(i, who, jump);
+        } else if (!map.prefetchesEntries) {
             storeWhere(who, nextX, x.n, columns.x.n.data() + i);
             storeWhere(who, nextY, y.n, columns.y.n.data() + i);
         } else {
-            // Whole vectors: what is stored by lanes cannot be read at once.
+            // Whole vectors are stored, because a load cannot be forwarded from a masked store.
             const VF nx = hn::IfThenElse(who, nextX, x.n), ny = hn::IfThenElse(who, nextY, y.n);
             hn::Store(nx, df, columns.x.n.data() + i);
             hn::Store(ny, df, columns.y.n.data() + i);
-            Slots::template prefetch<1>(map.words, Slots::template wordOf<kWide>(columns, i, nx, ny));
+            Slots::template prefetch<1>(map.entries, Slots::template entryIndexOf<kWide>(columns, i, nx, ny));
         }
     }
-    // before: what is there.
+    // before: the stored values.
     HWY_INLINE static void storeWhere(MF who, VF next, VF before, float* to) {
         const DF df;
 #if HWY_TARGET <= HWY_AVX3
@@ -250,17 +253,17 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 #endif
     }
 
-    // The same where a ray is near a corner or the rim, or leaves the map.
+    // The same for rays that are near a corner or the rim, or leave the map.
     template <bool kWide>
-    HWY_NOINLINE void moveWithCare(std::size_t i, MF who, VF jump) {
-        const Stay at = stay(columns_, i);
+    HWY_NOINLINE void moveNearCorner(std::size_t i, MF who, VF jump) {
+        const CellExit at = cellExit(columns_, i);
         const MF near = hn::And(hn::Lt(hn::Abs(hn::Sub(at.x.cross, at.y.cross)), at.tie),
                                 hn::Lt(jump, hn::Add(hn::Max(at.x.cross, at.y.cross), at.tie)));
         const MF atRim = hn::Ge(hn::Add(at.first, at.tie), at.rim);
         const MF down = hn::Ge(at.rim, hn::Set(df_, 1.0F));
         MF bad = hn::And(hn::And(who, down), hn::Ge(at.out, hn::Set(df_, 1.0F)));
         if constexpr (kAddress == Address::Border) {
-            // Beyond the rim for sure; or which comes first, rim or line, cannot be told.
+            // The ray is certainly beyond the rim; or float cannot decide whether rim or line comes first.
             const MF far = hn::Gt(hn::Max(at.first, jump), hn::Add(at.rim, at.tie));
             const MF leaving = hn::And(who, hn::AndNot(down, hn::Or(atRim, far)));
             const MF gone = hn::And(leaving, far);
@@ -268,18 +271,19 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
             bad = hn::Or(bad, hn::AndNot(gone, leaving));
             who = hn::AndNot(gone, who);
         }
-        // Too near a corner to tell which neighbour comes first, and the jump does not pass it: both must be skipped.
+        // The ray passes too close to a corner to decide which neighbour comes first, and the jump does not pass the
+        // corner. So both neighbours must be skipped.
         const MF both = hn::And(who, near);
         const MF clear = hn::And(cornerWithinCells(at.tie, hn::Load(df_, columns_.x.inverse.data() + i),
                                                    hn::Load(df_, columns_.y.inverse.data() + i)),
                                  hn::And(sideClear<kWide>(i, at, both, true), sideClear<kWide>(i, at, both, false)));
         bad = hn::And(who, hn::Or(bad, hn::AndNot(clear, both)));
-        end(i, bad, LaneEnd::Unclear);
+        end(i, bad, LaneEnd::Ambiguous);
         who = hn::AndNot(bad, who);
         const MF moveX = hn::Or(both, hn::Le(at.x.cross, at.y.cross));
         const MF moveY = hn::Or(both, hn::Le(at.y.cross, at.x.cross));
         const VF nx = within(i, who, at.x, frameX_, columns_.x, rays_.x, nextCell(at.x.n, columns_.x, i, moveX, jump));
-        // Without those that have ended on the other axis.
+        // Excludes rays that have ended on the other axis.
         const VI state = hn::Load(di_, columns_.state.data() + i);
         who = hn::And(who, asFloat(hn::Eq(state, hn::Set(di_, kWalking))));
         const VF ny = within(i, who, at.y, frameY_, columns_.y, rays_.y, nextCell(at.y.n, columns_.y, i, moveY, jump));
@@ -287,7 +291,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         hn::Store(ny, df_, columns_.y.n.data() + i);
     }
 
-    // n of the axis' last cell.
+    // n of the last cell on this axis.
     HWY_INLINE VF lastOf(std::size_t i, const EntryFrame& frame, const WalkAxis& column,
                          const LaneAxisRays& rays) const {
         if constexpr (kAddress != Address::Border) return hn::Load(df_, column.last.data() + i);
@@ -297,7 +301,8 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         return hn::ConvertTo(df_, hn::IfThenElse(asInt(back), cell, last));
     }
 
-    // The next cell's n, of the map; where the map repeats the column's period is moved on, where it ends the ray ends.
+    // The next cell's n within the map. Under repeat the period of the column advances; under border a ray that leaves
+    // the map ends.
     HWY_INLINE VF within(std::size_t i, MF who, const Axis& axis, const EntryFrame& frame, WalkAxis& column,
                          const LaneAxisRays& rays, VF next) {
         VF last = lastOf(i, frame, column, rays);
@@ -320,40 +325,42 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         return hn::IfThenElse(beyond, last, next);
     }
 
-    // Whether the neighbour along one axis alone is surely above the surface until the corner is passed.
+    // Returns the rays that are certainly above the neighbour along one axis until they have passed the corner.
     template <bool kWide>
-    HWY_INLINE MF sideClear(std::size_t i, const Stay& at, MF who, bool alongX) const {
+    HWY_INLINE MF sideClear(std::size_t i, const CellExit& at, MF who, bool alongX) const {
         const EntryFrame& frame = alongX ? frameX_ : frameY_;
         const WalkAxis& column = alongX ? columns_.x : columns_.y;
         const MF beyond = hn::Eq((alongX ? at.x : at.y).n, lastOf(i, frame, column, alongX ? rays_.x : rays_.y));
         const MI backwards = asInt(hn::Lt(hn::Load(df_, column.stride.data() + i), hn::Zero(df_)));
-        const VI words = hn::Set(di_, alongX ? 1 : map_.stride);
-        const VI stride = hn::IfThenElse(backwards, hn::Neg(words), words);
-        VI step = stride;  // from the last cell there is none, or to the first one
+        const VI entries = hn::Set(di_, alongX ? 1 : map_.stride);
+        const VI stride = hn::IfThenElse(backwards, hn::Neg(entries), entries);
+        VI step = stride;  // there is no step from the last cell; under repeat it leads to the first one
         if constexpr (kAddress == Address::Repeat) {
             const VI back = hn::Mul(stride, hn::Set(di_, 1 - frame.axis.cells));
             step = hn::IfThenElse(asInt(beyond), back, stride);
         }
         const MI there = asInt(kAddress == Address::Repeat ? who : hn::AndNot(beyond, who));
-        const VI index = hn::Add(Slots::template wordOf<kWide>(columns_, i, at.x.n, at.y.n), step);
-        const VF own = ownOf(map_, hn::GatherIndex(di_, map_.words, hn::IfThenElseZero(there, index)));
+        const VI index = hn::Add(Slots::template entryIndexOf<kWide>(columns_, i, at.x.n, at.y.n), step);
+        const VF own = ownOf(map_, hn::GatherIndex(di_, map_.entries, hn::IfThenElseZero(there, index)));
         const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
         if constexpr (kAddress == Address::Clamp) return hn::Or(clear, beyond);
         if constexpr (kAddress == Address::Border) return hn::AndNot(beyond, clear);
         return clear;
     }
 
-    // Cells whose highest point the ray goes below: is the surface itself below it? Of all that wait for it.
+    // Leaf tests of all waiting rays: whether the surface is certainly below the ray in a cell whose highest point is
+    // not.
     template <bool kWide>
     HWY_NOINLINE void leavesOfAll() {
         const WalkMap map = map_;
         WalkColumns& columns = columns_;
         std::size_t on = 0;
         waiting_ = 0;
-        // All of them before the first is looked up: written as vectors, read lane by lane.
+        // All indices are computed before the first is used: they are stored as vectors and loaded lane by lane, which
+        // stalls soon after the store.
         alignas(64) WalkColumn<std::int32_t> cells;
         for (std::size_t i = 0, end = used_; i < end; i += kLanes) {
-            // Only of those: what others would read is not in the cache.
+            // Only for waiting rays: the data of other rays need not be in the cache.
             const MI who = hn::Eq(hn::Load(di_, columns.state.data() + i), hn::Set(di_, kAtLeaf));
             const VI cell = hn::IfThenElseZero(who, cellNumber<kWide>(map, columns, i));
             hn::Store(cell, di_, cells.data() + i);
@@ -365,21 +372,21 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         walking_ += on;
     }
 
-    // The number of the cell's word within its quadrant: that of its nodes, or of its column's height.
+    // Index of the cell's entry within its quadrant, which is also that of its nodes and of its column's height.
     template <bool kWide>
     HWY_INLINE static VI cellNumber(const WalkMap& map, const WalkColumns& columns, std::size_t i) {
         const DF df;
         const DI di;
-        const auto ofQuadrant = [&](const WalkAxis& axis, std::int32_t words) {
+        const auto ofQuadrant = [&](const WalkAxis& axis, std::int32_t entries) {
             const MF back = hn::Lt(hn::Load(df, axis.stride.data() + i), hn::Zero(df));
-            return hn::IfThenElseZero(asInt(back), hn::Set(di, words));
+            return hn::IfThenElseZero(asInt(back), hn::Set(di, entries));
         };
         const VI first = hn::Add(ofQuadrant(columns.x, map.quadrant), ofQuadrant(columns.y, 2 * map.quadrant));
         const VF nx = hn::Load(df, columns.x.n.data() + i), ny = hn::Load(df, columns.y.n.data() + i);
-        return hn::Sub(Slots::template wordOf<kWide>(columns, i, nx, ny), first);
+        return hn::Sub(Slots::template entryIndexOf<kWide>(columns, i, nx, ny), first);
     }
 
-    // Returns how many walk on.
+    // Tests a vector's waiting rays. Returns how many of them walk on.
     template <bool kWide>
     HWY_INLINE std::size_t leaves(const WalkMap& map, WalkColumns& columns, std::size_t i, const std::int32_t* cells) {
         const DF df;
@@ -387,7 +394,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         const VI state = hn::Load(di, columns.state.data() + i);
         const MI whoI = hn::Eq(state, hn::Set(di, kAtLeaf));
         const MF who = asFloat(whoI);
-        const Stay at = stay(columns, i);
+        const CellExit at = cellExit(columns, i);
         MF below;
         if constexpr (kSurface == Surface::Columns) {
             below = columnBelow(scene_, hn::Load(di, cells), at.out);
@@ -405,7 +412,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         moveOn<kWide>(map, columns, i, at.x, at.y, on, at.out);
         return hn::CountTrue(df, on);
     }
-    // The axis as the leaf knows it: by the line before the cell.
+    // The axis as the float leaf uses it: relative to the line before the cell.
     HWY_INLINE static LaneAxisState leafAxis(const WalkAxis& from, std::size_t i) {
         const DF df;
         LaneAxisState out;

@@ -1,5 +1,5 @@
-// The march by trilinear distances, a ray a lane of double: the steps of DistanceMarch::trace, with the same bits.
-// Compiled for each target.
+// SIMD version of DistanceMarch::trace in double, one ray per lane: the same steps with the same bits. Compiled for
+// each target.
 
 #if defined(RELIEF_DISTANCE_MARCH_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_DISTANCE_MARCH_LANES_INL_H
@@ -73,7 +73,7 @@ class DistanceLanes {
     bool repeats_;
 };
 
-// A vector of rays on their way.
+// A vector of rays in flight.
 template <class Visits>
 class DistanceSteps : public VectorOfRays<DistanceSteps<Visits>, MarchSearch> {
   public:
@@ -96,10 +96,10 @@ class DistanceSteps : public VectorOfRays<DistanceSteps<Visits>, MarchSearch> {
 
 template <class Visits>
 bool DistanceSteps<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
-    constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
+    constexpr double kFar = 0x1p40;  // in texels: below this, products of periods are integers below 2^53
     const bool served = std::hypot(ray.a, ray.b) <= queue_.search.map.maxRun;
     if (!served || !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-        queue_.left.push_back(number);
+        queue_.fallback.push_back(number);
         return false;
     }
     const SampledSurface surface(field_, ray);
@@ -157,7 +157,7 @@ void DistanceSteps<Visits>::step() {
             lambda_[lane] = above_[lane] + share * (lambda_[lane] - above_[lane]);
         }
         queue_.hits.set(i, hit ? Hit::at(queue_.rays[i], lambda_[lane]) : Hit::none(Outcome::Miss));
-        lambda_[lane] = 0;  // idle lanes stay at the start: a place to read
+        lambda_[lane] = 0;  // idle lanes stay at the start, where loads are valid
     });
 }
 

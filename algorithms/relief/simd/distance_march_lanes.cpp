@@ -16,7 +16,7 @@ namespace relief::HWY_NAMESPACE {
 void marchAll(const MarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
               std::vector<std::size_t>& left) {
     RayQueue<MarchSearch> queue{search, rays, hits, first, last, left};
-    goInTurn<DistanceSteps<NoVisits>>(queue);
+    runAlternating<DistanceSteps<NoVisits>>(queue);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -27,8 +27,8 @@ namespace relief {
 
 HWY_EXPORT(marchAll);
 
-std::vector<std::size_t> marchInLanes(const MarchSearch& search, const RayBlock& rays, std::size_t first,
-                                      std::size_t last, HitBlock& hits) {
+std::vector<std::size_t> marchSimd(const MarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last,
+                                   HitBlock& hits) {
     std::vector<std::size_t> left;
     const auto* values = std::get_if<std::vector<float>>(&search.map.values.codes());
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());

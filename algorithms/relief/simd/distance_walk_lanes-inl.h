@@ -1,5 +1,5 @@
-// The walk over a distance map, a ray a lane of double: the same steps as DistanceWalk::trace, with the same bits.
-// Compiled for each target.
+// SIMD version of DistanceWalk::trace in double, one ray per lane: the same steps with the same bits. Compiled for each
+// target.
 
 #if defined(RELIEF_DISTANCE_WALK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_DISTANCE_WALK_LANES_INL_H
@@ -21,7 +21,7 @@ namespace relief::HWY_NAMESPACE {
 // RayAxis of the rays in a vector.
 struct WalkAxisRows {
     Row<double> start{}, run{}, inverse{};
-    Row<double> first{};  // the cell at lambda = 0, counted on over the periods
+    Row<double> first{};  // the cell at lambda = 0, numbered continuously across periods
 
     void set(std::size_t lane, const GridAxis& grid, const RayAxis& ray) {
         const AxisCell cell = ray.startCell(grid);
@@ -43,7 +43,7 @@ class WalkAxisLanes {
     HWY_INLINE V index() const { return hn::Sub(cell_, base_); }
     HWY_INLINE V enterCell() const { return enter(cell_); }
     HWY_INLINE V leaveCell() const { return leave(cell_, hn::Add(cell_, constant(1))); }
-    // Out of the cells [low, high) of the period.
+    // Lambda at which the rays leave the cells [low, high) of the period.
     HWY_INLINE V leaveCells(V low, V high) const { return leave(hn::Add(base_, low), hn::Add(base_, high)); }
     // leaf_detail::within.
     HWY_INLINE V within(V lambda) const {
@@ -52,7 +52,7 @@ class WalkAxisLanes {
     }
 
   private:
-    // GridAxis::edge of cells counted on over the periods.
+    // GridAxis::edge for cells numbered continuously across periods.
     HWY_INLINE V edge(V k) const {
         if (grid_.wraps) return k;
         const V inner = hn::IfThenElse(hn::Le(k, hn::Zero(D())), constant(grid_.low), k);
@@ -69,7 +69,7 @@ class WalkAxisLanes {
                               hn::Mul(hn::Sub(at, start_), inverse_));
     }
 
-    // RayAxis::cellAt: a guess, and steps until it is right.
+    // RayAxis::cellAt: an estimate, then steps until it is right.
     HWY_INLINE void findCell(V first, V lambda) {
         constexpr int kRepairs = 4;
         const V zero = hn::Zero(D()), one = constant(1), last = constant(grid_.cells - 1);
@@ -77,7 +77,7 @@ class WalkAxisLanes {
         const V guess = grid_.wraps ? place : hn::Min(hn::Max(place, zero), last);
         cell_ = hn::IfThenElse(hn::Or(still_, hn::Not(hn::Gt(lambda, zero))), first, guess);
         const V ahead = hn::IfThenElse(forward_, one, constant(-1));
-        // Where there is no neighbour the cell stays as it is.
+        // Where there is no neighbour, the cell does not change.
         M stays = still_;
         const auto step = [&](M wrong, V side) {
             const V next = hn::Add(cell_, side);
@@ -110,7 +110,7 @@ class WalkAxisLanes {
     V cell_, base_;
 };
 
-// A vector of rays on their way.
+// A vector of rays in flight.
 template <class Visits>
 class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>, DistanceWalk> {
   public:
@@ -131,7 +131,7 @@ class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>, DistanceWalk> {
     using Rays::queue_;
     using Rays::ray_;
     using Axis = WalkAxisLanes;
-    // Cells of a voxel's along one axis.
+    // A voxel's index along one axis, and its cells [low, high).
     struct Side {
         V number, low, high;
     };
@@ -163,9 +163,9 @@ class VoxelWalk : public VectorOfRays<VoxelWalk<Visits>, DistanceWalk> {
 template <class Visits>
 bool VoxelWalk<Visits>::take(std::size_t lane, const ViewRay& viewRay, std::size_t number) {
     const GridRay ray(grid_, viewRay);
-    // A slab of no thickness, seen from above: no length along the ray.
+    // In a slab of no thickness a vertical ray has no length.
     if (!ray.inDomain() || !(walk_.perLambda(ray) > 0)) {
-        queue_.left.push_back(number);
+        queue_.fallback.push_back(number);
         return false;
     }
     if (ray.entersOutside(grid_)) {
@@ -193,7 +193,7 @@ V VoxelWalk<Visits>::layerAt(V lambda) const {
     return hn::Sub(layer, hn::IfThenElseZero(lower, one));
 }
 
-// A mark for rays that the map does not serve.
+// The stored distance, or kSurface for rays that the map does not serve.
 template <class Visits>
 V VoxelWalk<Visits>::distanceOf(V bx, V by, V layer) const {
     const V plane = hn::Add(load(plane_), layer);
@@ -204,7 +204,7 @@ V VoxelWalk<Visits>::distanceOf(V bx, V by, V layer) const {
     return hn::IfThenElse(served, stored, constant(static_cast<double>(StoredValues::kSurface)));
 }
 
-// leafHit() of the lanes' cells: which have a hit, and where.
+// leafHit() for the lanes' cells. Returns the lanes that have a hit, and its lambda in `met`.
 template <class Visits>
 M VoxelWalk<Visits>::leaf(const Axis& x, const Axis& y, V out, V& met) const {
     const V zero = hn::Zero(D()), one = constant(1);
@@ -257,7 +257,7 @@ void VoxelWalk<Visits>::step() {
     overLanes(going & ~(within & more), [&](std::size_t lane) {
         end(lane, Hit::none((within >> lane & 1) != 0 ? Outcome::Limit : Outcome::Miss));
     });
-    // Idle lanes stay at the start: a place to read.
+    // Idle lanes stay at the start, where loads are valid.
     overLanes(~active_ & ((1U << kLanes) - 1), [&](std::size_t lane) { lambda_[lane] = 0; });
 }
 

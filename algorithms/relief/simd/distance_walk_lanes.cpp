@@ -16,7 +16,7 @@ namespace relief::HWY_NAMESPACE {
 void walkAll(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
              std::vector<std::size_t>& left) {
     RayQueue<DistanceWalk> queue{walk, rays, hits, first, last, left};
-    goInTurn<VoxelWalk<NoVisits>>(queue);
+    runAlternating<VoxelWalk<NoVisits>>(queue);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -27,8 +27,8 @@ namespace relief {
 
 HWY_EXPORT(walkAll);
 
-std::vector<std::size_t> walkInLanes(const DistanceWalk& walk, const RayBlock& rays, std::size_t first,
-                                     std::size_t last, HitBlock& hits) {
+std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
+                                  HitBlock& hits) {
     std::vector<std::size_t> left;
     const auto* values = std::get_if<std::vector<float>>(&walk.distanceMap()->values.codes());
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());

@@ -1,5 +1,5 @@
-// What walks in lanes of double have in common, a ray a lane: vectors in rows of memory, the queue that finished lanes
-// are refilled from, and two vectors in turn. Compiled for each target.
+// What SIMD walks in double, one ray per lane, have in common: rows of lane values in memory, the queue from which
+// finished lanes are refilled, and the interleaving of two vectors. Compiled for each target.
 
 #if defined(RELIEF_DOUBLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_DOUBLE_LANES_INL_H
@@ -24,7 +24,7 @@ using M = MD;
 constexpr std::size_t kLanes = kHalfLanes;
 template <class T>
 using Row = std::array<T, kLanes>;
-// Whole numbers of 31 bits (numbers of cells, texels, values), and stored values.
+// Integers of 31 bits (indices of cells, texels and values), and stored values.
 using DI = DHI;
 using VI = VHI;
 using DF = DHF;
@@ -46,13 +46,14 @@ HWY_INLINE std::uint32_t bitsOf(M mask) {
     hn::StoreMaskBits(D(), mask, bits);
     return bits[0];
 }
-// body(lane) for each of a set of lanes.
+// Calls body(lane) for each lane whose bit is set.
 template <class Body>
 HWY_INLINE void overLanes(std::uint32_t lanes, const Body& body) {
     for (; lanes != 0; lanes &= lanes - 1) body(static_cast<std::size_t>(__builtin_ctz(lanes)));
 }
 
-// The rays that come next, for all vectors of a Search; left: those that are left to the reference.
+// The rays [next, last) that a Search has yet to trace, shared by all vectors. fallback receives the indices of rays
+// that the reference has to trace.
 template <class Search>
 struct RayQueue {
     const Search& search;
@@ -60,23 +61,23 @@ struct RayQueue {
     HitBlock& hits;
     std::size_t next;
     std::size_t last;
-    std::vector<std::size_t>& left;
+    std::vector<std::size_t>& fallback;
 };
 
-// What walks look at, a row of numbers a step: only tests note it, to hold it to what the reference logs.
+// Receiver of the numbers of each step. Only tests record them, to compare them with the reference's log.
 struct NoVisits {
     static constexpr bool kRecords = false;
 };
 
-// A vector of rays on their way, refilled from the queue. Walk has take(lane, ray, number), which sets the lane to that
-// finite ray (false: it needs no walk; its hit is set, or it is left to the reference), and step().
+// A vector of rays in flight, refilled from the queue. Walk provides take(lane, ray, number), which sets up the lane
+// for that finite ray and returns false if it needs no walk (its hit is set, or it is in queue.fallback), and step().
 template <class Walk, class Search>
 class VectorOfRays {
   public:
     explicit VectorOfRays(RayQueue<Search>& queue) : queue_(queue) {}
 
-    // False: nothing left to do.
-    bool go() {
+    // Refills idle lanes and takes a step. Returns false when all rays are done.
+    bool advance() {
         constexpr std::uint32_t kAll = (1U << kLanes) - 1;
         for (std::uint32_t idle = kAll & ~active_; idle != 0; idle &= idle - 1) {
             if (!fill(static_cast<std::size_t>(__builtin_ctz(idle)))) break;
@@ -89,11 +90,11 @@ class VectorOfRays {
   protected:
     RayQueue<Search>& queue_;
     std::uint32_t active_ = 0;
-    std::array<std::size_t, kLanes> ray_{};  // their numbers
+    std::array<std::size_t, kLanes> ray_{};  // their indices in the block
 
   private:
     Walk& walk() { return static_cast<Walk&>(*this); }
-    // False: the queue is empty.
+    // Refills a lane. Returns false if the queue is empty.
     bool fill(std::size_t lane) {
         while (queue_.next < queue_.last) {
             const std::size_t i = queue_.next++;
@@ -110,15 +111,15 @@ class VectorOfRays {
     }
 };
 
-// Two vectors in turn: while one waits for memory, the other goes on.
+// Runs two vectors alternately: while one waits for memory, the other proceeds.
 template <class Walk, class Queue>
-void goInTurn(Queue& queue) {
+void runAlternating(Queue& queue) {
     Walk one(queue);
     Walk two(queue);
     bool more = true;
     while (more) {
-        more = one.go();
-        more = two.go() || more;
+        more = one.advance();
+        more = two.advance() || more;
     }
 }
 

@@ -1,4 +1,4 @@
-// Vectors of doubles, and of as many floats and whole numbers of 31 bits. Compiled for each target.
+// Vectors of doubles, and vectors of as many floats and 32-bit integers. Compiled for each target.
 
 #if defined(RELIEF_DOUBLE_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_DOUBLE_VECTORS_INL_H

@@ -1,4 +1,4 @@
-// The one leaf in lanes of double, operation by operation: leaf.h to the bit. Compiled for each target.
+// SIMD version of leaf.h in double, operation by operation with the same bits. Compiled for each target.
 
 #if defined(RELIEF_EXACT_LEAF_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_EXACT_LEAF_INL_H
@@ -16,8 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// std::max and std::min of these arguments, in this order: zeros keep the sign that they would have there, and so do
-// what is no number.
+// std::max(a, b) and std::min(a, b), also for the sign of zeros and for NaN.
 HWY_INLINE VD stdMax(VD a, VD b) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
     return hn::Max(b, a);  // b > a ? b : a
@@ -33,12 +32,12 @@ HWY_INLINE VD stdMin(VD a, VD b) {
 #endif
 }
 
-// The surface minus the ray where it comes into the cell and where it leaves it, and the bend between (leaf.h).
+// The surface minus the ray at the entry and exit of the cell, and the curvature in between (c in leaf.h).
 struct ExactGaps {
     VD in, out, bend;
 };
 
-// Heights of the nodes of the lanes' cells.
+// Heights of the four nodes of the lanes' cells.
 struct ExactNodes {
     VD h00, h10, h01, h11;
 };
@@ -48,7 +47,7 @@ HWY_INLINE VD heightsAt(const FloatImage& heights, VHI i, VHI j) {
     return hn::PromoteTo(DD(), hn::GatherIndex(DHF(), heights.data(), at));
 }
 
-// cellCorners(); numbers of cells within the period.
+// cellCorners(). cx, cy: indices of the cells within the period.
 HWY_INLINE ExactNodes cornersAt(const FloatImage& heights, const CellGrid& grid, VHI cx, VHI cy) {
     const VHI zero = hn::Zero(DHI()), one = hn::Set(DHI(), 1);
     const auto nodes = [&](const GridAxis& axis, VHI k) {
@@ -61,13 +60,13 @@ HWY_INLINE ExactNodes cornersAt(const FloatImage& heights, const CellGrid& grid,
             heightsAt(heights, i[1], j[1])};
 }
 
-// Places in the cells, [0, 1]. z: the ray's heights there.
+// Positions in the cells, [0, 1]. z: heights of the ray there.
 struct ExactPlaces {
     VD uIn, vIn, uOut, vOut;
     VD zIn, zOut;
 };
 
-// Bilinear surfaces: Patch, less the ray.
+// Patch of bilinear surfaces, minus the ray.
 HWY_INLINE ExactGaps exactGaps(const ExactNodes& h, const ExactPlaces& at) {
     const VD one = hn::Set(DD(), 1.0);
     const auto patch = [&](VD u, VD v) {
@@ -84,7 +83,7 @@ HWY_INLINE ExactGaps exactGaps(const ExactNodes& h, const ExactPlaces& at) {
     return gaps;
 }
 
-// Whether the parabola has its vertex within the stay, a maximum. b: its slope at the entry.
+// Whether the parabola has a maximum inside the interval. b: its slope at the entry.
 HWY_INLINE MD isArched(VD b, VD bend) {
     const VD zero = hn::Zero(DD());
     return hn::And(hn::Lt(bend, zero), hn::And(hn::Gt(b, zero), hn::Lt(b, hn::Mul(hn::Set(DD(), -2.0), bend))));
@@ -98,7 +97,7 @@ HWY_INLINE VD highestGap(const ExactGaps& gaps) {
     return hn::IfThenElse(isArched(b, gaps.bend), hn::Max(ends, peak), ends);
 }
 
-// Where there is a hit at all; then it is at the share above / below of the way from in to out, at most 1.
+// Lanes that have a hit; it is at the fraction above / below, at most 1, of the interval from in to out.
 struct ExactShare {
     VD above, below;
     MD hit;
@@ -106,7 +105,7 @@ struct ExactShare {
 HWY_INLINE ExactShare exactShare(const ExactGaps& gaps, VD in, VD out) {
     const DD d;
     const VD zero = hn::Zero(d), c = gaps.bend;
-    const MD stays = hn::Lt(in, out);
+    const MD crosses = hn::Lt(in, out);
     const MD atEntry = hn::Not(hn::Lt(gaps.in, zero));
     // leaf_detail::firstRoot
     const VD b = hn::Sub(hn::Sub(gaps.out, gaps.in), c);
@@ -119,7 +118,7 @@ HWY_INLINE ExactShare exactShare(const ExactGaps& gaps, VD in, VD out) {
     const VD above = hn::IfThenElse(rising, hn::Mul(hn::Set(d, -2.0), gaps.in), hn::Sub(root, b));
     const VD below = hn::IfThenElse(rising, hn::Add(b, root), hn::Mul(hn::Set(d, 2.0), c));
     return {hn::IfThenZeroElse(atEntry, above), hn::IfThenElse(atEntry, hn::Set(d, 1.0), below),
-            hn::And(stays, hn::Or(atEntry, hn::Not(none)))};
+            hn::And(crosses, hn::Or(atEntry, hn::Not(none)))};
 }
 HWY_INLINE VD exactMeeting(VD above, VD below, VD in, VD out) {
     const VD w = hn::Div(above, below);
@@ -127,7 +126,7 @@ HWY_INLINE VD exactMeeting(VD above, VD below, VD in, VD out) {
     return stdMin(hn::Add(in, hn::Mul(share, hn::Sub(out, in))), out);
 }
 
-// The same for columns.
+// The same for columns; lambda receives the hit.
 HWY_INLINE MD exactColumn(VD h, VD in, VD out, VD& lambda) {
     const VD one = hn::Set(DD(), 1.0);
     const MD wall = hn::Le(hn::Sub(one, in), h);

@@ -1,4 +1,4 @@
-// The leaf in lanes, in float: to exclude cells that the surface is surely below the ray in. Shared by the kernels,
+// SIMD version of float_leaf.h: excludes cells in which the surface is certainly below the ray. Shared by the kernels;
 // compiled for each target.
 
 #if defined(RELIEF_LANE_LEAF_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -13,21 +13,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Whether a corner that a ray passes within `tie` is passed before the ray leaves the cell behind it: two ties are less
-// than a cell of either axis takes, lambda. Else, all but parallel to an axis, it may go through several cells beside
-// the line before it crosses that.
+// Returns the rays that pass a corner within `tie` before they leave the cell after it: two ties must be less than the
+// lambda that a cell of either axis takes. Otherwise a ray almost parallel to an axis may pass through several cells
+// along the line before it crosses it.
 HWY_INLINE MF cornerWithinCells(VF tie, VF inverseX, VF inverseY) {
     return hn::Lt(hn::Add(tie, tie), hn::Min(inverseX, inverseY));
 }
 
 // ------------------------------------------------------------------------------------------------------- float leaf
 
-// One axis of lanes in flight: the place of the walk is cell `cell` (mirrored, addressed), n = cell + offset.
+// One axis of the rays in flight. The ray is in a cell (mirrored, addressed); n = cell + offset.
 struct LaneAxisState {
     VI offset;
     VF inverse, base;
-    VF run;       // its size
-    MF mirrored;  // whether it runs backwards
+    VF run;       // absolute value
+    MF mirrored;  // the ray runs backwards
 };
 
 template <Address kAddress>
@@ -51,7 +51,7 @@ HWY_INLINE VF lerpPatchLanes(VF h00, VF h10, VF h01, VF h11, VF u, VF v) {
     return Arithmetic::mulAdd(v, hn::Sub(bottom, top), top);
 }
 
-// from[index] and from[index + 1]: gathers cost by the element, pairs are one.
+// Loads from[index] and from[index + 1]. Gathers cost per element, so pairs are fetched as one element.
 HWY_INLINE void gatherPairs(const float* from, VI index, VF& first, VF& second) {
     const DF d;
 #if HWY_TARGET <= HWY_AVX2
@@ -71,13 +71,13 @@ HWY_INLINE void gatherPairs(const float* from, VI index, VF& first, VF& second) 
 #endif
 }
 
-// Heights of a cell's nodes, (i0, j0), (i1, j0), (i0, j1), (i1, j1).
+// Heights of the nodes (i0, j0), (i1, j0), (i0, j1), (i1, j1) of a cell.
 struct Patch {
     VF h00, h10, h01, h11;
 };
 
 #if HWY_TARGET != HWY_SCALAR
-// Four floats for each of N lanes from the k-th on, four apart: a quarter of the vector each.
+// Four floats for each of the lanes k, k + 4, k + 8, ... of N lanes, in one quarter of the vector each.
 template <std::size_t N>
 HWY_INLINE auto quarters(const float* HWY_RESTRICT from, const std::int32_t* HWY_RESTRICT pair, std::size_t k) {
     const hn::CappedTag<float, N> d;
@@ -91,14 +91,14 @@ HWY_INLINE auto quarters(const float* HWY_RESTRICT from, const std::int32_t* HWY
 }
 #endif
 
-// The four from nodes[2 pair] on, of as many lanes as d has: h00, h01, h10, h11.
+// Four values from nodes[2 pair] on for each lane of d: h00, h01, h10, h11.
 template <class D4>
 HWY_INLINE auto nodesAt(D4 d, const float* HWY_RESTRICT nodes, const std::int32_t* HWY_RESTRICT pair) {
     using V = hn::Vec<D4>;
     constexpr std::size_t kCount = hn::MaxLanes(D4());
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (kCount >= 4) {
-        // A transposition within quarters puts lane k's in lane k.
+        // A transposition within quarters puts the values of lane k into lane k.
         const V r0 = quarters<kCount>(nodes, pair, 0), r1 = quarters<kCount>(nodes, pair, 1);
         const V r2 = quarters<kCount>(nodes, pair, 2), r3 = quarters<kCount>(nodes, pair, 3);
         const V even0 = hn::InterleaveLower(d, r0, r2), odd0 = hn::InterleaveLower(d, r1, r3);
@@ -118,7 +118,7 @@ HWY_INLINE auto nodesAt(D4 d, const float* HWY_RESTRICT nodes, const std::int32_
     }
 }
 
-// Of the lanes of `who`; the others' cells are of the map.
+// The patches of the cells in the lanes `who`. The cells of other lanes must be valid.
 template <Address kAddress>
 HWY_INLINE Patch patchAt(const FloatScene& scene, MI who, VI realX, VI realY) {
     const DF d;
@@ -143,8 +143,9 @@ HWY_INLINE Patch patchAt(const FloatScene& scene, MI who, VI realX, VI realY) {
     return out;
 }
 
-// Whether the bilinear surface is surely below the ray all along its stay in the patch's cell, which is within
-// [in, out]: `in` is early by at most a tie, `out` late by at most half of one. nx, ny are the cell's distances n.
+// Whether the bilinear surface is certainly below the ray over the ray's whole interval in the patch's cell. That
+// interval is within [in, out]: `in` is early by at most one tie, `out` late by at most half a tie. nx, ny: the cell's
+// n on each axis.
 template <class Arithmetic = FastArithmetic>
 HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneAxisState& y, VF nx, VF ny, VF in,
                          VF out, VF tie) {
@@ -162,16 +163,17 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     const VF fOut = hn::Sub(lerpPatchLanes<Arithmetic>(h00, h10, h01, h11, uOut, vOut), hn::Sub(one, out));
     const VF alongTop = hn::Sub(h10, h00), alongBottom = hn::Sub(h11, h01);
     const VF c = hn::Mul(hn::Mul(hn::Sub(uOut, uIn), hn::Sub(vOut, vIn)), hn::Sub(alongBottom, alongTop));
-    // The vertex of the parabola, where it is inside and a maximum.
+    // The vertex of the parabola, if it is a maximum inside the interval.
     const VF slope = hn::Sub(hn::Sub(fOut, fIn), c);
     const MF arched =
         hn::And(hn::Lt(c, zero), hn::And(hn::Gt(slope, zero), hn::Lt(slope, hn::Mul(hn::Set(d, -2.0F), c))));
-    // A little too high: the reciprocal is approximate.
+    // Rounded upwards, because the reciprocal is approximate.
     const VF share = hn::Mul(slope, Arithmetic::reciprocal(hn::IfThenElse(arched, c, one)));
     const VF vertex = Arithmetic::negMulAdd(hn::Mul(slope, hn::Set(d, 0.25F * (1 + 2 * kReciprocalError))), share, fIn);
     const VF highest = hn::Max(hn::Max(fIn, fOut), hn::IfThenElse(arched, vertex, fIn));
-    // Places are off by at most twice the crossing margin times the run, heights by that times the cell's slopes. Of
-    // the two ties one and a half cover `in` and `out`, the rest, at least 16 units of 2^-24, the rounding of heights.
+    // Positions are off by at most twice the crossing margin times the run, and heights by that times the cell's
+    // slopes. Of the two ties, one and a half cover `in` and `out`; the rest, at least 16 units of 2^-24, covers the
+    // rounding of heights.
     const VF slopeX = hn::Max(hn::Abs(alongTop), hn::Abs(alongBottom));
     const VF slopeY = hn::Max(hn::Abs(hn::Sub(h01, h00)), hn::Abs(hn::Sub(h11, h10)));
     const auto blur = [&](const LaneAxisState& axis, VF slope) {
@@ -182,7 +184,8 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     return hn::Lt(highest, hn::Neg(margin));
 }
 
-// The same for the column of that number. No margin: `out` is late, heights are exact, and rounding keeps the order.
+// The same for the column at `index`. Needs no margin: `out` is late, heights are exact, and rounding preserves the
+// order.
 HWY_INLINE MF columnBelow(const FloatScene& scene, VI index, VF out) {
     const DF d;
     return hn::Lt(hn::GatherIndex(d, scene.heights, index), hn::Sub(hn::Set(d, 1.0F), out));

@@ -1,5 +1,5 @@
-// Setting rays up for lanes, and noting what becomes of them: shared by the kernels, compiled for each target.
-// methods/float_scene.h says how.
+// Setup of rays for SIMD walks in float, and storage of their results: shared by the kernels, compiled for each target.
+// Frame: methods/float_scene.h.
 
 #if defined(RELIEF_LANE_TRACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_LANE_TRACE_INL_H
@@ -23,8 +23,8 @@ using MI = hn::Mask<DI>;
 
 inline constexpr std::size_t kLanes = hn::MaxLanes(DF());
 
-// How a walk calculates: sums of products are fused where the target can, and reciprocals are approximate. Tests have
-// another one, which rounds as the reference does and notes what is looked at.
+// The arithmetic of a walk: multiply-adds are fused where the target can, and reciprocals are approximate. Tests use
+// another class, which rounds as the reference does and records the visits.
 struct FastArithmetic {
     static constexpr bool kRecords = false;
     static constexpr bool kBeams = true;
@@ -54,7 +54,7 @@ HWY_INLINE MI asInt(MF m) {
     return hn::RebindMask(DI(), m);
 }
 
-// The chosen lanes to the front, for several vectors: made once.
+// Moves the chosen lanes to the front. The permutation is computed once for several vectors.
 #if HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_SCALAR
 struct Packing {
     explicit Packing(MI chosen) : indices_(hn::Compress(hn::Iota(DI(), 0), chosen)) {}
@@ -68,7 +68,7 @@ struct Packing {
     VI indices_;
 };
 #else
-// Not Compress: with g++ 12 it copies its table to the stack each time it is called.
+// Faster than Compress, for which g++ 12 copies its table to the stack at every call.
 struct Packing {
     explicit Packing(MI chosen) {
         std::uint8_t bits[8];
@@ -87,14 +87,13 @@ struct Packing {
 };
 #endif
 
-// The chosen lanes to the front of `to`, which holds a whole vector. Not CompressStore: that is microcode on some
-// processors (Zen 4 and 5: over a hundred cycles).
+// Moves the chosen lanes to the front of `to`, which has room for a whole vector. Faster than CompressStore, which is
+// microcode on some processors (Zen 4 and 5: over a hundred cycles).
 HWY_INLINE void packLanes(VI v, const Packing& packing, std::int32_t* to) {
     hn::Store(packing(v), DI(), to);
 }
 
-// What became of the rays in the chosen lanes: the cell that the leaf is to decide, and, where the map repeats, its
-// place n; or an end.
+// Stores the candidate cells of the rays in the chosen lanes, which the leaf resolves, and under repeat their n.
 template <Address kAddress>
 HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI cellY, VI placeX, VI placeY) {
     HWY_ALIGN std::int32_t slot[kLanes], cells[2][kLanes], places[2][kLanes];
@@ -117,7 +116,7 @@ HWY_INLINE void noteCandidates(LaneRays& rays, MI chosen, VI slots, VI cellX, VI
         }
     }
 }
-// The candidates' periods, from their places n.
+// The candidates' periods, from their n.
 template <Address kAddress>
 void periodsOfHits(const FloatScene& scene, std::size_t count, LaneAxisRays& rays) {
     if constexpr (kAddress != Address::Repeat) return;
@@ -140,7 +139,7 @@ HWY_INLINE void noteEnd(LaneRays& rays, MI chosen, VI slots, LaneEnd end) {
 
 // -------------------------------------------------------------------------------------------------------- set-up
 
-// Where kHalfLanes rays enter, taken into the first period where the axis wraps.
+// Origins of kHalfLanes rays, reduced to the first period where the axis wraps.
 template <Address kAddress>
 HWY_INLINE VD reducedOrigins(const GridAxis& axis, const double* origins) {
     const DD d;
@@ -157,13 +156,13 @@ HWY_INLINE VD reducedOrigins(const GridAxis& axis, const double* origins) {
     return s;
 }
 
-// Whether lanes can take the ray; and under border, whether it surely left the map before the walk begins, though it
-// entered within.
+// fit: float can walk the ray. gone: under border the ray entered the map, and certainly left it before the walk
+// begins.
 struct Fitness {
     MD fit, gone;
 };
 
-// One axis of rays [i, i + kHalfLanes): places in double.
+// One axis of the rays [i, i + kHalfLanes): positions, in double.
 template <Address kAddress>
 HWY_INLINE Fitness setUpPlaces(const FloatScene& scene, const GridAxis& axis, const double* origins, const double* runs,
                                double begin, std::size_t i, LaneAxisRays& out) {
@@ -181,9 +180,9 @@ HWY_INLINE Fitness setUpPlaces(const FloatScene& scene, const GridAxis& axis, co
     const VD share = hn::IfThenElse(mirrored, hn::Sub(line, place), hn::Sub(place, line));
     const VD absRun = hn::Abs(run);
     MD good = hn::And(hn::Lt(hn::Abs(first), hn::Set(d, kFloatPlaces)), hn::Le(absRun, hn::Set(d, kFloatRun)));
-    // Too small for a float to keep its sign; RayAxis takes the smallest for parallel, whatever theirs.
+    // A smaller run would lose its sign in float. RayAxis treats the smallest runs as parallel.
     good = hn::And(good, hn::Or(hn::Ge(absRun, hn::Set(d, 1e-30)), hn::Eq(run, zero)));
-    // Hardly moving and next to a line: the walk could begin on the wrong side of it.
+    // A ray that hardly moves and begins next to a line could begin on the wrong side of it.
     if (begin > 0) {
         good = hn::AndNot(hn::And(hn::Lt(absRun, hn::Set(d, kLeastRun)), hn::Lt(share, hn::Set(d, kLeastRun))), good);
     }
@@ -197,9 +196,9 @@ HWY_INLINE Fitness setUpPlaces(const FloatScene& scene, const GridAxis& axis, co
     }
     MD gone = hn::MaskFromVec(zero);
     if constexpr (kAddress == Address::Border) {
-        // No margin is needed. begin == 0: the place is the start itself, so that `left` and inside(start) exclude each
-        // other. begin > 0: every hit is at least kStartSlack later, and by then a ray whose place was rounded over the
-        // rim has crossed it.
+        // No margin is needed. begin == 0: the position is the start itself, so `left` and inside(start) exclude each
+        // other. begin > 0: every hit is at least kStartSlack later, and by then a ray whose position was rounded
+        // beyond the rim has crossed it.
         const VD rimLow = hn::Set(d, axis.low), rimHigh = hn::Set(d, axis.high);
         const auto inside = [&](VD at) { return hn::And(hn::Gt(at, rimLow), hn::Lt(at, rimHigh)); };
         const MD left = hn::Or(hn::Lt(place, rimLow), hn::Gt(place, rimHigh));
@@ -219,7 +218,7 @@ HWY_INLINE Fitness setUpPlaces(const FloatScene& scene, const GridAxis& axis, co
     return {good, gone};
 }
 
-// Inverses and margins, in float. Returns the margin of one axis.
+// One axis of inverses and margins, in float. Returns the margin of its crossings.
 template <Address kAddress>
 HWY_INLINE VF setUpCrossings(VF start, std::size_t i, LaneAxisRays& out) {
     const DF d;
@@ -228,7 +227,7 @@ HWY_INLINE VF setUpCrossings(VF start, std::size_t i, LaneAxisRays& out) {
     const VF margin = hn::Mul(hn::Set(d, kCrossingMargin), hn::Add(inverse, hn::Set(d, 1.0F)));
     const VF share = hn::Load(d, out.base.data() + i);
     hn::Store(inverse, d, out.inverse.data() + i);
-    // From texels to lambda: off by less than the margin up to lambda 1.
+    // Converted from texels to lambda; up to lambda 1 the error is less than the margin.
     if constexpr (kAddress == Address::Border) {
         const VF rim = hn::Mul(hn::Load(d, out.rim.data() + i), inverse);
         hn::Store(hn::Min(rim, hn::Set(d, 1e30F)), d, out.rim.data() + i);
@@ -237,7 +236,7 @@ HWY_INLINE VF setUpCrossings(VF start, std::size_t i, LaneAxisRays& out) {
     return margin;
 }
 
-// Both axes of rays [i, i + kHalfLanes), and which of them lanes cannot take or need not.
+// Both axes of the rays [i, i + kHalfLanes), and the results of those that float cannot walk or need not.
 template <Address kAddress>
 HWY_INLINE void setUpRays(const FloatScene& scene, const double* s0, const double* t0, const double* a, const double* b,
                           double begin, std::size_t i, LaneRays& rays) {
@@ -251,7 +250,8 @@ HWY_INLINE void setUpRays(const FloatScene& scene, const double* s0, const doubl
     hn::StoreU(hn::DemoteTo(di, end), di, rays.end.data() + i);
 }
 
-// rays.count and rays.start are given. The arrays are filled up to whole vectors with rays that are not walked.
+// Sets up the rays.count rays, whose group starts are in rays.start. The arrays are padded to whole vectors with rays
+// that are not walked.
 template <Address kAddress>
 void setUpLanes(const FloatScene& scene, const double* s0, const double* t0, const double* a, const double* b,
                 LaneRays& rays) {
@@ -266,7 +266,7 @@ void setUpLanes(const FloatScene& scene, const double* s0, const double* t0, con
     setUp(s0, t0, a, b, 0, whole, rays);
     const std::size_t filled = hwy::RoundUpTo(count, kLanes);
     if (whole < filled) {
-        // The rest, from copies.
+        // The remainder is set up from padded copies.
         std::array<std::array<double, 2 * kLanes>, 4> rest{};
         const double* const columns[] = {s0, t0, a, b};
         for (std::size_t c = 0; c < rest.size(); ++c)

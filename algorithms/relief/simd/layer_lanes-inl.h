@@ -1,5 +1,5 @@
-// The search through layers, a ray a lane of double: the steps of LayersTracerOf::trace, with the same bits. Compiled
-// for each target.
+// SIMD version of LayersTracerOf::trace in double, one ray per lane: the same steps with the same bits. Compiled for
+// each target.
 
 #if defined(RELIEF_LAYER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_LAYER_LANES_INL_H
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// A layer that brackets the surface: to be halved.
+// The layer between `above` and `below`, which contains the hit and is to be halved.
 struct Bracket {
     std::size_t ray;
     ViewRay reduced;
@@ -31,7 +31,7 @@ struct LayerQueue : RayQueue<LayerSearch> {
     std::vector<Bracket> brackets;
 };
 
-// A vector of rays on their way through the layers.
+// A vector of rays in flight through the layers.
 template <class Visits>
 class LayerWalk : public VectorOfRays<LayerWalk<Visits>, LayerSearch> {
   public:
@@ -56,10 +56,10 @@ class LayerWalk : public VectorOfRays<LayerWalk<Visits>, LayerSearch> {
 
 template <class Visits>
 bool LayerWalk<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
-    constexpr double kFar = 0x1p40;  // texels: products of periods are whole numbers below 2^53
+    constexpr double kFar = 0x1p40;  // in texels: below this, products of periods are integers below 2^53
     const bool repeats = field_.address() == Address::Repeat;
     if (repeats && !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
-        queue_.left.push_back(number);
+        queue_.fallback.push_back(number);
         return false;
     }
     s0_[lane] = repeats ? reduceToPeriod(ray.s0, field_.width()) : ray.s0;
@@ -113,7 +113,7 @@ void LayerWalk<Visits>::finish(std::size_t lane, bool inside) {
     queue_.hits.set(i, Hit::at(queue_.rays[i], lambda));
 }
 
-// All brackets take as many halvings.
+// Halves all brackets, each the same number of times, and sets the hits.
 inline void bisect(LayerQueue& queue) {
     const SurfaceLanes surface(queue.search.field);
     Row<double> s0{}, t0{}, a{}, b{}, from{}, to{};

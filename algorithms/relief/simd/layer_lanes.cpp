@@ -13,7 +13,7 @@ namespace relief::HWY_NAMESPACE {
 void searchLayers(const LayerSearch& search, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
                   std::vector<std::size_t>& left) {
     LayerQueue queue{{search, rays, hits, first, last, left}, {}};
-    goInTurn<LayerWalk<NoVisits>>(queue);
+    runAlternating<LayerWalk<NoVisits>>(queue);
     if (search.refinement == LayerRefinement::Bisection) bisect(queue);
 }
 
@@ -25,8 +25,8 @@ namespace relief {
 
 HWY_EXPORT(searchLayers);
 
-std::vector<std::size_t> layersInLanes(const LayerSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits) {
+std::vector<std::size_t> layersSimd(const LayerSearch& search, const RayBlock& rays, std::size_t first,
+                                    std::size_t last, HitBlock& hits) {
     std::vector<std::size_t> left;
     HWY_DYNAMIC_DISPATCH(searchLayers)(search, rays, first, last, hits, left);
     return left;

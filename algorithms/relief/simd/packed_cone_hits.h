@@ -1,5 +1,5 @@
-// The hits of any exact method by packed cones in lanes: what a frame traces with when nobody asks for steps. All exact
-// methods give the same bits, so whichever was chosen, the picture is its own.
+// The hits of any exact method, traced by the SIMD walk through packed cones. A frame uses it when no step log is
+// needed. All exact methods return the same bits, so the picture does not depend on the method that is chosen.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,16 @@ namespace relief {
 class PackedConeHits {
   public:
     static constexpr const char* kMethod = "cone";  // whose walk it is
-    // Above this many texels four words a texel are not worth their memory.
+    // Number of texels above which the memory of four entries per texel does not pay.
     static constexpr std::size_t kMostTexels = std::size_t{1} << 22;
-    // Rays after which the cones have paid for being built, a texel: some 0.1 us a texel against some 0.03 us a ray.
+    // Number of rays per texel after which building the cones has paid: about 0.1 us per texel for building, about 0.03
+    // us saved per ray.
     static constexpr std::size_t kRaysPerTexel = 3;
 
     PackedConeHits(const HeightField& field, std::shared_ptr<const PackedCones> cones);
 
-    // As Tracer::trace() of `method`, which is exact and of the same field; it traces rays that are flatter than
-    // the domain of exactness.
+    // As Tracer::trace() of `method`, which must be exact and of the same field. Rays flatter than the domain of
+    // exactness are traced by `method` itself.
     void trace(const RayBlock& rays, HitBlock& hits, const Tracer& method, Work& work) const;
 
     const PackedCones& cones() const { return *cones_; }

@@ -1,4 +1,4 @@
-// Rays of a block that the SIMD walk cannot finish, by the walk in double (packed_walk.h), many together.
+// Traces rays of a block that the SIMD walk cannot finish by the walk in double (packed_walk.h), many at a time.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-// A part of a ray's way. Ended: with that hit or none, which a step that began before `until` has found. Else it is in
-// that cell, no earlier than at `until`.
+// A part of a ray, from lambda `from` on. If `ended`, a step that began before `until` ended the walk with `hit`.
+// Otherwise the ray is in the cell (x, y), at a lambda no earlier than `until`.
 struct PackedPart {
-    std::size_t ray;  // number in the block
-    double from;      // lambda before which it meets nothing
+    std::size_t ray;  // index in the block
+    double from;      // lambda before which the ray does not meet the surface
     double until;
     bool ended = false;
     Hit hit{};
@@ -19,14 +19,14 @@ struct PackedPart {
 };
 
 struct PackedStart {
-    std::size_t ray;  // number in the block
-    double from;      // lambda before which it meets nothing
+    std::size_t ray;  // index in the block
+    double from;      // lambda before which the ray does not meet the surface
 };
 
-// The hits of some rays of the block, into their places.
+// Traces some rays of the block to their ends and sets their hits.
 void packedHits(const ConeGround& ground, const RayBlock& rays, const std::vector<PackedStart>& starts, HitBlock& hits);
 
-// The same for parts, of rays that enter the map.
+// The same for parts; their rays must enter the map.
 void packedParts(const ConeGround& ground, const RayBlock& rays, std::vector<PackedPart>& parts);
 
 }  // namespace relief

@@ -1,4 +1,5 @@
-// The walk down and up the pyramid of depths, one ray per lane. Reference: DepthWalk::trace. Compiled for each target.
+// SIMD version of the walk down and up the pyramid of depths, one ray per lane. Reference: DepthWalk::trace. Compiled
+// for each target.
 
 #if defined(RELIEF_PYRAMID_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_PYRAMID_LANES_INL_H
@@ -10,12 +11,12 @@
 #include <algorithm>
 
 #include "relief/methods/depth_walk.h"
-#include "relief/simd/lane_settle-inl.h"
+#include "relief/simd/candidates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Vectors of rays in flight together.
+// Number of vectors of rays that are in flight together.
 inline constexpr std::size_t kVectors = 2;
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
@@ -55,7 +56,7 @@ class PyramidKernel {
 
   private:
     struct Axis : LaneAxisState {
-        VI k;       // node of the level
+        VI k;       // node on the current level
         VI mirror;  // scene.mirror - 1 where mirrored, else 0
         VF rim;
     };
@@ -70,7 +71,7 @@ class PyramidKernel {
         MI last;
     };
 
-    // New rays for idle lanes.
+    // Loads new rays into idle lanes.
     HWY_INLINE void refill(State& state) {
         const MF active = hn::Or(state.walking, state.atLeaf);
         const std::size_t idle = kLanes - hn::CountTrue(df_, active);
@@ -104,7 +105,7 @@ class PyramidKernel {
         state.walking = hn::Or(state.walking, isNewF);
     }
 
-    // startLevel(): the width of a whole number in bits is the exponent of its float, and 1.
+    // startLevel(): the bit width of an integer is the exponent of its float, plus 1.
     HWY_INLINE VI startLevels(VF run) const {
         const VI exponent = hn::ShiftRight<23>(hn::BitCast(di_, run));
         const VI level = hn::Sub(exponent, hn::Set(di_, 126 + kStartBelow));
@@ -129,7 +130,7 @@ class PyramidKernel {
         out.mirror = hn::IfThenElseZero(asInt(out.mirrored), hn::Set(di_, scene_.mirror - 1));
     }
 
-    // Where the axis' cells begin and end, in mirrored indices.
+    // First cell of the axis, in mirrored indices.
     HWY_INLINE VI low(const GridAxis& axis, const Axis& ray) const {
         return hn::IfThenElseZero(hn::Ne(ray.mirror, hn::Zero(di_)), hn::Set(di_, scene_.mirror - axis.cells));
     }
@@ -175,7 +176,7 @@ class PyramidKernel {
     HWY_INLINE void step(State& state) {
         const VI zero = hn::Zero(di_), one = hn::Set(di_, 1);
         const VF oneF = hn::Set(df_, 1.0F);
-        // Leaves together, when enough wait or nobody else walks.
+        // Leaf tests are made together, when enough lanes wait or no other lane walks.
         const std::size_t waiting = hn::CountTrue(df_, state.atLeaf);
         if (waiting >= kLeaves || (waiting > 0 && hn::AllFalse(df_, state.walking))) {
             leaves(state);
@@ -198,9 +199,9 @@ class PyramidKernel {
         const MI descend = asInt(hn::AndNot(asFloat(bottom), stop));
         if (!hn::AllFalse(di_, descend)) {
             const VI below = hn::Sub(state.level, one);
-            const VF surely = hn::Sub(state.lambda, state.tie);
-            toChild(scene_.grid.x, state.x, descend, below, surely);
-            toChild(scene_.grid.y, state.y, descend, below, surely);
+            const VF certain = hn::Sub(state.lambda, state.tie);
+            toChild(scene_.grid.x, state.x, descend, below, certain);
+            toChild(scene_.grid.y, state.y, descend, below, certain);
             state.level = hn::IfThenElse(descend, below, state.level);
         }
         if constexpr (kSurface == Surface::Columns) {
@@ -214,20 +215,20 @@ class PyramidKernel {
         refill(state);
     }
 
-    HWY_INLINE void toChild(const GridAxis& axis, Axis& ray, MI descend, VI below, VF surely) const {
+    HWY_INLINE void toChild(const GridAxis& axis, Axis& ray, MI descend, VI below, VF certain) const {
         const VI first = hn::Add(ray.k, ray.k);
         const VI middle = hn::Shl(hn::Add(first, hn::Set(di_, 1)), below);
         const VI lowest = low(axis, ray);
-        // The line through the start, and those before it, are behind, however slowly the ray moves.
+        // The line through the start and those before it are behind the ray, however slowly it moves.
         const MI behind = hn::Not(hn::Gt(hn::Add(middle, ray.offset), hn::Zero(di_)));
-        const MI far = hn::Or(behind, asInt(hn::Ge(surely, lambdaAt(ray, middle))));
+        const MI far = hn::Or(behind, asInt(hn::Ge(certain, lambdaAt(ray, middle))));
         const MI exists = hn::Lt(middle, hn::Add(lowest, hn::Set(di_, axis.cells)));
         const MI only = hn::Not(hn::Gt(middle, lowest));
         const MI upper = hn::And(hn::Or(far, only), exists);
         ray.k = hn::IfThenElse(descend, hn::Sub(first, hn::VecFromMask(di_, upper)), ray.k);
     }
 
-    // To the neighbour, and up where that is another parent's child.
+    // Moves to the neighbour, and one level up if that has another parent.
     HWY_INLINE void moveOn(State& state, MF who, const Crossing& cx, const Crossing& cy, VF out) {
         MF moveX = hn::And(who, hn::Le(cx.lambda, cy.lambda));
         MF moveY = hn::And(who, hn::Le(cy.lambda, cx.lambda));
@@ -240,7 +241,8 @@ class PyramidKernel {
         }
         const MF near = hn::And(who, hn::Lt(hn::Abs(hn::Sub(cx.lambda, cy.lambda)), state.tie));
         if (HWY_UNLIKELY(!hn::AllFalse(df_, near))) {
-            // Too near a corner to tell which neighbour comes first: both must be skipped, then it does not matter.
+            // The ray passes too close to a corner to decide which neighbour comes first. If both can be skipped, the
+            // order does not matter.
             const MF clear = hn::And(
                 cornerWithinCells(state.tie, state.x.inverse, state.y.inverse),
                 hn::And(sideClear(state, asInt(near), true, cx, out), sideClear(state, asInt(near), false, cy, out)));
@@ -276,7 +278,7 @@ class PyramidKernel {
         }
     }
 
-    // One node on; returns where the map or its period was left.
+    // Moves to the next node. Returns the lanes that left the map or its period.
     HWY_INLINE MI advance(const GridAxis& axis, Axis& ray, MI move, const Crossing& crossing, VI level) const {
         const MI left = hn::And(move, crossing.last);
         VI next = hn::Add(ray.k, hn::Set(di_, 1));
@@ -288,7 +290,7 @@ class PyramidKernel {
         return left;
     }
 
-    // Which rays surely stay above the neighbouring node along one axis until they have passed the corner.
+    // Returns the rays that are certainly above the neighbouring node along one axis until they have passed the corner.
     HWY_INLINE MF sideClear(const State& state, MI who, bool alongX, const Crossing& crossing, VF out) const {
         Axis x = state.x, y = state.y;
         const MI left = alongX ? advance(scene_.grid.x, x, who, crossing, state.level)
@@ -303,7 +305,7 @@ class PyramidKernel {
         return clear;
     }
 
-    // Cells whose maximum the ray goes below: is the surface itself below it?
+    // Leaf tests: whether the surface is certainly below the ray in a cell whose maximum is not.
     HWY_INLINE void leaves(State& state) {
         const MF who = state.atLeaf;
         const MI whoI = asInt(who);
@@ -311,7 +313,7 @@ class PyramidKernel {
         const Crossing cx = crossing(scene_.grid.x, state.x, state.level);
         const Crossing cy = crossing(scene_.grid.y, state.y, state.level);
         const VF out = hn::Min(hn::Min(cx.lambda, cy.lambda), hn::Set(df_, 1.0F));
-        // Lanes elsewhere are on other levels: their k is no cell.
+        // Other lanes are on other levels, where k is not a cell.
         const VI cellX = hn::IfThenElseZero(whoI, hn::Xor(state.x.k, state.x.mirror));
         const VI cellY = hn::IfThenElseZero(whoI, hn::Xor(state.y.k, state.y.mirror));
         const VF nx = hn::ConvertTo(df_, hn::Add(state.x.k, state.x.offset));
@@ -336,7 +338,7 @@ class PyramidKernel {
 
     HWY_INLINE void finish(const State& state, MF who, LaneEnd end) { noteEnd(rays_, asInt(who), state.slot, end); }
 
-    // Idle lanes before new rays are taken in, waiting ones before leaves are looked at.
+    // Number of idle lanes at which new rays are loaded, and of waiting lanes at which leaf tests are made.
     static constexpr std::size_t kRefill = std::max<std::size_t>(1, kLanes / 4);
     static constexpr std::size_t kLeaves = std::max<std::size_t>(1, kLanes / 2);
 
@@ -360,10 +362,10 @@ void tracePyramidIn(const FloatScene& scene, const DepthPyramid& pyramid, const 
     PyramidKernel<kAddress, kSurface, Arithmetic>(scene, pyramid, scratch).run();
     periodsOfHits<kAddress>(scene, scratch.count, scratch.x);
     periodsOfHits<kAddress>(scene, scratch.count, scratch.y);
-    settleLanes<kAddress, kSurface>(scene, given, scratch, hits, first);
+    resolveCandidates<kAddress, kSurface>(scene, given, scratch, hits, first);
 }
 
-// Of the scene's surface and addressing.
+// Traces the chunk with the kernel of the scene's surface type and addressing.
 template <class Arithmetic = FastArithmetic>
 void tracePyramidOn(const FloatScene& scene, const DepthPyramid& pyramid, const RayBlock& rays, std::size_t first,
                     HitBlock& hits, LaneRays& scratch) {

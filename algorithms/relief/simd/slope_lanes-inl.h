@@ -1,4 +1,4 @@
-// HeightField::slope of bilinear surfaces in lanes of double, the same bits. Compiled for each target.
+// SIMD version of HeightField::slope for bilinear surfaces in double, with the same bits. Compiled for each target.
 
 #if defined(RELIEF_SLOPE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_SLOPE_LANES_INL_H
@@ -31,7 +31,7 @@ HWY_INLINE V set(double x) {
     return hn::Set(D(), x);
 }
 
-// As many columns as lanes, or the `count` there are: beyond them zeros, which go nowhere.
+// Loads a vector, or its first `count` values, padded with zeros that are not stored again.
 HWY_INLINE V load(const double* from, std::size_t count) {
     if (HWY_LIKELY(count >= kLanes)) return hn::LoadU(D(), from);
     HWY_ALIGN double some[kLanes] = {};
@@ -45,10 +45,10 @@ HWY_INLINE void store(V value, double* to, std::size_t count) {
     std::copy_n(some, count, to);
 }
 
-// The two nodes around a place along an axis, and the second one's share.
+// The two nodes around a position on an axis, and the fraction of the way to the second one.
 struct Nodes {
     VI first, second;
-    VI cell;  // as PackedCones has them
+    VI cell;  // numbered as in PackedCones
     V share;
 };
 HWY_INLINE Nodes nodesAt(V place, std::int32_t size, bool repeat) {
@@ -59,7 +59,7 @@ HWY_INLINE Nodes nodesAt(V place, std::int32_t size, bool repeat) {
     if (!repeat) {
         at = hn::Min(hn::Max(at, set(-1)), hn::Add(whole, set(1)));
     } else if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Lt(hn::Abs(at), whole)))) {
-        // Other periods: the remainder itself, which is exact.
+        // In other periods fmod() gives the remainder, which is exact.
         HWY_ALIGN double some[kLanes];
         hn::Store(at, d, some);
         for (double& x : some) x = std::fmod(x, size);
@@ -68,7 +68,7 @@ HWY_INLINE Nodes nodesAt(V place, std::int32_t size, bool repeat) {
     const V low = hn::Floor(at);
     Nodes nodes;
     nodes.share = hn::Sub(at, low);
-    // What is no number goes to some node.
+    // NaN is mapped to a valid node.
     VI i = hn::DemoteTo(di, hn::Min(hn::Max(low, hn::Neg(whole)), whole));
     const VI last = hn::Set(di, size - 1), sizes = hn::Set(di, size), none = hn::Zero(di);
     if (repeat) i = hn::IfThenElse(hn::Lt(i, none), hn::Add(i, sizes), i);
@@ -82,7 +82,7 @@ HWY_INLINE Nodes nodesAt(V place, std::int32_t size, bool repeat) {
 struct Slope {
     V s, t;
 };
-// From the heights of a cell's nodes.
+// The slope within a cell, from the heights of its nodes.
 HWY_INLINE Slope slopeOf(V h00, V h10, V h01, V h11, const Nodes& x, const Nodes& y) {
     const auto mixed = [&](V first, V second, V share)
                            HWY_ATTR { return hn::Add(hn::Mul(hn::Sub(set(1), share), first), hn::Mul(share, second)); };
@@ -101,7 +101,7 @@ HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
     const V h01 = height(x.first, y.second), h11 = height(x.second, y.second);
     return slopeOf(h00, h10, h01, h11, x, y);
 }
-// The same heights, a cell's in one place: one load a lane instead of four.
+// The same heights, stored together for each cell: one load per lane instead of four.
 HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
     const D d;
     const hn::Rebind<float, D> df;
@@ -113,7 +113,8 @@ HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
     const auto wide = [&](hn::Vec<decltype(df)> v) HWY_ATTR { return hn::PromoteTo(d, v); };
     return slopeOf(wide(h[0]), wide(h[2]), wide(h[1]), wide(h[3]), x, y);
 }
-// body(slopeAt), one loop for each kind of scene: a branch in the loop costs more than what is behind it.
+// Calls body(slopeAt). Each kind of scene has a loop of its own, because a branch in the loop would cost more than the
+// code it selects.
 template <class Body>
 HWY_INLINE void withSlopes(const SlopeScene& scene, const Body& body) {
     if (scene.nodes != nullptr) {

@@ -1,4 +1,4 @@
-// HeightField::at in lanes of double, the same bits. Compiled for each target.
+// SIMD version of HeightField::at in double, with the same bits. Compiled for each target.
 
 #if defined(RELIEF_SURFACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_SURFACE_LANES_INL_H
@@ -39,7 +39,8 @@ class SurfaceLanes {
     }
 
   private:
-    // Repeat: std::fmod, whose remainder is exact; one product too many or too few is set right. Else into [-1, n + 1].
+    // Repeat: std::fmod, whose remainder is exact; a quotient that is off by one is corrected. Otherwise clamps to [-1,
+    // n + 1].
     HWY_INLINE V reduced(V x, double size) const {
         const V n = constant(size), zero = hn::Zero(D());
         if (!repeats_) return hn::Min(hn::Max(x, constant(-1)), constant(size + 1));

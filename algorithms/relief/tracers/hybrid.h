@@ -1,13 +1,13 @@
-// hybrid: one middle level of the max pyramid marks the segments of the ray worth testing; another method works inside
-// them. [MIP18], last paragraph.
+// hybrid: one middle level of the max pyramid marks the segments of the ray that are worth testing; another method
+// traces within them. [MIP18], last paragraph.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing; any ray that descends.
 // Model: the ray is advanced to the highest point, then walks the texels of that one level. A texel whose maximum is
-// below the ray all along its stay is skipped; in the others the inner method starts at, and tests, the point of entry,
-// and works to the exit.
-// Guarantee: that of the inner method (the paper means those with a guaranteed-free step: distances, cones). Failure
-// mode: that of the inner method, within segments. Cost: a maximum a texel, and the inner method's. Mostly more
-// steps than the inner method alone: its own steps skip as far, and a segment's border ends them
+// below the ray over its whole interval is skipped. In the others the inner method starts at the point of entry, which
+// it tests, and continues to the exit.
+// Guarantee: that of the inner method (the paper means methods with a guaranteed-free step: distances, cones). Failure
+// mode: that of the inner method, within segments. Cost: one maximum per texel, and that of the inner method. It mostly
+// takes more steps than the inner method alone, whose own steps skip as far and are cut at the segments' borders
 // (tests/benchmarks/RESULTS.md).
 #pragma once
 
@@ -63,7 +63,8 @@ class HybridTracer {
 
     const HeightField& field() const { return walk_.field(); }
     std::size_t bytes() const { return walk_.bytes() + inner_->bytes(); }
-    // A descent, an ascent or a skip a texel; what the inner method takes for the whole ray, and more for each segment.
+    // A descent, an ascent or a skip per texel; the inner method's steps for the whole ray, and its additional ones for
+    // each segment.
     double stepBound(const ViewRay& ray) const {
         const double texels = walk_.gridRay(ray).cellBound();
         return 4 + texels * (2 + inner_->segmentRecords()) + inner_->stepBound(ray);
@@ -72,8 +73,9 @@ class HybridTracer {
     const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
-    // What a texel left to the inner method counts of a ray's cellBound(). Beyond the domain as many cells as a line
-    // can cross in it: there the bound is one of work, and the inner method's is counted, too.
+    // How much a texel that the inner method traces subtracts from the ray's cellBound(). Within the domain of
+    // exactness 1; beyond it, where the bound limits the work, as many cells as a line can cross in the texel, since
+    // the inner method's work counts as well.
     double segmentCost(const GridRay& ray) const {
         if (ray.inDomain()) return 1;
         const double side = std::ldexp(1.0, level_);

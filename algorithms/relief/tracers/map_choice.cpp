@@ -21,7 +21,7 @@ namespace {
 using MapTracers = std::tuple<DistanceTracer, DistanceConservativeTracer, DistanceRefinedSampledTracer,
                               DistanceRefinedTracer, ConeTracer, ConeDummerTracer, RelaxedConeTracer>;
 
-// Each parameter as the option's text, and what it is where the kind does not use it.
+// A map parameter as an option's text, and its text in maps of kinds that do not use it.
 struct ParameterText {
     std::string name;
     std::string text;
@@ -44,7 +44,7 @@ std::vector<ParameterText> parameterTexts(const DistanceMap& map) {
 std::vector<ParameterText> parameterTexts(const ConeMap& map) {
     const ConeParameters& p = map.parameters;
     const ConeParameters unused;
-    // The packed layout is no file.
+    // Maps of the packed layout are not stored in files.
     return {{std::string(kLayoutOption), std::string(kStoredLayout), std::string(kStoredLayout)},
             {"sectors", std::to_string(p.sectors), std::to_string(unused.sectors)},
             {"radius", std::to_string(p.radius), std::to_string(unused.radius)},
@@ -56,19 +56,20 @@ std::vector<ParameterText> parameterTexts(const StoredMap& map) {
     return std::visit([](const auto& m) { return parameterTexts(*m); }, map);
 }
 
-bool contains(const std::vector<std::string>& all, const std::string& wanted) {
-    return std::find(all.begin(), all.end(), wanted) != all.end();
+bool contains(const std::vector<std::string>& all, const std::string& name) {
+    return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-// The method, or the one inside it, that walks such maps: the prefix of its options.
-std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& wanted) {
+// The option prefix of the method that walks such maps: empty for the method itself, kInnerPrefix for the one inside
+// it; std::nullopt if neither does. Adds the kinds that they walk to `accepted`.
+std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& accepted) {
     const MethodDescription& method = findTracer(choice.name);
     if (contains(method.maps, kind) || contains(method.otherMaps, kind)) return "";
     for (const auto* const maps : {&method.maps, &method.otherMaps}) {
-        for (const std::string& map : *maps) wanted += (wanted.empty() ? "" : ", ") + map;
+        for (const std::string& map : *maps) accepted += (accepted.empty() ? "" : ", ") + map;
     }
     if (const auto inner = innerMethod(choice)) {
-        if (const auto prefix = prefixOfWalker(*inner, kind, wanted)) return std::string(kInnerPrefix) + *prefix;
+        if (const auto prefix = prefixOfWalker(*inner, kind, accepted)) return std::string(kInnerPrefix) + *prefix;
     }
     return std::nullopt;
 }
@@ -163,7 +164,7 @@ StoredMap buildMap(const std::string& kind, const OptionValues& options, const H
 
 namespace {
 
-// Whether the parameters are ones that the map's tracer can ask for.
+// Returns true if the map's tracer has options that build a map with these parameters.
 bool buildable(const StoredMap& map) {
     const MethodDescription& method = findTracer(methodOfMap(mapKindName(map)));
     for (const ParameterText& parameter : parameterTexts(map)) {
@@ -191,11 +192,11 @@ StoredMap loadMap(const std::string& path, const HeightField& field, std::size_t
 MethodChoice useMap(const std::string& path, const StoredMap& map, const MethodChoice& choice, const HeightField& field,
                     MapCache& cache) {
     const std::string kind = mapKindName(map);
-    std::string wanted;
-    const auto prefix = prefixOfWalker(choice, kind, wanted);
+    std::string accepted;
+    const auto prefix = prefixOfWalker(choice, kind, accepted);
     if (!prefix) {
-        const MessageId why = wanted.empty() ? MessageId::MapForNoWalker : MessageId::MapNotForMethod;
-        throw InputError(path, Message(why, {{"method", choice.name}, {"wanted", wanted}, {"given", kind}}));
+        const MessageId why = accepted.empty() ? MessageId::MapForNoWalker : MessageId::MapNotForMethod;
+        throw InputError(path, Message(why, {{"method", choice.name}, {"wanted", accepted}, {"given", kind}}));
     }
     MethodChoice chosen = choice;
     const std::string mapOption = *prefix + std::string(kMapOption);

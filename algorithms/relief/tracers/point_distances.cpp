@@ -25,17 +25,17 @@ PointDistances distancesAt(const HeightField& field, double s, double t, double 
         sampledDirections(kPointDirections, slab, slab / std::tan(flattest * std::numbers::pi / 180));
     directions.push_back({0, 0, slab});
     RayBlock rays;
-    for (const SampledDirection& way : directions) {
-        rays.push({s - lambda * way.a, t - lambda * way.b, way.a, way.b});
+    for (const SampledDirection& direction : directions) {
+        rays.push({s - lambda * direction.a, t - lambda * direction.b, direction.a, direction.b});
     }
     HitBlock hits;
     NullSink sink;
     makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, sink, work);
     out.rays = static_cast<int>(rays.size());
     out.refined = (z + 1) * slab;
-    // Texels along the direction towards the nearest point.
-    const auto towardsNearest = [&](const SampledDirection& way) {
-        return (way.a * (out.s - s) + way.b * (out.t - t) + slab * slab * (z - out.z)) / way.length;
+    // Component of a ray's direction towards the nearest point, in texels.
+    const auto towardsNearest = [&](const SampledDirection& direction) {
+        return (direction.a * (out.s - s) + direction.b * (out.t - t) + slab * slab * (z - out.z)) / direction.length;
     };
     double closest = -std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < directions.size(); ++d) {

@@ -8,24 +8,25 @@
 
 namespace relief {
 
-// Which distance holds at one point of the slab: the Euclidean one, and the refined one of [DIST17], figs. 5 to 8, by
-// kPointDirections rays and the vertical one.
+// The Euclidean and the refined distance of [DIST17], figs. 5 to 8, at one point of the slab. The refined one is
+// computed with kPointDirections rays and the vertical one.
 struct PointDistances {
-    double euclidean = 0;  // texels, to (s, t, z) of the surface
+    double euclidean = 0;  // in texels, to the point (s, t, z) of the surface
     double s = 0, t = 0, z = 0;
-    double refined = 0;    // along `ray`, from the point to its first hit; as in maps where no ray arrives
-    bool reached = false;  // by any ray from above
+    // in texels along `ray`, from the point to the ray's first hit; if no ray arrives, the value that maps store then
+    double refined = 0;
+    bool reached = false;  // true if any ray from above reaches the point
     ViewRay ray;
     Hit hit;
     int rays = 0;
-    int blocked = 0;  // that hit something before the point
-    // Of those the one that runs closest to the direction of (s, t, z), and where it hits; only if `blocked`.
+    int blocked = 0;  // rays that hit the surface before the point
+    // The blocked ray that is closest to the direction of (s, t, z), and its hit; only if `blocked` > 0.
     ViewRay blockedRay;
     Hit blockedHit;
 };
 inline constexpr int kPointDirections = 16384;
-// flattest: degrees below which rays are not served. The point lies in the slab, over the picture; at or below the
-// surface both distances are 0. Throws Cancelled.
+// Computes both distances at (s, t, z), a point in the slab over the picture; at or below the surface both are 0.
+// flattest: degrees from the plane below which rays are not considered. Throws Cancelled.
 PointDistances distancesAt(const HeightField& field, double s, double t, double z, double flattest, MapCache& cache,
                            Work& work);
 

@@ -1,11 +1,11 @@
-// The explicit list of methods: one line each. A method is a type with
-//   describe(), Options with fields(), make(field, options, maps, work),
-//   trace(ray, sink), field(), bytes() of its maps, stepBound(ray);
-// and what it has besides, which tracers.cpp asks for: traceSegment() with segmentRecords(), to work inside `hybrid`;
-// traceLanes(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps; guarantee(),
+// The explicit list of methods, one per line. A method is a type with
+//     describe(), Options with fields(), make(field, options, maps, work),
+//     trace(ray, sink), field(), bytes() of its maps, stepBound(ray);
+// and optional members, which tracers.cpp detects: traceSegment() with segmentRecords(), to work inside `hybrid`;
+// traceSimd(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps; guarantee(),
 // mesh(), pyramidWalk().
-// trace() gives Miss for a ray that is not finite, and otherwise only under border; its log ends with the decision that
-// is the outcome, within stepBound(ray) records, and all its numbers are finite.
+// trace() returns Miss for a ray that is not finite, and otherwise only under border. Its log ends with the decision
+// that is the outcome, has at most stepBound(ray) records, and all its numbers are finite.
 #pragma once
 
 #include <tuple>

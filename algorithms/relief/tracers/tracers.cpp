@@ -12,7 +12,7 @@ namespace relief {
 
 namespace {
 
-// Methods that work inside segments have traceSegment.
+// Methods that can trace within segments.
 template <class T>
 concept SegmentTracer = requires(const T& tracer, NullSink& sink) {
     tracer.traceSegment(ViewRay{}, Segment{}, sink);
@@ -24,10 +24,10 @@ concept PyramidTracer = requires(const T& tracer) {
 
 template <class T>
 concept SimdTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& hits) {
-    tracer.traceLanes(rays, std::size_t{}, std::size_t{}, hits);
+    tracer.traceSimd(rays, std::size_t{}, std::size_t{}, hits);
 };
 
-// The form with these options, if the caller leaves the choice to the method.
+// The form that runs with these options if the caller leaves the choice to the method.
 template <class T>
 Form formWith(const typename T::Options& options) {
     if constexpr (!SimdTracer<T>) return Form::Scalar;
@@ -39,7 +39,7 @@ template <class T>
 class TracerOf final : public Tracer {
   public:
     TracerOf(T tracer, Form form) : tracer_(std::move(tracer)), form_(form) {
-        // Maps of the SIMD version may be missing: a map from a file, or a picture too large for them.
+        // The SIMD version's map may be missing: for a map from a file, or a picture too large for it.
         if constexpr (requires { tracer_.hasSimdMap(); }) {
             if (!tracer_.hasSimdMap()) form_ = Form::Scalar;
         }
@@ -86,7 +86,7 @@ class TracerOf final : public Tracer {
         hits.resize(rays.size());
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
             if constexpr (SimdTracer<T>) {
-                if (form_ == Form::Simd) return tracer_.traceLanes(rays, first, last, hits);
+                if (form_ == Form::Simd) return tracer_.traceSimd(rays, first, last, hits);
             }
             NullSink sink;
             for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
@@ -163,11 +163,9 @@ std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice) {
 
 bool supports(const MethodChoice& choice, Surface surface, Address address) {
     const MethodDescription& method = findTracer(choice.name);
-    const auto has = [](const auto& all, auto wanted) {
-        return std::find(all.begin(), all.end(), wanted) != all.end();
-    };
+    const auto has = [](const auto& all, auto value) { return std::find(all.begin(), all.end(), value) != all.end(); };
     if (!has(method.surfaces, surface) || !has(method.addresses, address)) return false;
-    // Another map serves where the tracer that it is made for does.
+    // With another map the method serves the addressing modes of the tracer that the map is made for.
     const auto map = choice.options.find(std::string(kMapOption));
     if (map != choice.options.end() && has(method.otherMaps, map->second)) {
         for (const MethodDescription& other : tracerList()) {

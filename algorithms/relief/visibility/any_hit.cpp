@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-// The explicit list: one line a query.
+// The explicit list of queries, one per line.
 using QueryTypes = std::tuple<MaxPyramidAnyHit, PackedConeAnyHit>;
 
 template <class T>
@@ -25,28 +25,28 @@ class QueryOf final : public AnyHitQuery {
     const HeightField& field() const override { return query_.field(); }
     double stepBound(const AnyRay& ray) const override { return query_.stepBound(ray); }
 
-    void look(const AnyRayBlock& rays, SightBlock& sights, NullSink&, Work& work) const override {
-        sights.resize(rays.size());
+    void query(const AnyRayBlock& rays, VisibilityBlock& results, NullSink&, Work& work) const override {
+        results.resize(rays.size());
         overBlock(rays.size(), work, [&](std::size_t first, std::size_t last) {
-            if constexpr (requires { query_.lookLanes(rays, first, last, sights); }) {
-                query_.lookLanes(rays, first, last, sights);
+            if constexpr (requires { query_.querySimd(rays, first, last, results); }) {
+                query_.querySimd(rays, first, last, results);
             } else {
                 NullSink sink;
-                for (std::size_t i = first; i < last; ++i) sights.sight[i] = query_.look(rays[i], sink);
+                for (std::size_t i = first; i < last; ++i) results.visibility[i] = query_.query(rays[i], sink);
             }
         });
     }
 
-    void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& counts, Work& work) const override {
-        sights.resize(rays.size());
-        countBlock(rays.size(), sights, counts, work,
-                   [&](std::size_t i, CountSink& sink) { sights.sight[i] = query_.look(rays[i], sink); });
+    void query(const AnyRayBlock& rays, VisibilityBlock& results, BlockCounts& counts, Work& work) const override {
+        results.resize(rays.size());
+        countBlock(rays.size(), results, counts, work,
+                   [&](std::size_t i, CountSink& sink) { results.visibility[i] = query_.query(rays[i], sink); });
     }
 
-    void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& log, Work& work) const override {
-        sights.resize(rays.size());
-        logBlock(rays.size(), sights, log, work,
-                 [&](std::size_t i, LogSink& sink) { sights.sight[i] = query_.look(rays[i], sink); });
+    void query(const AnyRayBlock& rays, VisibilityBlock& results, StepLog& log, Work& work) const override {
+        results.resize(rays.size());
+        logBlock(rays.size(), results, log, work,
+                 [&](std::size_t i, LogSink& sink) { results.visibility[i] = query_.query(rays[i], sink); });
     }
 
   private:
@@ -64,8 +64,8 @@ const std::vector<MethodDescription>& anyHitList() {
     return list;
 }
 
-MethodChoice sightChoice(const HeightField& field) {
-    const bool packed = field.heights().size() <= kPackedSight;
+MethodChoice visibilityChoice(const HeightField& field) {
+    const bool packed = field.heights().size() <= kMaxPackedTexels;
     return {packed ? descriptionOf<PackedConeAnyHit>().name : descriptionOf<MaxPyramidAnyHit>().name, {}};
 }
 

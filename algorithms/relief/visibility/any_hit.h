@@ -1,4 +1,5 @@
-// All any-hit queries behind one face: is anything in the way of these segments? For shadows and back-tracing.
+// The common interface of all any-hit queries: does the surface block these segments? Used for shadows and for tracing
+// footprints back to the viewer.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,7 @@
 
 namespace relief {
 
-// A query made ready for one height field: immutable, shared by threads.
+// A query prepared for one height field. Immutable; may be shared by threads.
 class AnyHitQuery {
   public:
     virtual ~AnyHitQuery() = default;
@@ -21,25 +22,26 @@ class AnyHitQuery {
 
     virtual const MethodDescription& description() const = 0;
     virtual const HeightField& field() const = 0;
-    // Decision records that this segment takes at most.
+    // Upper bound of the number of decision records for this segment.
     virtual double stepBound(const AnyRay& ray) const = 0;
 
-    // sights is resized; the same answers whatever the sink and the number of threads. Throws Cancelled.
-    virtual void look(const AnyRayBlock& rays, SightBlock& sights, NullSink& sink, Work& work) const = 0;
-    virtual void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& sink, Work& work) const = 0;
-    virtual void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& sink, Work& work) const = 0;
+    // Sets results to one entry per segment, in their order. The answers do not depend on the sink nor on the number of
+    // threads. The version with NullSink is the fastest and may use SIMD. Throws Cancelled.
+    virtual void query(const AnyRayBlock& rays, VisibilityBlock& results, NullSink& sink, Work& work) const = 0;
+    virtual void query(const AnyRayBlock& rays, VisibilityBlock& results, BlockCounts& sink, Work& work) const = 0;
+    virtual void query(const AnyRayBlock& rays, VisibilityBlock& results, StepLog& sink, Work& work) const = 0;
 };
 
-// Every query there is. Only maps that are valid for any ray can serve one; others do not compile.
+// The descriptions of all queries. Queries whose map is valid only for view rays do not compile.
 const std::vector<MethodDescription>& anyHitList();
 
-// The fastest for many segments: in lanes by packed cones, or the max pyramid where those would be large (16 bytes a
-// texel, above kPackedSight texels).
-inline constexpr std::size_t kPackedSight = std::size_t{1} << 22;
-MethodChoice sightChoice(const HeightField& field);
+// The fastest query for many segments: packed cones with SIMD, or above kMaxPackedTexels texels the max pyramid, since
+// packed cones take 16 bytes per texel.
+inline constexpr std::size_t kMaxPackedTexels = std::size_t{1} << 22;
+MethodChoice visibilityChoice(const HeightField& field);
 
-// Builds the maps it needs (from the cache if they are there). Throws InputError for unknown names, options, and
-// methods whose maps hold for view rays only.
+// Builds the maps that the query needs, or takes them from the cache. Throws InputError for unknown names and options,
+// and for methods whose maps are valid only for view rays.
 std::unique_ptr<AnyHitQuery> makeAnyHit(const MethodChoice& choice, const HeightField& field, MapCache& cache,
                                         Work& work);
 

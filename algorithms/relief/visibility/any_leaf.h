@@ -1,4 +1,4 @@
-// Whether a cell is in the way of a segment: the one answer for all any-hit queries, as leaf.h is for view rays.
+// Whether the surface within a cell blocks a segment. All any-hit queries use this test, as all view rays use leaf.h.
 #pragma once
 
 #include "relief/leaf.h"
@@ -6,13 +6,14 @@
 
 namespace relief {
 
-// Where along the segment it is above all that there is.
+// The mu from which on the segment is above the whole surface, at most 1. highest: the largest height.
 inline double endBelow(const AnyRay& ray, double highest) {
     if (ray.dz <= 0) return 1;
     return std::min(1.0, (highest - ray.z) / ray.dz);
 }
 
-// Border: parallel to an edge and outside of it; whatever else begins outside finds its way in by the walk.
+// Border: returns true for a segment that runs parallel to an edge outside the picture. Other segments that begin
+// outside are handled by the walk.
 inline bool runsOutside(const CellGrid& grid, const GridRay& course) {
     const auto outside = [](const GridAxis& axis, const RayAxis& ray) {
         return ray.side == 0 && !(ray.start >= axis.low && ray.start <= axis.high);
@@ -20,7 +21,7 @@ inline bool runsOutside(const CellGrid& grid, const GridRay& course) {
     return grid.bounded && (outside(grid.x, course.x) || outside(grid.y, course.y));
 }
 
-// The largest value of surface minus segment over the stay: at an end, or at the vertex of the parabola.
+// The largest value of surface minus segment over the cell interval: at an end, or at the vertex of the parabola.
 inline double highestGap(const Patch& patch, double zIn, double zOut) {
     const double fIn = patch.heightIn - zIn;
     const double fOut = patch.heightOut - zOut;
@@ -31,18 +32,19 @@ inline double highestGap(const Patch& patch, double zIn, double zOut) {
     return std::max(atEnds, fIn - b * b / (4 * c));
 }
 
-// Whether the surface within the cell rises above the segment, up to mu = end, by more than kSightClearance.
+// Returns true if within the cell, up to mu = end, the surface rises above the segment by more than
+// kVisibilityClearance.
 inline bool cellBlocks(const HeightField& field, const CellGrid& grid, const AnyRay& ray, const GridRay& course,
                        AxisCell cx, AxisCell cy, double end) {
-    const Stay whole = cellStay(grid, course, cx, cy);
-    const Stay stay{whole.in, std::min(whole.out, end)};
-    if (!(stay.in < stay.out)) return false;
-    const double zIn = ray.heightAt(stay.in);
-    const double zOut = ray.heightAt(stay.out);
+    const CellInterval whole = cellInterval(grid, course, cx, cy);
+    const CellInterval interval{whole.in, std::min(whole.out, end)};
+    if (!(interval.in < interval.out)) return false;
+    const double zIn = ray.heightAt(interval.in);
+    const double zOut = ray.heightAt(interval.out);
     if (field.surface() == Surface::Columns) {
-        return field.heights()(cx.index, cy.index) - std::min(zIn, zOut) > kSightClearance;
+        return field.heights()(cx.index, cy.index) - std::min(zIn, zOut) > kVisibilityClearance;
     }
-    return highestGap(Patch(field.heights(), grid, course, cx, cy, stay), zIn, zOut) > kSightClearance;
+    return highestGap(Patch(field.heights(), grid, course, cx, cy, interval), zIn, zOut) > kVisibilityClearance;
 }
 
 }  // namespace relief

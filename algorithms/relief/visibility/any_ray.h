@@ -1,5 +1,5 @@
-// Segments in the slab in any direction, for shadows and back-tracing: is anything in the way? Another type than view
-// rays, so that a map which is valid only for view rays cannot be asked about them.
+// Segments within the slab in any direction, for visibility queries (shadows, footprints traced back). They have
+// another type than view rays, so that a map which is valid only for view rays cannot be used for them.
 //
 // Frame: texel coordinates (s, t), heights z; the segment is (s, t, z) + mu (ds, dt, dz), mu in [0, 1].
 #pragma once
@@ -13,7 +13,8 @@
 
 namespace relief {
 
-// A segment; may rise, fall, run level. s, t, ds, dt in texels, z and dz in heights (slab thicknesses); all finite.
+// A segment that may rise, fall or run level. s, t, ds, dt in texels, z and dz in heights (slab thicknesses); all
+// finite.
 struct AnyRay {
     double s = 0;
     double t = 0;
@@ -26,20 +27,21 @@ struct AnyRay {
         return std::isfinite(s) && std::isfinite(t) && std::isfinite(z) && std::isfinite(ds) && std::isfinite(dt) &&
                std::isfinite(dz);
     }
-    // The way over the map; mu takes the place of lambda.
+    // The projection of the segment onto the map as a ray; mu takes the place of lambda.
     ViewRay course() const { return {s, t, ds, dt}; }
     double heightAt(double mu) const { return z + mu * dz; }
     bool operator==(const AnyRay&) const = default;
 };
 
-// Clear: nothing in the way (also under border, outside the picture). Limit: the segment was too long to be followed.
-enum class Sight : std::uint8_t { Clear, Blocked, Limit };
+// Result of a visibility query. Clear: the segment is not blocked (also outside the picture under border). Limit: the
+// segment was too long to be followed to its end.
+enum class Visibility : std::uint8_t { Clear, Blocked, Limit };
 
-// By how much, in heights, the surface must rise above the segment to block it: so that the surface point from which a
-// segment starts, and a plateau along which it runs, do not.
-inline constexpr double kSightClearance = 0x1p-30;
+// Height by which the surface must rise above a segment to block it. So neither the surface point at which a segment
+// starts nor a plateau along which it runs blocks it.
+inline constexpr double kVisibilityClearance = 0x1p-30;
 
-// Segments as a structure of arrays, all of one length.
+// Segments as a structure of arrays of equal length.
 struct AnyRayBlock {
     std::vector<double> s, t, z, ds, dt, dz;
 
@@ -64,14 +66,14 @@ struct AnyRayBlock {
     }
 };
 
-// Answers in the order of the segments. steps: decision records; reads: stored values fetched.
-struct SightBlock {
-    std::vector<Sight> sight;
+// Results in the order of the segments. steps: number of decision records; reads: number of stored values fetched.
+struct VisibilityBlock {
+    std::vector<Visibility> visibility;
     std::vector<std::uint32_t> steps, reads;
 
-    std::size_t size() const { return sight.size(); }
+    std::size_t size() const { return visibility.size(); }
     void resize(std::size_t count) {
-        sight.resize(count, Sight::Clear);
+        visibility.resize(count, Visibility::Clear);
         steps.resize(count, 0);
         reads.resize(count, 0);
     }

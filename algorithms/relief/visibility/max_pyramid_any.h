@@ -1,12 +1,13 @@
-// max-pyramid-any: is anything in the way of a segment? Hierarchical skip on the pyramid of maxima, with early exit.
-// [MIP18] turned to any direction; used for shadows and back-tracing.
+// max-pyramid-any: visibility query by hierarchical skips on the max pyramid, with early exit. [MIP18] generalised to
+// any direction; used for shadows and for footprints traced back.
 //
 // Frame and units: any_ray.h. Surfaces: bilinear, columns; any addressing; segments in any direction.
-// Model: blocked if somewhere along the segment the surface is higher than it by more than kSightClearance. The walk
+// Model: the segment is blocked if the surface is higher than it by more than kVisibilityClearance anywhere. The walk
 // begins in the cell of the start, climbs when it leaves a parent, and skips a node whose maximum is not above the
-// lowest point of the segment's stay; the first cell that blocks ends it. The segment ends where it is above all.
-// Guarantee: exact. Failure mode: long level segments among needles. Cost: O(log) steps on even surfaces.
-// Log: lambda stands for 1 - z of the segment, so it falls where the segment rises.
+// lowest point of the segment in it. The walk ends at the first cell that blocks, or where the segment is above the
+// highest point.
+// Guarantee: exact. Failure mode: long level segments among needles. Cost: O(log) steps on smooth surfaces.
+// Log: lambda stands for 1 - z of the segment, so it decreases where the segment rises.
 #pragma once
 
 #include "relief/describe.h"
@@ -42,7 +43,7 @@ class MaxPyramidAnyHit {
         : walk_(std::move(field), std::move(map)) {}
 
     template <class Sink>
-    Sight look(const AnyRay& ray, Sink& sink) const;
+    Visibility query(const AnyRay& ray, Sink& sink) const;
 
     const HeightField& field() const { return walk_.field(); }
     double stepBound(const AnyRay& ray) const { return walk_.stepBound(GridRay(walk_.grid(), ray.course())); }
@@ -52,8 +53,8 @@ class MaxPyramidAnyHit {
 };
 
 template <class Sink>
-Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
-    if (!ray.finite()) return Sight::Clear;
+Visibility MaxPyramidAnyHit::query(const AnyRay& ray, Sink& sink) const {
+    if (!ray.finite()) return Visibility::Clear;
     const GridRay course(walk_.grid(), ray.course());
     const double end = endBelow(ray, walk_.highest());
     const auto record = [&](Decision decision, int level, const PyramidNode& node, double in, double out, double value,
@@ -67,7 +68,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
     sink.step([&] { return record(Decision::Start, level, node, 0, 0, 0, 0); });
     if (!(end > 0) || runsOutside(walk_.grid(), course)) {
         sink.step([&] { return record(Decision::Miss, level, node, 0, 0, 0, 0); });
-        return Sight::Clear;
+        return Visibility::Clear;
     }
     for (double left = walk_.nodeBound(course); left > 0; --left) {
         const float maximum = walk_.maximum(level, node);
@@ -75,7 +76,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
         const double out = std::clamp(exit.first(), mu, end);
         sink.read(1);
         const double lowest = std::min(ray.heightAt(mu), ray.heightAt(out));
-        const bool skip = static_cast<double>(maximum) + kExclusionMargin < lowest + kSightClearance;
+        const bool skip = static_cast<double>(maximum) + kExclusionMargin < lowest + kVisibilityClearance;
         if (!skip && level > 0) {
             sink.step([&] { return record(Decision::Descend, level, node, mu, out, maximum, mu); });
             node = walk_.child(course, level, node, mu);
@@ -86,7 +87,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
             sink.read(walk_.leafReads());
             if (cellBlocks(field(), walk_.grid(), ray, course, node.x, node.y, end)) {
                 sink.step([&] { return record(Decision::Hit, 0, node, mu, out, maximum, mu); });
-                return Sight::Blocked;
+                return Visibility::Blocked;
             }
         }
         sink.step([&] { return record(skip ? Decision::Skip : Decision::Test, level, node, mu, out, maximum, out); });
@@ -95,7 +96,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
         mu = out;
         if (!inside) {
             sink.step([&] { return record(Decision::Miss, level, before, mu, mu, maximum, mu); });
-            return Sight::Clear;
+            return Visibility::Clear;
         }
         if (level < walk_.top() && !PyramidWalk::sameParent(before, node)) {
             PyramidWalk::toParent(node);
@@ -104,7 +105,7 @@ Sight MaxPyramidAnyHit::look(const AnyRay& ray, Sink& sink) const {
         }
     }
     sink.step([&] { return record(Decision::Limit, level, node, mu, mu, 0, mu); });
-    return Sight::Limit;
+    return Visibility::Limit;
 }
 
 }  // namespace relief

@@ -1,10 +1,10 @@
-// packed-cone-any: is anything in the way of a segment? By the packed cones of its quadrant.
+// packed-cone-any: visibility query by the packed cones of the segment's quadrant.
 //
 // Frame and units: any_ray.h. Surfaces: bilinear, columns; any addressing. Guarantee: exact.
-// Model: the walk of view rays (methods/packed_walk.h), whose end is the first cell that blocks. A cell is looked at
-// only if the segment falls below its highest point there; from where the segment leaves a cell above the apex it is
-// free up to where it meets the cone, for ever if it rises faster. Cost: one word a step; rising segments (shadows,
-// footprints) take a few. Memory 16 bytes a cell.
+// Model: the walk of view rays (methods/packed_walk.h), which ends at the first cell that blocks. A cell is tested only
+// if the segment falls below its highest point there. From where the segment leaves a cell above the apex, it is free
+// up to where it meets the cone, or for ever if it rises faster than the cone. Cost: one map entry per step; rising
+// segments (shadows, footprints) take a few steps. Memory: 16 bytes per cell.
 #pragma once
 
 #include "relief/methods/packed_walk.h"
@@ -12,18 +12,18 @@
 
 namespace relief {
 
-// What PackedConeWalk looks for here: a cell that blocks the segment. Its parameter is mu; in logs lambda is 1 -
-// height.
+// The target of PackedConeWalk in this query: a cell that blocks the segment. The walk's parameter is mu; in logs
+// lambda stands for 1 - height.
 struct BlockingCell {
     AnyRay segment;
-    double above;  // mu from which the segment is above all there is
+    double above;  // mu from which on the segment is above the whole surface
 
-    static constexpr double kMargin = 0;  // kSightClearance is above the rounding of the leaf
+    static constexpr double kMargin = 0;  // kVisibilityClearance exceeds the rounding of the leaf
     ViewRay course() const { return segment.course(); }
     double heightAt(double mu) const { return segment.heightAt(mu); }
     double rise() const { return segment.dz; }
     double end(const CellGrid& grid, const GridRay& ray) const { return std::min(above, ray.end(grid)); }
-    // Flatter than the domain of exactness it is followed twice as far as a view ray.
+    // A segment flatter than the domain of exactness is followed twice as far as a view ray.
     double mostSteps(const GridRay& ray) const { return 2 * ray.cellBound() + 4; }
     std::optional<double> leaf(const ConeGround& ground, const GridRay& ray, AxisCell cx, AxisCell cy,
                                double out) const {
@@ -63,9 +63,9 @@ class PackedConeAnyHit {
         : field_(std::move(field)), map_(std::move(map)), grid_(field_) {}
 
     template <class Sink>
-    Sight look(const AnyRay& ray, Sink& sink) const;
-    // The same answers in lanes (packed_cone_any_lanes-inl.h): segments first to last - 1.
-    void lookLanes(const AnyRayBlock& rays, std::size_t first, std::size_t last, SightBlock& sights) const;
+    Visibility query(const AnyRay& ray, Sink& sink) const;
+    // SIMD version (packed_cone_any_lanes-inl.h) of query() for the segments first to last - 1, with the same results.
+    void querySimd(const AnyRayBlock& rays, std::size_t first, std::size_t last, VisibilityBlock& results) const;
 
     const HeightField& field() const { return field_; }
     const CellGrid& grid() const { return grid_; }
@@ -79,8 +79,8 @@ class PackedConeAnyHit {
 };
 
 template <class Sink>
-Sight PackedConeAnyHit::look(const AnyRay& ray, Sink& sink) const {
-    if (!ray.finite()) return Sight::Clear;
+Visibility PackedConeAnyHit::query(const AnyRay& ray, Sink& sink) const {
+    if (!ray.finite()) return Visibility::Clear;
     const ConeGround ground{field_, grid_, *map_};
     const double end = endBelow(ray, map_->highest);
     PackedConeWalk<BlockingCell> walk(ground, {ray, end}, 0, 0, std::numeric_limits<double>::infinity());
@@ -91,14 +91,14 @@ Sight PackedConeAnyHit::look(const AnyRay& ray, Sink& sink) const {
     note(Decision::Start, 0);
     if (!(end > 0) || runsOutside(grid_, walk.ray())) {
         note(Decision::Miss, 0);
-        return Sight::Clear;
+        return Visibility::Clear;
     }
     while (walk.step(ground, sink)) {
     }
-    if (walk.outcome() == Outcome::Hit) return Sight::Blocked;
+    if (walk.outcome() == Outcome::Hit) return Visibility::Blocked;
     const bool clear = walk.outcome() == Outcome::Miss;
     note(clear ? Decision::Miss : Decision::Limit, std::min(walk.lambda(), end));
-    return clear ? Sight::Clear : Sight::Limit;
+    return clear ? Visibility::Clear : Visibility::Limit;
 }
 
 }  // namespace relief

@@ -1,9 +1,9 @@
-// packed-cone-any in lanes of double, a segment a lane. Reference: PackedConeAnyHit::look.
-// The same answers for any target and width: the walk visits every cell in which the segment stays and something may
-// be in its way, and cellBlocks() is done here operation by operation; testing an extra cell does not change the
-// answer. Mirrored: x -> -x where the run is negative, so that every segment runs to +x, +y; in IEEE arithmetic all
-// edges and times keep their bits. Cell c becomes -c - 1; cells are counted on over the seams, and taken into the
-// period to read.
+// SIMD version of packed-cone-any in double, one segment per lane. Reference: PackedConeAnyHit::query.
+// It returns the same results for any target and vector width: the walk visits every cell in which the segment may be
+// blocked, and cellBlocks() is repeated here operation by operation. Testing additional cells does not change the
+// result. Axes are mirrored, x -> -x, where the run is negative, so that every segment runs to +x, +y; in IEEE
+// arithmetic all edges and crossings keep their bits. Cell c becomes -c - 1. Cells are numbered continuously across
+// periods and reduced to the first period for map accesses.
 
 #if defined(RELIEF_PACKED_CONE_ANY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_PACKED_CONE_ANY_LANES_INL_H
@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// Of one axis, mirrored: what stays as it is while a lane works on a segment.
+// One axis, mirrored: the values that are constant while a lane processes a segment, and its cell.
 struct AxisRows {
     Row<double> start{}, run{}, inverse{}, sign{};
     Row<double> turn{};                    // 0, or the last cell's number where mirrored
@@ -31,7 +31,8 @@ struct AxisRows {
     Row<double> cell{};
 
     void set(std::size_t lane, const GridAxis& grid, const RayAxis& ray) {
-        constexpr double kNever = 1e300;  // parallel: every edge ahead is beyond the end, every one behind before 0
+        // parallel: every edge ahead is beyond the end, every edge behind is before 0
+        constexpr double kNever = 1e300;
         constexpr double kAll = HUGE_VAL;
         const bool mirrored = ray.side < 0;
         const AxisCell from = ray.startCell(grid);
@@ -44,7 +45,7 @@ struct AxisRows {
         cell[lane] = mirrored ? -at - 1 : at;
         firstCell[lane] = grid.wraps ? -kAll : (mirrored ? -grid.cells : 0.0);
         lastCell[lane] = grid.wraps ? kAll : (mirrored ? -1.0 : grid.cells - 1.0);
-        // Parallel: it may run along an outer edge, and never leaves by it.
+        // A parallel segment may run along an outer edge and never leaves across it.
         firstEdge[lane] = ray.side == 0 ? -kAll : (mirrored ? -grid.high : grid.low);
         lastEdge[lane] = ray.side == 0 ? kAll : (mirrored ? -grid.low : grid.high);
     }
@@ -75,12 +76,12 @@ struct AxisLanes {
         return hn::Mul(hn::Sub(edge, start), inverse);
     }
     HWY_INLINE V place(V mu) const { return hn::Add(start, hn::Mul(mu, run)); }
-    // The cell's number in the period, in [0, cells).
+    // The cell's index within the period, in [0, cells).
     HWY_INLINE V index(double cells) const {
         const V period = hn::Floor(hn::Mul(hn::Add(cell, constant(0.5)), constant(1 / cells)));
         return hn::Add(turn, hn::Mul(sign, hn::Sub(cell, hn::Mul(period, constant(cells)))));
     }
-    // Place within the cell as the reference has it.
+    // Position within the cell, computed as the reference does.
     HWY_INLINE V within(V mu) const {
         const V one = constant(1), zero = hn::Zero(D());
         const V unmirrored = hn::Sub(hn::Mul(sign, cell), hn::IfThenElseZero(hn::Lt(sign, zero), one));
@@ -88,17 +89,17 @@ struct AxisLanes {
     }
 };
 
-// Which segment comes next, for all vectors.
+// The queue from which all vectors take their segments.
 struct SegmentQueue {
     const PackedConeAnyHit& query;
     const AnyRayBlock& rays;
-    std::size_t quadrant;  // the only one that is looked at
+    std::size_t quadrant;  // only segments of this quadrant are processed
     std::size_t next;
     std::size_t last;
-    Sight* sights;
+    Visibility* results;
 };
 
-// A vector of segments in memory.
+// The state of one vector of segments, in memory.
 struct Segments {
     AxisRows x, y;
     Row<double> z{}, dz{}, end{}, run{}, mu{};
@@ -108,24 +109,24 @@ struct Segments {
     bool fill(std::size_t lane, SegmentQueue& queue);
 };
 
-// False: there is none left that needs a walk.
+// Loads the next segment that needs a walk into a lane. Returns false if there is none.
 inline bool Segments::fill(std::size_t lane, SegmentQueue& queue) {
     const CellGrid& grid = queue.query.grid();
     while (queue.next < queue.last) {
         const std::size_t i = queue.next++;
         const AnyRay ray = queue.rays[i];
         if (!ray.finite()) {
-            queue.sights[i] = Sight::Clear;
+            queue.results[i] = Visibility::Clear;
             continue;
         }
         const GridRay course(grid, ray.course());
         if (quadrantOf(course) != queue.quadrant) continue;
-        queue.sights[i] = Sight::Clear;
+        queue.results[i] = Visibility::Clear;
         const double until = std::min(endBelow(ray, queue.query.map().highest), HUGE_VAL);
         if (!(until > 0) || runsOutside(grid, course)) continue;
         if (!course.inDomain()) {
             NullSink sink;
-            queue.sights[i] = queue.query.look(ray, sink);
+            queue.results[i] = queue.query.query(ray, sink);
             continue;
         }
         x.set(lane, grid.x, course.x);
@@ -149,12 +150,12 @@ class SegmentWalk {
         : queue_(queue),
           field_(queue.query.field()),
           grid_(queue.query.grid()),
-          words_(queue.query.map().quadrant(queue.quadrant)),
+          entries_(queue.query.map().quadrant(queue.quadrant)),
           nx_(queue.query.map().nx),
           ny_(queue.query.map().ny) {}
 
-    // False: nothing left to do.
-    bool go();
+    // Refills idle lanes and takes a step. Returns false when all segments are done.
+    bool advance();
 
   private:
     struct Lanes {
@@ -162,9 +163,9 @@ class SegmentWalk {
         V z, dz;
         HWY_INLINE V heightAt(V mu) const { return hn::Add(z, hn::Mul(mu, dz)); }
     };
-    HWY_INLINE void resolve(std::uint32_t lanes, Sight sight) {
+    HWY_INLINE void resolve(std::uint32_t lanes, Visibility visibility) {
         segments_.active &= ~lanes;
-        overLanes(lanes, [&](std::size_t lane) { queue_.sights[segments_.number[lane]] = sight; });
+        overLanes(lanes, [&](std::size_t lane) { queue_.results[segments_.number[lane]] = visibility; });
     }
     HWY_INLINE M blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const;
     void step();
@@ -172,28 +173,28 @@ class SegmentWalk {
     SegmentQueue& queue_;
     const HeightField& field_;
     const CellGrid& grid_;
-    const std::uint32_t* words_;
+    const std::uint32_t* entries_;
     int nx_;
     int ny_;
     Segments segments_;
 };
 
-// cellBlocks() of the lanes' cells.
+// cellBlocks() for the lanes' cells.
 template <class Visits>
 M SegmentWalk<Visits>::blocks(const Lanes& lanes, V exits, V end, VI cx, VI cy) const {
-    const V zero = hn::Zero(D()), one = constant(1), clearance = constant(kSightClearance);
+    const V zero = hn::Zero(D()), one = constant(1), clearance = constant(kVisibilityClearance);
     const V in = hn::Max(hn::Max(lanes.x.enter(), lanes.y.enter()), zero);
     const V out = hn::Min(hn::Min(exits, one), end);
-    const M stays = hn::Lt(in, out);
+    const M crosses = hn::Lt(in, out);
     const V zIn = lanes.heightAt(in), zOut = lanes.heightAt(out);
     if (field_.surface() == Surface::Columns) {
         const V height = heightsAt(field_.heights(), cx, cy);
-        return hn::And(stays, hn::Gt(hn::Sub(height, hn::Min(zIn, zOut)), clearance));
+        return hn::And(crosses, hn::Gt(hn::Sub(height, hn::Min(zIn, zOut)), clearance));
     }
     const ExactPlaces places{
         lanes.x.within(in), lanes.y.within(in), lanes.x.within(out), lanes.y.within(out), zIn, zOut};
     const ExactGaps gaps = exactGaps(cornersAt(field_.heights(), grid_, cx, cy), places);
-    return hn::And(stays, hn::Gt(highestGap(gaps), clearance));
+    return hn::And(crosses, hn::Gt(highestGap(gaps), clearance));
 }
 
 template <class Visits>
@@ -203,7 +204,7 @@ void SegmentWalk<Visits>::step() {
     const V mu = load(segments_.mu), end = load(segments_.end), run = load(segments_.run);
     const VI cx = hn::DemoteTo(DI(), lanes.x.index(nx_)), cy = hn::DemoteTo(DI(), lanes.y.index(ny_));
     const hn::Rebind<std::uint32_t, D> du;
-    const auto word = hn::GatherIndex(du, words_, hn::Add(hn::Mul(cy, whole(queue_.query.map().stride)), cx));
+    const auto entry = hn::GatherIndex(du, entries_, hn::Add(hn::Mul(cy, whole(queue_.query.map().stride)), cx));
     const V exitX = lanes.x.leave(), exitY = lanes.y.leave();
     const V exits = hn::Min(exitX, exitY);
     const V out = hn::Max(hn::Min(exits, end), mu);
@@ -213,31 +214,33 @@ void SegmentWalk<Visits>::step() {
         const V steps = hn::PromoteTo(d, hn::BitCast(DI(), hn::And(depth, hn::Set(du, kConeDepths))));
         return hn::Sub(constant(queue_.query.map().highest), hn::Mul(steps, constant(queue_.query.map().unit)));
     };
-    const M above = hn::Gt(lowest, heightOf(word));
-    // Cells are looked at for several lanes at once: till then those lanes wait.
-    constexpr int kTogether = kLanes > 2 ? static_cast<int>(kLanes / 2) : 1;
+    const M above = hn::Gt(lowest, heightOf(entry));
+    // Lanes that need a cell test wait until several of them can be tested together.
+    constexpr int kMinTested = kLanes > 2 ? static_cast<int>(kLanes / 2) : 1;
     const std::uint32_t all = (1U << kLanes) - 1;
     const std::uint32_t walking = segments_.active;
     std::uint32_t waiting = ~bitsOf(above) & walking;
-    if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kTogether)) {
-        resolve(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Sight::Blocked);
+    if (waiting != 0 && (waiting == walking || __builtin_popcount(waiting) >= kMinTested)) {
+        resolve(bitsOf(blocks(lanes, exits, end, cx, cy)) & waiting, Visibility::Blocked);
         waiting = 0;
     }
     if constexpr (Visits::kRecords) {
-        // A waiting lane repeats its step: only the last is recorded. Cells that end before mu are visited to catch up.
+        // A waiting lane repeats its step: only the last repetition is recorded. Visits to cells that end before mu
+        // only catch up and are not recorded.
         const std::uint32_t behind = bitsOf(hn::And(hn::Le(exits, mu), hn::Gt(mu, hn::Zero(d))));
         Visits::visit(segments_.number, walking & ~waiting & ~behind, lanes.x.index(nx_), lanes.y.index(ny_));
     }
-    // On to the next cell, or beyond by the cone.
-    const V room = hn::Sub(zOut, heightOf(hn::ShiftRight<10>(word)));
-    const V slope = hn::PromoteTo(d, hn::BitCast(DF(), word));
+    // Move to the next cell, or further by the cone.
+    const V room = hn::Sub(zOut, heightOf(hn::ShiftRight<10>(entry)));
+    const V slope = hn::PromoteTo(d, hn::BitCast(DF(), entry));
     const V closing = hn::Sub(hn::Mul(slope, run), lanes.dz);
     const V zero = hn::Zero(d);
-    // From a cell that lies behind (its number was taken too low) no cone is followed: it counts from the way out.
+    // Cones count from where the segment leaves the cell. So they are not used in a cell that ends before mu, which is
+    // visited where the cell after a jump was chosen too low.
     const M open = hn::And(hn::And(above, hn::Gt(room, zero)), hn::Ge(exits, mu));
     const M forEver = hn::And(open, hn::Le(closing, zero));
-    // Taken off the place after a jump, in cells, above its rounding, so that the cell found is never too far on. The
-    // jump itself needs no margin: a cell is tested over its whole interval.
+    // Subtracted from the position after a jump, in cells; more than its rounding, so that the cell found is never too
+    // far on. The jump itself needs no margin: a cell is tested over its whole interval.
     constexpr double kUnsure = 1e-8;
     const V share = hn::Mul(hn::Div(room, closing), constant(kShorterShare));
     const V target = hn::Add(out, share);
@@ -251,8 +254,8 @@ void SegmentWalk<Visits>::step() {
     const V nextX = next(lanes.x, exitX, exitY), nextY = next(lanes.y, exitY, exitX);
     const M leaves = hn::Or(hn::Gt(nextX, lanes.x.lastCell), hn::Gt(nextY, lanes.y.lastCell));
     const M done = hn::Or(hn::Or(forEver, leaves), hn::Not(hn::Lt(after, end)));
-    resolve(bitsOf(done) & segments_.active & ~waiting, Sight::Clear);
-    // Waiting and idle lanes stay where they are.
+    resolve(bitsOf(done) & segments_.active & ~waiting, Visibility::Clear);
+    // Waiting and idle lanes do not move.
     const std::uint8_t bits[8] = {static_cast<std::uint8_t>(segments_.active & ~waiting & all)};
     const M moves = hn::LoadMaskBits(d, bits);
     hn::StoreU(hn::IfThenElse(moves, after, mu), d, segments_.mu.data());
@@ -261,7 +264,7 @@ void SegmentWalk<Visits>::step() {
 }
 
 template <class Visits>
-bool SegmentWalk<Visits>::go() {
+bool SegmentWalk<Visits>::advance() {
     const std::uint32_t all = (1U << kLanes) - 1;
     for (std::uint32_t idle = all & ~segments_.active; idle != 0; idle &= idle - 1) {
         if (!segments_.fill(static_cast<std::size_t>(__builtin_ctz(idle)), queue_)) break;
@@ -272,18 +275,18 @@ bool SegmentWalk<Visits>::go() {
 }
 
 template <class Visits = NoVisits>
-void lookOn(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
-            Sight* sights) {
-    // Shadow rays of one light, or visibility queries of one pixel, fall into one or a few quadrants.
+void runQueries(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
+                Visibility* results) {
+    // Shadow rays of one light, or the visibility queries of one pixel, fall into one or a few quadrants.
     std::uint32_t quadrants = 0;
     for (std::size_t i = first; i < last; ++i) {
-        constexpr double kNegative = -1e-300;  // RayAxis: what is nearer to 0 moves nothing
+        constexpr double kNegative = -1e-300;  // as in RayAxis: smaller runs count as 0
         quadrants |= 1U << ((rays.ds[i] <= kNegative ? 1U : 0U) + (rays.dt[i] <= kNegative ? 2U : 0U));
     }
     for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
         if ((quadrants >> quadrant & 1) == 0) continue;
-        SegmentQueue queue{query, rays, quadrant, first, last, sights};
-        goInTurn<SegmentWalk<Visits>>(queue);
+        SegmentQueue queue{query, rays, quadrant, first, last, results};
+        runAlternating<SegmentWalk<Visits>>(queue);
     }
 }
 

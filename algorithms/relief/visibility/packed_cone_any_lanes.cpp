@@ -10,8 +10,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-void look(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last, Sight* sights) {
-    lookOn(query, rays, first, last, sights);
+void queryBlock(const PackedConeAnyHit& query, const AnyRayBlock& rays, std::size_t first, std::size_t last,
+                Visibility* results) {
+    runQueries(query, rays, first, last, results);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -20,11 +21,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace relief {
 
-HWY_EXPORT(look);
+HWY_EXPORT(queryBlock);
 
-void PackedConeAnyHit::lookLanes(const AnyRayBlock& rays, std::size_t first, std::size_t last,
-                                 SightBlock& sights) const {
-    HWY_DYNAMIC_DISPATCH(look)(*this, rays, first, last, sights.sight.data());
+void PackedConeAnyHit::querySimd(const AnyRayBlock& rays, std::size_t first, std::size_t last,
+                                 VisibilityBlock& results) const {
+    HWY_DYNAMIC_DISPATCH(queryBlock)(*this, rays, first, last, results.visibility.data());
 }
 
 }  // namespace relief

@@ -69,11 +69,11 @@ TEST(TangentFootprint, ClearIsNotHiddenAndPlanarIsSeenOnItsPlane) {
                               kPlanarSpread * kTexelAllowance)
                         << name << ' ' << n;
                 }
-                SightBlock sights;
+                VisibilityBlock results;
                 NullSink sink;
-                query->look(rays, sights, sink, work);
+                query->query(rays, results, sink, work);
                 for (std::size_t p = 0; p < rays.size(); ++p) {
-                    const bool blocked = sights.sight[p] == Sight::Blocked;
+                    const bool blocked = results.visibility[p] == Visibility::Blocked;
                     hidden += blocked ? 1 : 0;
                     ASSERT_FALSE(got.clear && blocked) << name << ' ' << n << ' ' << p;
                 }

@@ -66,7 +66,7 @@ class StressFaultsTest : public ::testing::Test {
 
 class AlteredQuery final : public AnyHitQuery {
   public:
-    using Alter = std::function<void(SightBlock&, Asking)>;
+    using Alter = std::function<void(VisibilityBlock&, Asking)>;
     using AlterLog = std::function<void(StepLog&)>;
 
     AlteredQuery(std::unique_ptr<AnyHitQuery> inner, Alter alter, AlterLog alterLog)
@@ -75,17 +75,17 @@ class AlteredQuery final : public AnyHitQuery {
     const MethodDescription& description() const override { return inner_->description(); }
     const HeightField& field() const override { return inner_->field(); }
     double stepBound(const AnyRay& ray) const override { return inner_->stepBound(ray); }
-    void look(const AnyRayBlock& rays, SightBlock& sights, NullSink& sink, Work& work) const override {
-        inner_->look(rays, sights, sink, work);
-        alter_(sights, Asking::Plain);
+    void query(const AnyRayBlock& rays, VisibilityBlock& results, NullSink& sink, Work& work) const override {
+        inner_->query(rays, results, sink, work);
+        alter_(results, Asking::Plain);
     }
-    void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& sink, Work& work) const override {
-        inner_->look(rays, sights, sink, work);
-        alter_(sights, Asking::Counting);
+    void query(const AnyRayBlock& rays, VisibilityBlock& results, BlockCounts& sink, Work& work) const override {
+        inner_->query(rays, results, sink, work);
+        alter_(results, Asking::Counting);
     }
-    void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& sink, Work& work) const override {
-        inner_->look(rays, sights, sink, work);
-        alter_(sights, Asking::Logging);
+    void query(const AnyRayBlock& rays, VisibilityBlock& results, StepLog& sink, Work& work) const override {
+        inner_->query(rays, results, sink, work);
+        alter_(results, Asking::Logging);
         if (alterLog_) alterLog_(sink);
     }
 
@@ -108,26 +108,29 @@ TEST_F(StressFaultsTest, FaultyQueriesAreReported) {
     const auto checks = [&](const AlteredQuery::Alter& alter, const AlteredQuery::AlterLog& alterLog = {}) {
         return checksOf(run(StressPart::AnyHit, withQuery(alter, alterLog)));
     };
-    const auto change = [](Sight from, Sight to) {
-        return [=](SightBlock& sights, Asking) { std::replace(sights.sight.begin(), sights.sight.end(), from, to); };
+    const auto change = [](Visibility from, Visibility to) {
+        return [=](VisibilityBlock& results, Asking) {
+            std::replace(results.visibility.begin(), results.visibility.end(), from, to);
+        };
     };
-    const AlteredQuery::Alter none = [](SightBlock&, Asking) {};
+    const AlteredQuery::Alter none = [](VisibilityBlock&, Asking) {};
     EXPECT_EQ(checks(none), Checks{});
-    EXPECT_EQ(checks(change(Sight::Blocked, Sight::Clear)), Checks{"any-hit"});
-    EXPECT_EQ(checks(change(Sight::Blocked, Sight::Limit)), Checks{"limit"});
+    EXPECT_EQ(checks(change(Visibility::Blocked, Visibility::Clear)), Checks{"any-hit"});
+    EXPECT_EQ(checks(change(Visibility::Blocked, Visibility::Limit)), Checks{"limit"});
     EXPECT_EQ(checks(none,
                      [](StepLog& log) {
                          if (!log.steps.empty()) log.steps.back().lambdaOut = -1;
                      }),
               Checks{"any-hit"})
         << "in the way before the surface begins";
-    EXPECT_EQ(checks([](SightBlock& sights, Asking) {
-                  std::fill(sights.steps.begin(), sights.steps.end(), std::numeric_limits<std::uint32_t>::max());
+    EXPECT_EQ(checks([](VisibilityBlock& results, Asking) {
+                  std::fill(results.steps.begin(), results.steps.end(), std::numeric_limits<std::uint32_t>::max());
               }),
               Checks{"steps"});
-    EXPECT_EQ(checks([](SightBlock& sights, Asking asking) {
+    EXPECT_EQ(checks([](VisibilityBlock& results, Asking asking) {
                   if (asking != Asking::Plain) return;
-                  for (Sight& sight : sights.sight) sight = sight == Sight::Clear ? Sight::Blocked : Sight::Clear;
+                  for (Visibility& visibility : results.visibility)
+                      visibility = visibility == Visibility::Clear ? Visibility::Blocked : Visibility::Clear;
               }),
               Checks{"sinks"});
 }
@@ -582,7 +585,7 @@ TEST_F(StressFaultsTest, AFrameAndAQueryThatHangAreNamed) {
             // Not for ever: where nothing is named, the test is to fail.
             for (int n = 0; n < kMostWaits && !named; ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         };
-        StressSubjects subjects = part == StressPart::AnyHit ? withQuery([&](SightBlock&, Asking) { hang(); })
+        StressSubjects subjects = part == StressPart::AnyHit ? withQuery([&](VisibilityBlock&, Asking) { hang(); })
                                                              : withFrame(
                                                                    [&](const FrameRequest&, int) {
                                                                        hang();

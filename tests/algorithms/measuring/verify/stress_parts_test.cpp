@@ -118,23 +118,23 @@ TEST_F(StressPartsTest, OneCaseIsTheSameAlone) {
     EXPECT_EQ(report.sizes.size(), 1U);
 }
 
-TEST_F(StressPartsTest, AWrongSightIsFound) {
+TEST_F(StressPartsTest, AWrongVisibilityIsFound) {
     const HeightField field(std::make_shared<FloatImage>(FloatImage(16, 16, 0.5F)));
     MapCache maps;
     Work work(1);
     const auto query = makeAnyHit({"max-pyramid-any", {}}, field, maps, work);
     const ViewRay ray{8.3, 8.2, 3, 2};
     const Hit hit = Hit::at(ray, 0.5);
-    CountedSight answer;
-    answer.sight = Sight::Blocked;
+    CountedVisibility answer;
+    answer.visibility = Visibility::Blocked;
     EXPECT_FALSE(anyHitFault(*query, ray, answer, hit));
     EXPECT_EQ(checkOf(anyHitFault(*query, ray, answer, Hit::none(Outcome::Miss))), "any-hit");
     answer.log.steps.resize(1);
     answer.log.steps[0].lambdaOut = 0.25;
     EXPECT_EQ(checkOf(anyHitFault(*query, ray, answer, hit)), "any-hit") << "blocked before the hit";
-    answer.sight = Sight::Clear;
+    answer.visibility = Visibility::Clear;
     EXPECT_EQ(checkOf(anyHitFault(*query, ray, answer, hit)), "any-hit") << "clear behind the hit";
-    answer.sight = Sight::Limit;
+    answer.visibility = Visibility::Limit;
     EXPECT_EQ(checkOf(anyHitFault(*query, ray, answer, hit)), "limit");
     answer.steps = std::numeric_limits<std::uint32_t>::max();
     EXPECT_EQ(checkOf(anyHitFault(*query, ray, answer, hit)), "steps");

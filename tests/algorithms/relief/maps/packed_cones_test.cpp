@@ -46,9 +46,9 @@ struct Need {
 
 Need needOf(const BruteCells& cells, const PackedCones& map, int x, int y, Quadrant quadrant) {
     constexpr int kFirstRing = 8;  // blocks
-    const std::uint32_t word = map.quadrant(static_cast<std::size_t>(quadrant.index))[map.index(x, y)];
-    const double apex = map.heightAt(coneApexDepth(word));
-    const auto kappa = static_cast<double>(coneSlope(word));
+    const std::uint32_t entry = map.quadrant(static_cast<std::size_t>(quadrant.index))[map.index(x, y)];
+    const double apex = map.heightAt(coneApexDepth(entry));
+    const auto kappa = static_cast<double>(coneSlope(entry));
     Need need;
     const auto from = [&](int at, int size, int side) {
         return cells.wraps ? 1 - size : (side > 0 ? -at : at + 1 - size);
@@ -111,14 +111,14 @@ void expectLaw(const HeightField& field, int every) {
         for (int n = 0; n < cells.nx * cells.ny; n += every) {
             const int x = n % cells.nx;
             const int y = n / cells.nx;
-            const std::uint32_t word = map.quadrant(static_cast<std::size_t>(q))[map.index(x, y)];
-            const auto kappa = static_cast<double>(coneSlope(word));
+            const std::uint32_t entry = map.quadrant(static_cast<std::size_t>(q))[map.index(x, y)];
+            const auto kappa = static_cast<double>(coneSlope(entry));
             ASSERT_GE(kappa, static_cast<double>(std::numeric_limits<float>::min()));
             const auto highest = static_cast<double>(cells.highest(x, y));
-            const double own = map.heightAt(coneOwnDepth(word));
+            const double own = map.heightAt(coneOwnDepth(entry));
             ASSERT_GE(own, highest) << x << ", " << y;
             ASSERT_LE(own, highest + map.unit * 1.000001) << x << ", " << y;
-            ASSERT_LE(coneApexDepth(word), coneOwnDepth(word)) << x << ", " << y;
+            ASSERT_LE(coneApexDepth(entry), coneOwnDepth(entry)) << x << ", " << y;
             const Need need = needOf(cells, map, x, y, {q});
             ASSERT_LE(need.above, 0) << x << ", " << y << " quadrant " << q;
             ASSERT_LE(kappa, need.slope * loosest + kApexRounding) << x << ", " << y << " quadrant " << q;
@@ -192,10 +192,10 @@ TEST(PackedCones, OfAFlatReliefAreOpen) {
         for (int y = 0; y < map.ny; ++y) {
             for (int x = 0; x < map.nx; ++x) {
                 for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
-                    const std::uint32_t word = map.quadrant(quadrant)[map.index(x, y)];
-                    ASSERT_EQ(word & 0xFFFFF, 0U);
-                    ASSERT_GE(coneSlope(word), std::numeric_limits<float>::min());
-                    ASSERT_LE(coneSlope(word), kApexRounding);
+                    const std::uint32_t entry = map.quadrant(quadrant)[map.index(x, y)];
+                    ASSERT_EQ(entry & 0xFFFFF, 0U);
+                    ASSERT_GE(coneSlope(entry), std::numeric_limits<float>::min());
+                    ASSERT_LE(coneSlope(entry), kApexRounding);
                 }
             }
         }
@@ -205,8 +205,8 @@ TEST(PackedCones, OfAFlatReliefAreOpen) {
 TEST(PackedCones, AreTheSameForAnyTargetAndThreads) {
     const HeightField field(needles(201, 93, 33), Surface::Bilinear, Address::Repeat, 0.2);
     const PackedCones reference = built(field, 1);
-    EXPECT_EQ(built(field, 2).words, reference.words);
-    onEveryTarget([&] { EXPECT_EQ(built(field, 2).words, reference.words); });
+    EXPECT_EQ(built(field, 2).entries, reference.entries);
+    onEveryTarget([&] { EXPECT_EQ(built(field, 2).entries, reference.entries); });
 }
 
 TEST(PackedCones, AreKeptOnceForAllReliefDepths) {

@@ -94,11 +94,11 @@ void partsOf(const HeightField& field) {
             continue;
         }
         const GridRay ray(grid, rays[part.ray]);
-        const Stay stay = cellStay(grid, ray, part.x, part.y);
-        EXPECT_LT(stay.in, stay.out);
-        EXPECT_GT(stay.out, part.until);
+        const CellInterval interval = cellInterval(grid, ray, part.x, part.y);
+        EXPECT_LT(interval.in, interval.out);
+        EXPECT_GT(interval.out, part.until);
         if (exact.outcome[part.ray] == Outcome::Hit) {
-            EXPECT_LE(stay.in, exact.lambda[part.ray]);
+            EXPECT_LE(interval.in, exact.lambda[part.ray]);
         }
     }
     EXPECT_GT(ended, 0U);
@@ -133,12 +133,12 @@ TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
             for (std::size_t n = 0; n < scratch->othersCount; ++n) {
                 const LaneRays::Other& other = scratch->others[n];
                 const std::size_t i = first + other.ray;
-                if (other.end != LaneEnd::Refused && other.end != LaneEnd::Unclear) continue;
-                ++(other.end == LaneEnd::Refused ? refused : unclear);
+                if (other.end != LaneEnd::FalseCandidate && other.end != LaneEnd::Ambiguous) continue;
+                ++(other.end == LaneEnd::FalseCandidate ? refused : unclear);
                 const auto cell = [&](const LaneAxisRays& axis) {
                     return AxisCell{axis.hitCell[other.ray], axis.hitPeriod[other.ray]};
                 };
-                const UnclearPart part(scene.grid, GridRay(scene.grid, rays[i]), cell(scratch->x), cell(scratch->y));
+                const AmbiguousPart part(scene.grid, GridRay(scene.grid, rays[i]), cell(scratch->x), cell(scratch->y));
                 EXPECT_LT(part.from, part.until);
                 if (exact.outcome[i] == Outcome::Hit) {
                     ASSERT_LE(part.from, exact.lambda[i]) << "ray " << i;

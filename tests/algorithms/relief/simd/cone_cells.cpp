@@ -77,8 +77,9 @@ void traceNoted(bool plain, const FloatScene& scene, const PackedCones& cones, c
 }
 void goOnNoted(bool plain, const FloatScene& scene, const PackedCones& cones, const double* const* given,
                LaneRays& rays, HitBlock& hits) {
-    noted(plain, scene,
-          [&]<Surface kSurface, class Arithmetic>() { goOnOn<kSurface, Arithmetic>(scene, cones, given, rays, hits); });
+    noted(plain, scene, [&]<Surface kSurface, class Arithmetic>() {
+        resumeConesOn<kSurface, Arithmetic>(scene, cones, given, rays, hits);
+    });
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -131,8 +132,8 @@ void trace(const FloatScene& scene, const PackedCones& cones, const RayBlock& ra
     std::fill_n(hits.outcome.data() + first, scratch.count, Outcome::Hit);
 }
 
-void goOn(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
-          HitBlock& hits) {
+void resume(const FloatScene& scene, const PackedCones& cones, const double* const* given, LaneRays& rays,
+            HitBlock& hits) {
     if (rays.count == 0) return;
     HWY_DYNAMIC_DISPATCH(goOnNoted)(noted().plain, scene, cones, given, rays, hits);
     sortVisits(given, rays);
@@ -150,7 +151,7 @@ std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCone
     }
     hits.resize(rays.size());
     std::vector<std::size_t> flat;
-    traceByCones({&trace, &goOn}, field, FloatScene(field, cones), cones, rays, 0, rays.size(), hits, flat);
+    traceByCones({&trace, &resume}, field, FloatScene(field, cones), cones, rays, 0, rays.size(), hits, flat);
     return std::move(noted().rays);
 }
 

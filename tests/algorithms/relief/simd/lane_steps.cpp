@@ -41,18 +41,18 @@ struct NotedVisits {
 
 void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left};
-    goInTurn<VoxelWalk<NotedVisits>>(queue);
+    runAlternating<VoxelWalk<NotedVisits>>(queue);
 }
 void noteMarch(const MarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     RayQueue<MarchSearch> queue{search, rays, hits, 0, rays.size(), left};
-    goInTurn<DistanceSteps<NotedVisits>>(queue);
+    runAlternating<DistanceSteps<NotedVisits>>(queue);
 }
 void noteLayers(const LayerSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     LayerQueue queue{{search, rays, hits, 0, rays.size(), left}, {}};
-    goInTurn<LayerWalk<NotedVisits>>(queue);
+    runAlternating<LayerWalk<NotedVisits>>(queue);
 }
-void noteLooks(const PackedConeAnyHit& query, const AnyRayBlock& rays, Sight* sights) {
-    lookOn<NotedVisits>(query, rays, 0, rays.size(), sights);
+void noteQueries(const PackedConeAnyHit& query, const AnyRayBlock& rays, Visibility* results) {
+    runQueries<NotedVisits>(query, rays, 0, rays.size(), results);
 }
 
 }  // namespace relief::HWY_NAMESPACE
@@ -64,7 +64,7 @@ namespace relief {
 HWY_EXPORT(noteWalk);
 HWY_EXPORT(noteMarch);
 HWY_EXPORT(noteLayers);
-HWY_EXPORT(noteLooks);
+HWY_EXPORT(noteQueries);
 
 namespace test {
 
@@ -93,8 +93,8 @@ std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& r
 }
 std::vector<LaneSteps> stepsInLanes(const PackedConeAnyHit& query, const AnyRayBlock& rays) {
     noted().assign(rays.size(), {});
-    std::vector<Sight> sights(rays.size());
-    HWY_DYNAMIC_DISPATCH(noteLooks)(query, rays, sights.data());
+    std::vector<Visibility> results(rays.size());
+    HWY_DYNAMIC_DISPATCH(noteQueries)(query, rays, results.data());
     return std::move(noted());
 }
 

@@ -247,14 +247,14 @@ TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
         AnyRayBlock segments(2 * rayCount());
         for (std::size_t i = 0; i < segments.size(); ++i) segments.set(i, aim.segment());
         BlockCounts counts;
-        SightBlock truth;
-        makeAnyHit({"max-pyramid-any", {}}, field, cache, work)->look(segments, truth, counts, work);
-        const auto blocked = std::count(truth.sight.begin(), truth.sight.end(), Sight::Blocked);
+        VisibilityBlock truth;
+        makeAnyHit({"max-pyramid-any", {}}, field, cache, work)->query(segments, truth, counts, work);
+        const auto blocked = std::count(truth.visibility.begin(), truth.visibility.end(), Visibility::Blocked);
         EXPECT_GT(static_cast<std::size_t>(blocked), segments.size() / 2);
         EXPECT_LT(static_cast<std::size_t>(blocked), segments.size() * 97 / 100);
-        const auto expectSame = [&](const SightBlock& sights, const char* what) {
+        const auto expectSame = [&](const VisibilityBlock& results, const char* what) {
             for (std::size_t i = 0; i < segments.size(); ++i) {
-                if (sights.sight[i] == truth.sight[i]) continue;
+                if (results.visibility[i] == truth.visibility[i]) continue;
                 const AnyRay ray = segments[i];
                 ADD_FAILURE() << what << ", " << describe(field) << ", segment " << i << ": " << numberText(ray.s)
                               << "," << numberText(ray.t) << "," << numberText(ray.z) << "," << numberText(ray.ds)
@@ -263,13 +263,13 @@ TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
             }
         };
         const auto cones = makeAnyHit({"packed-cone-any", {}}, field, cache, work);
-        SightBlock scalar;
-        cones->look(segments, scalar, counts, work);
+        VisibilityBlock scalar;
+        cones->query(segments, scalar, counts, work);
         expectSame(scalar, "packed cones");
         onEveryTarget([&] {
-            SightBlock lanes;
+            VisibilityBlock lanes;
             NullSink sink;
-            cones->look(segments, lanes, sink, work);
+            cones->query(segments, lanes, sink, work);
             expectSame(lanes, "packed cones, SIMD");
         });
     }

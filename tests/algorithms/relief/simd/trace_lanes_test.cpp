@@ -73,7 +73,7 @@ TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyWords) {
         const HeightField field(heights, Surface::Bilinear, address, 0.1);
         Work work(2);
         const auto cones = packedCones(field, cache, work);
-        ASSERT_GE(cones->quadrantWords(), kWideWords);
+        ASSERT_GE(cones->quadrantEntries(), kWideEntries);
         ASSERT_GT(cones->stride, cones->nx + 1);
         expectSameBits(field, {"cone", {}}, awkwardRays(field, kSeed + 9, rayCount()), cache);
     }
@@ -202,7 +202,7 @@ TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
             EXPECT_GT(wrong, rays.size() / 50) << "the map is not unsafe enough to tell";
             onEveryTarget([&] {
                 HitBlock lanes(rays.size());
-                walk.traceLanes(rays, 0, rays.size(), lanes);
+                walk.traceSimd(rays, 0, rays.size(), lanes);
                 for (std::size_t i = 0; i < rays.size(); ++i) {
                     ASSERT_TRUE(sameBits(walk.trace(rays[i], sink), lanes[i])) << i << ": " << describe(rays[i]);
                 }

@@ -106,18 +106,18 @@ TEST_F(AnyHit, agreesWithLongDouble) {
             Random random(83);
             AnyRayBlock block(3000);
             for (std::size_t i = 0; i < block.size(); ++i) block.set(i, randomSegment(random, field));
-            SightBlock sights;
+            VisibilityBlock results;
             BlockCounts counts;
-            query->look(block, sights, counts, work_);
+            query->query(block, results, counts, work_);
             for (std::size_t i = 0; i < block.size(); ++i) {
-                const long double above = highestAbove(field, block[i]) - kSightClearance;
+                const long double above = highestAbove(field, block[i]) - kVisibilityClearance;
                 ++rays;
-                ASSERT_LE(sights.steps[i], query->stepBound(block[i]));
+                ASSERT_LE(results.steps[i], query->stepBound(block[i]));
                 if (std::abs(above) < kTangentHeight) {
                     ++tangent;
                     continue;
                 }
-                ASSERT_EQ(sights.sight[i], above > 0 ? Sight::Blocked : Sight::Clear)
+                ASSERT_EQ(results.visibility[i], above > 0 ? Visibility::Blocked : Visibility::Clear)
                     << describe(field) << " segment " << numberText(block[i].s) << "," << numberText(block[i].t) << ","
                     << numberText(block[i].z) << "," << numberText(block[i].ds) << "," << numberText(block[i].dt) << ","
                     << numberText(block[i].dz) << " surface above it by " << static_cast<double>(above);
@@ -149,10 +149,11 @@ TEST_F(AnyHit, aHitIsSeenBackFromTheViewer) {
             back.push({ray.s0 + lambda * ray.a, ray.t0 + lambda * ray.b, 1 - lambda, -lambda * ray.a, -lambda * ray.b,
                        lambda});
         }
-        SightBlock sights;
-        query->look(back, sights, null, work_);
+        VisibilityBlock results;
+        query->query(back, results, null, work_);
         ASSERT_GT(back.size(), 500U);
-        for (std::size_t i = 0; i < back.size(); ++i) ASSERT_EQ(sights.sight[i], Sight::Clear) << describe(field);
+        for (std::size_t i = 0; i < back.size(); ++i)
+            ASSERT_EQ(results.visibility[i], Visibility::Clear) << describe(field);
     });
 }
 
@@ -165,10 +166,11 @@ TEST_F(AnyHit, plateausAndTheOwnSurfacePointDoNotBlock) {
         block.push({8, 8, 0.25, 5, 3, 0.75});  // up from it
         block.push({8, 8, 0.25, 5, 3, -0.1});  // down into it
         block.push({8, 8, 0.2, 5, 3, 0.8});    // up from below it
-        SightBlock sights;
+        VisibilityBlock results;
         NullSink null;
-        query->look(block, sights, null, work_);
-        EXPECT_EQ(sights.sight, (std::vector<Sight>{Sight::Clear, Sight::Clear, Sight::Blocked, Sight::Blocked}));
+        query->query(block, results, null, work_);
+        EXPECT_EQ(results.visibility, (std::vector<Visibility>{Visibility::Clear, Visibility::Clear,
+                                                               Visibility::Blocked, Visibility::Blocked}));
     });
 }
 
@@ -179,18 +181,18 @@ TEST_F(AnyHit, sinksAndThreadsAgree) {
         Random random(97);
         AnyRayBlock block(4000);
         for (std::size_t i = 0; i < block.size(); ++i) block.set(i, randomSegment(random, field));
-        SightBlock plain;
-        SightBlock counted;
-        SightBlock logged;
+        VisibilityBlock plain;
+        VisibilityBlock counted;
+        VisibilityBlock logged;
         NullSink null;
         BlockCounts counts;
         StepLog log;
         Work many(4);
-        query->look(block, plain, null, work_);
-        query->look(block, counted, counts, many);
-        query->look(block, logged, log, work_);
-        EXPECT_EQ(plain.sight, counted.sight);
-        EXPECT_EQ(plain.sight, logged.sight);
+        query->query(block, plain, null, work_);
+        query->query(block, counted, counts, many);
+        query->query(block, logged, log, work_);
+        EXPECT_EQ(plain.visibility, counted.visibility);
+        EXPECT_EQ(plain.visibility, logged.visibility);
         EXPECT_EQ(counted.steps, logged.steps);
         EXPECT_EQ(counted.reads, logged.reads);
         EXPECT_EQ(counts.steps, log.steps.size());
@@ -205,11 +207,11 @@ TEST_F(AnyHit, leavesEarly) {
     const auto query = makeAnyHit({"max-pyramid-any", {}}, field, cache_, work_);
     AnyRayBlock block;
     block.push({10.5, 2.5, 0.5, 4000, 0, 0.4});
-    SightBlock sights;
+    VisibilityBlock results;
     BlockCounts counts;
-    query->look(block, sights, counts, work_);
-    EXPECT_EQ(sights.sight[0], Sight::Blocked);
-    EXPECT_LE(sights.steps[0], 24U);
+    query->query(block, results, counts, work_);
+    EXPECT_EQ(results.visibility[0], Visibility::Blocked);
+    EXPECT_LE(results.steps[0], 24U);
 }
 
 }  // namespace

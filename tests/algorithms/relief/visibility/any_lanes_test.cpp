@@ -59,16 +59,16 @@ TEST(AnyHitLanes, AnswerAsTheReference) {
                 const auto query = makeAnyHit({"packed-cone-any", {}}, field, cache, work);
                 AnyRayBlock block(kSegments);
                 for (std::size_t i = 0; i < block.size(); ++i) block.set(i, segmentFor(random, field));
-                SightBlock scalar;
+                VisibilityBlock scalar;
                 BlockCounts counts;
-                query->look(block, scalar, counts, work);
-                for (const Sight sight : scalar.sight) ++answers[static_cast<std::size_t>(sight)];
+                query->query(block, scalar, counts, work);
+                for (const Visibility visibility : scalar.visibility) ++answers[static_cast<std::size_t>(visibility)];
                 rays += block.size();
                 onEveryTarget([&] {
-                    SightBlock lanes;
+                    VisibilityBlock lanes;
                     NullSink null;
-                    query->look(block, lanes, null, work);
-                    ASSERT_EQ(lanes.sight, scalar.sight);
+                    query->query(block, lanes, null, work);
+                    ASSERT_EQ(lanes.visibility, scalar.visibility);
                 });
             }
         }
@@ -95,13 +95,13 @@ TEST(AnyHitLanes, AnswerOnAwkwardSizes) {
                 for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 8U, 9U, 500U}) {
                     AnyRayBlock block(count);
                     for (std::size_t i = 0; i < count; ++i) block.set(i, segmentFor(random, field));
-                    SightBlock scalar;
-                    SightBlock lanes;
+                    VisibilityBlock scalar;
+                    VisibilityBlock lanes;
                     BlockCounts counts;
                     NullSink null;
-                    query->look(block, scalar, counts, work);
-                    query->look(block, lanes, null, work);
-                    ASSERT_EQ(lanes.sight, scalar.sight) << count;
+                    query->query(block, scalar, counts, work);
+                    query->query(block, lanes, null, work);
+                    ASSERT_EQ(lanes.visibility, scalar.visibility) << count;
                 }
             }
         }
@@ -111,7 +111,7 @@ TEST(AnyHitLanes, AnswerOnAwkwardSizes) {
 // The cells that the reference logs.
 LaneSteps loggedCells(const PackedConeAnyHit& query, const AnyRay& ray) {
     LogSink log;
-    query.look(ray, log);
+    query.query(ray, log);
     const CellGrid& grid = query.grid();
     LaneSteps cells;
     for (const Step& step : log.steps) {

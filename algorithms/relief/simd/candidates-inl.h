@@ -1,11 +1,11 @@
-// The hits of the candidates that a walk has found, by the leaf in lanes of double. Shared by the kernels, compiled for
-// each target.
+// Candidate intersections are resolved: SIMD version, in double, of the leaf for the candidate cells that a walk has
+// found. Shared by the kernels; compiled for each target.
 
-#if defined(RELIEF_LANE_SETTLE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef RELIEF_LANE_SETTLE_INL_H
-#undef RELIEF_LANE_SETTLE_INL_H
+#if defined(RELIEF_CANDIDATES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RELIEF_CANDIDATES_INL_H
+#undef RELIEF_CANDIDATES_INL_H
 #else
-#define RELIEF_LANE_SETTLE_INL_H
+#define RELIEF_CANDIDATES_INL_H
 #endif
 
 #include "relief/simd/exact_leaf-inl.h"
@@ -14,12 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// An axis of candidates: RayAxis, and the cell.
+// One axis of candidates: RayAxis, and the candidate cell.
 struct ExactAxis {
     VD start, run;
-    VD inverse;  // when invert() has been there
+    VD inverse;  // set by invert()
     MD forward, still;
-    VD base;  // the cell's period
+    VD base;  // first cell of the cell's period
     VD index;
 };
 
@@ -56,8 +56,8 @@ HWY_INLINE VD exactEdge(const GridAxis& axis, const ExactAxis& ray, VD k) {
     return hn::IfThenElse(hn::Ge(k, hn::Set(d, axis.cells)), hn::Set(d, axis.high), edge);
 }
 
-// Whether the candidates are as most are: they run somewhere, and neither side of their cell is an edge of the map.
-// Then the general forms of the axis give the same bits as these two.
+// True for candidates that move along the axis and whose cell does not touch an edge of the map, as most do. For these,
+// plainAxis() and plainInterval() return the same bits as the general functions.
 HWY_INLINE MD isPlain(const GridAxis& axis, const double* runs, const LaneAxisRays& lanes, std::size_t i) {
     const DD d;
     const VD index = hn::PromoteTo(d, hn::LoadU(DHI(), lanes.hitCell.data() + i));
@@ -76,7 +76,7 @@ HWY_INLINE ExactAxis plainAxis(const GridAxis& axis, const double* origins, cons
     out.still = hn::MaskFromVec(out.base);
     return out;
 }
-HWY_INLINE void plainStay(const ExactAxis& ray, VD& in, VD& out) {
+HWY_INLINE void plainInterval(const ExactAxis& ray, VD& in, VD& out) {
     const VD upper = hn::Add(ray.index, hn::Set(DD(), 1.0));
     const VD atLower = hn::Mul(hn::Sub(ray.index, ray.start), ray.inverse);
     const VD atUpper = hn::Mul(hn::Sub(upper, ray.start), ray.inverse);
@@ -84,9 +84,9 @@ HWY_INLINE void plainStay(const ExactAxis& ray, VD& in, VD& out) {
     out = hn::IfThenElse(ray.forward, atUpper, atLower);
 }
 
-// RayAxis::enter and leave, to the bit.
+// RayAxis::enter and leave, with the same bits.
 template <Address kAddress>
-HWY_INLINE void exactStay(const GridAxis& axis, const ExactAxis& ray, VD& in, VD& out) {
+HWY_INLINE void exactInterval(const GridAxis& axis, const ExactAxis& ray, VD& in, VD& out) {
     const DD d;
     const VD lower = exactEdge<kAddress>(axis, ray, ray.index);
     const VD upper = exactEdge<kAddress>(axis, ray, hn::Add(ray.index, hn::Set(d, 1.0)));
@@ -96,7 +96,7 @@ HWY_INLINE void exactStay(const GridAxis& axis, const ExactAxis& ray, VD& in, VD
     out = hn::IfThenElse(ray.still, infinite, at(hn::IfThenElse(ray.forward, upper, lower)));
 }
 
-// Heights of texels (i, j) and (i + 1, j), two in one element of a gather.
+// Heights of the texels (i, j) and (i + 1, j); where possible both in one element of a gather.
 HWY_INLINE void heightPairs(const FloatScene& scene, VD i, VD j, VD& first, VD& second) {
     const DD d;
     const DHF df;
@@ -126,17 +126,17 @@ HWY_INLINE VD within(const ExactAxis& axis, VD lambda) {
     return stdMin(stdMax(v, hn::Zero(DD())), hn::Set(DD(), 1.0));
 }
 
-// Where candidates come into their cells and leave them, before either is cut to [0, 1].
-struct ExactStay {
+// Lambda at which candidates enter and leave their cells on each axis, not clamped to [0, 1].
+struct ExactInterval {
     VD inX, outX, inY, outY;
 };
 
-// std::max and std::min of the stay's, cut to [0, 1].
-HWY_INLINE VD entryOf(const ExactStay& stay) {
-    return stdMax(stdMax(stay.inX, stay.inY), hn::Zero(DD()));
+// Entry and exit of the interval clamped to [0, 1], with the semantics of std::max and std::min.
+HWY_INLINE VD entryOf(const ExactInterval& interval) {
+    return stdMax(stdMax(interval.inX, interval.inY), hn::Zero(DD()));
 }
-HWY_INLINE VD exitOf(const ExactStay& stay) {
-    return stdMin(stdMin(stay.outX, stay.outY), hn::Set(DD(), 1.0));
+HWY_INLINE VD exitOf(const ExactInterval& interval) {
+    return stdMin(stdMin(interval.outX, interval.outY), hn::Set(DD(), 1.0));
 }
 
 HWY_INLINE VD exactHeight(const FloatScene& scene, VD i, VD j) {
@@ -145,7 +145,7 @@ HWY_INLINE VD exactHeight(const FloatScene& scene, VD i, VD j) {
     return hn::PromoteTo(d, hn::GatherIndex(DHF(), scene.heights, hn::DemoteTo(DHI(), at)));
 }
 
-// pair: where the nodes lie together.
+// pair: index of each cell's four heights in scene.nodes, if that is not null.
 template <Address kAddress>
 HWY_INLINE ExactNodes exactNodes(const FloatScene& scene, VD cellX, VD cellY, const std::int32_t* pair) {
     const DD d;
@@ -180,22 +180,23 @@ HWY_INLINE ExactNodes exactNodes(const FloatScene& scene, VD cellX, VD cellY, co
     return out;
 }
 
-// leafHit() for the candidates of a chunk, in four parts, each some rays behind the part before it: the parts are long
-// chains, of roots and quotients, and those of different rays then overlap.
+// leafHit() for the candidates of a chunk, in four stages, each kApart rays behind the previous one. The stages are
+// long dependency chains of roots and quotients; in this way those of different rays overlap.
 template <Address kAddress, Surface kSurface>
-class Settling {
+class CandidateResolver {
   public:
-    Settling(const FloatScene& scene, const double* const* given, std::size_t count, LaneRays& rays)
+    CandidateResolver(const FloatScene& scene, const double* const* given, std::size_t count, LaneRays& rays)
         : scene_(scene), given_(given), count_(count), rays_(rays) {
         const std::size_t rest = count % kHalfLanes;
         for (std::size_t c = 0; c < rest_.size() && rest > 0; ++c) {
             std::fill(std::copy_n(given[c] + count - rest, rest, rest_[c].begin()), rest_[c].end(), 0.0);
         }
         const DI dv;
-        // Lanes behind the last ray: in some cell of the map, for its heights are read.
+        // Lanes beyond the last ray need some cell of the map, since its heights are fetched.
         for (LaneAxisRays* axis : {&rays.x, &rays.y}) hn::StoreU(hn::Zero(dv), dv, axis->hitCell.data() + count);
         if (scene.nodes == nullptr) return;
-        // First all of them: written as vectors, read lane by lane.
+        // All indices are computed before the first is used: they are stored as vectors and loaded lane by lane, which
+        // stalls soon after the store.
         for (std::size_t i = 0; i < count; i += kLanes) {
             const VI row = hn::Mul(hn::Load(dv, rays.y.hitCell.data() + i), hn::Set(dv, scene.nodeStride));
             hn::Store(hn::Add(row, hn::Load(dv, rays.x.hitCell.data() + i)), dv, pairs_.data() + i);
@@ -209,16 +210,16 @@ class Settling {
             const auto due = [&](std::size_t parts) { return i >= parts * kApart && from(parts) < end; };
             if (due(0)) {
                 prefetchHits(i + kPrefetched, hits, firstHit);
-                stays(i);
+                intervals(i);
             }
             if (due(1)) gaps(from(1));
             if (due(2)) shares(from(2));
-            if (due(3)) meet(from(3), hits, firstHit);
+            if (due(3)) finishHits(from(3), hits, firstHit);
         }
     }
 
   private:
-    // Rays between the parts; rows hold those that are under way, and stay in L1.
+    // Rays between two stages. The rows hold the rays in flight and fit into L1.
     static constexpr std::size_t kApart = 16, kUnderWay = 4 * kApart;
     static constexpr std::size_t kPrefetched = 192;
     using Row = std::array<double, kUnderWay>;
@@ -228,13 +229,14 @@ class Settling {
     HWY_INLINE static void keep(VD v, std::size_t i, Row& row) { hn::Store(v, DD(), row.data() + i % kUnderWay); }
     HWY_INLINE static VD kept(std::size_t i, const Row& row) { return hn::Load(DD(), row.data() + i % kUnderWay); }
 
-    // The places of later rays' hits, of the next chunk's as well: they are written without having been read.
+    // Prefetches the places of later rays' hits, also those of the next chunk, because they are written without having
+    // been read.
     HWY_INLINE void prefetchHits(std::size_t from, HitBlock& hits, std::size_t firstHit) const {
         if (firstHit + from + kHalfLanes > hits.size()) return;
         for (auto* column : {&hits.lambda, &hits.s, &hits.t}) __builtin_prefetch(column->data() + firstHit + from, 1);
     }
 
-    // The given column c from ray i on, a whole vector.
+    // Column c of the given rays from ray i on, as a whole vector.
     HWY_INLINE const double* column(std::size_t c, std::size_t i) const {
         return HWY_LIKELY(i + kHalfLanes <= count_) ? given_[c] + i : rest_[c].data();
     }
@@ -255,25 +257,25 @@ class Settling {
             y = exactAxis<kAddress>(gridY, originY, runY, rays_.y, i);
         }
     }
-    HWY_INLINE ExactStay stayOf(std::size_t i, ExactAxis& x, ExactAxis& y) const {
+    HWY_INLINE ExactInterval intervalOf(std::size_t i, ExactAxis& x, ExactAxis& y) const {
         const bool isPlain = plain(i);
         axes(i, isPlain, x, y);
         invert(x), invert(y);
-        ExactStay stay;
+        ExactInterval interval;
         if (HWY_LIKELY(isPlain)) {
-            plainStay(x, stay.inX, stay.outX);
-            plainStay(y, stay.inY, stay.outY);
+            plainInterval(x, interval.inX, interval.outX);
+            plainInterval(y, interval.inY, interval.outY);
         } else {
-            exactStay<kAddress>(scene_.grid.x, x, stay.inX, stay.outX);
-            exactStay<kAddress>(scene_.grid.y, y, stay.inY, stay.outY);
+            exactInterval<kAddress>(scene_.grid.x, x, interval.inX, interval.outX);
+            exactInterval<kAddress>(scene_.grid.y, y, interval.inY, interval.outY);
         }
-        return stay;
+        return interval;
     }
 
-    // An axis as the gaps need it.
+    // An axis as stored for the stage gaps().
     struct AxisRows {
         alignas(64) Row start, run, index;
-        alignas(64) Row base;  // where the map repeats
+        alignas(64) Row base;  // only under repeat
     };
     HWY_INLINE static void keepAxis(const ExactAxis& axis, std::size_t i, AxisRows& rows) {
         keep(axis.start, i, rows.start);
@@ -290,11 +292,11 @@ class Settling {
         return axis;
     }
 
-    HWY_INLINE void stays(std::size_t i) {
+    HWY_INLINE void intervals(std::size_t i) {
         ExactAxis x, y;
-        const ExactStay stay = stayOf(i, x, y);
-        keep(entryOf(stay), i, in_);
-        keep(exitOf(stay), i, out_);
+        const ExactInterval interval = intervalOf(i, x, y);
+        keep(entryOf(interval), i, in_);
+        keep(exitOf(interval), i, out_);
         if constexpr (kSurface == Surface::Bilinear) keepAxis(x, i, x_), keepAxis(y, i, y_);
     }
 
@@ -322,7 +324,7 @@ class Settling {
         }
     }
 
-    HWY_INLINE void meet(std::size_t i, HitBlock& hits, std::size_t firstHit) {
+    HWY_INLINE void finishHits(std::size_t i, HitBlock& hits, std::size_t firstHit) {
         const DD d;
         const DHI di;
         const VD in = kept(i, in_), out = kept(i, out_);
@@ -354,11 +356,11 @@ class Settling {
         std::copy_n(values, count_ - i, to + i);
     }
 
-    // Those from ray i on that are no hits.
-    HWY_NOINLINE void noteOthers(std::size_t i, VD end, MD refused) {
+    // Appends the rays from ray i on that are not hits to rays.others.
+    HWY_NOINLINE void noteOthers(std::size_t i, VD end, MD rejected) {
         const DD d;
         HWY_ALIGN double ends[kHalfLanes];
-        hn::Store(hn::IfThenElse(refused, hn::Set(d, static_cast<double>(LaneEnd::Refused)), end), d, ends);
+        hn::Store(hn::IfThenElse(rejected, hn::Set(d, static_cast<double>(LaneEnd::FalseCandidate)), end), d, ends);
         for (std::size_t n = 0; n < std::min(kHalfLanes, count_ - i); ++n) {
             if (ends[n] == 0) continue;
             rays_.others[rays_.othersCount++] = {static_cast<std::uint32_t>(i + n), static_cast<LaneEnd>(ends[n])};
@@ -373,16 +375,16 @@ class Settling {
     alignas(64) std::array<std::int32_t, kLaneSlots> pairs_;
     AxisRows x_, y_;
     alignas(64) Row in_, out_, gapIn_, gapOut_, bend_, above_, below_;
-    // A mask's bits where its vector begins; eight bytes are read of it.
+    // The bits of each vector's mask, stored at the index of its first ray. Loading a mask reads eight bytes.
     std::array<std::uint8_t, kUnderWay + 8> hit_;
 };
 
-// The hits of the candidates among the chunk's rays, to `hits` from firstHit on; a candidate that the leaf refuses is
-// LaneEnd::Refused. Rays that are no hits are added to rays.others.
+// Resolves the candidates among the chunk's rays and writes their hits from index firstHit on. Rays that are not hits
+// are appended to rays.others; a candidate that the leaf rejects becomes LaneEnd::FalseCandidate.
 template <Address kAddress, Surface kSurface>
-HWY_NOINLINE void settleLanes(const FloatScene& scene, const double* const* given, LaneRays& rays, HitBlock& hits,
-                              std::size_t firstHit) {
-    Settling<kAddress, kSurface>(scene, given, rays.count, rays).run(hits, firstHit);
+HWY_NOINLINE void resolveCandidates(const FloatScene& scene, const double* const* given, LaneRays& rays, HitBlock& hits,
+                                    std::size_t firstHit) {
+    CandidateResolver<kAddress, kSurface>(scene, given, rays.count, rays).run(hits, firstHit);
 }
 
 }  // namespace relief::HWY_NAMESPACE
