@@ -17,13 +17,13 @@ Application::Application(int& count, char** values) : QApplication(count, values
     freesAside() = true;
 }
 
-// Qt's destructor waits for the threads that free.
+// Deferred destruction stops first: Qt's destructor waits for the background threads that free memory.
 Application::~Application() {
     freesAside() = false;
 }
 
 bool Application::notify(QObject* receiver, QEvent* event) {
-    // Other threads have loops of their own.
+    // Only the window's thread is measured; other threads run their own event loops.
     if (receiver == nullptr || QThread::currentThread() != thread()) return QApplication::notify(receiver, event);
     struct Held {
         Held(const QObject* receiver, QEvent::Type type) {

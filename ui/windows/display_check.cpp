@@ -4,7 +4,7 @@
 
 #include "workspace/language.h"
 
-// After Qt: it defines Bool.
+// Included after Qt, because it defines the macro Bool.
 #include <X11/Xlib.h>
 
 namespace reliefui {

@@ -47,7 +47,7 @@ QStringList droppedFiles(const QMimeData* data) {
     return files;
 }
 
-// In the words of the window where the error's own name options of the command.
+// Explains an export failure. Errors that name command line options are expressed in the window's terms.
 QString whyNoFigure(const relief::InputError& error) {
     using relief::MessageId;
     if (dynamic_cast<const EmptyFigure*>(&error) != nullptr) {
@@ -106,7 +106,7 @@ void MainWindow::askSavePicture(bool legend) {
     savePicture(path, legend);
 }
 
-// Large pictures take long to be packed: not on the window's thread.
+// Compressing a large picture takes long, so it runs in the background.
 void MainWindow::savePicture(const QString& path, bool legend) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
@@ -152,7 +152,7 @@ void MainWindow::saveView(const QString& view, const FigureFile& file) {
     });
 }
 
-// Of the pane that fills the window; else of the one in which the keyboard is; the result where it is in none.
+// Exports the pane that fills the window, otherwise the one with the keyboard focus, otherwise the result.
 void MainWindow::exportFocused() {
     const auto exportPane = [this](const Pane& pane) {
         auto* const figure = pane.dock != nullptr ? qobject_cast<FigureView*>(pane.dock->widget()) : nullptr;
