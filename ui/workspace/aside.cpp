@@ -10,14 +10,14 @@ namespace reliefui {
 
 namespace {
 
-// Calls that no thread of the pool has taken. A queue of our own, for the reason that mailbox.h gives.
+// Calls not yet taken by a thread of the pool. Qt's own queue is not used, for the reason given in mailbox.h.
 struct Waiting {
     std::mutex mutex;
     std::deque<std::function<void()>> calls;
 };
 
 Waiting& waiting() {
-    // Never destroyed: a thread of the pool may end after this library's own objects.
+    // Never destroyed: a thread of the pool may outlive this library's static objects.
     static auto* const calls = new Waiting;
     return *calls;
 }

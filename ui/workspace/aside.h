@@ -1,12 +1,12 @@
-// Work in the background that nobody waits for: on the threads of Qt's pool, which the application waits for at its
-// end.
+// Background work without a result. It runs on the threads of Qt's global pool, for which the application waits before
+// it ends.
 #pragma once
 
 #include <functional>
 
 namespace reliefui {
 
-// Calls it soon, on another thread. Thread safe.
+// Queues the call for another thread and returns at once. Thread safe.
 void runAside(std::function<void()> call);
 
 }  // namespace reliefui

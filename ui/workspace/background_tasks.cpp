@@ -11,7 +11,7 @@ namespace reliefui {
 
 namespace {
 
-// What a task reports of its progress: no more than the eye can follow.
+// Forwards a task's progress, at a limited rate.
 class Reporter {
   public:
     using Told = std::function<void(const QString& what, double fraction)>;

@@ -8,7 +8,7 @@ namespace reliefui {
 
 namespace {
 
-// Of all workspaces: words mean the same in each.
+// One table for all workspaces: a name means the same in each.
 QHash<QString, std::function<QString()>>& names() {
     static QHash<QString, std::function<QString()>> all;
     return all;

@@ -1,5 +1,5 @@
-// Frees what is large aside: to give a hundred megabytes back takes the time of several pictures, and the window's
-// thread has no time for it.
+// Frees large objects in the background: freeing 100 MB takes as long as several frames, which would block the window's
+// thread.
 #pragma once
 
 #include <atomic>
@@ -10,13 +10,14 @@
 
 namespace reliefui {
 
-// While the application of the window lives, which waits for what is freed; without one there is nobody to hold.
+// True while a windowed application exists, which waits for pending destruction when it ends. Without one, objects are
+// freed immediately, because there is no window to block.
 inline std::atomic<bool>& freesAside() {
     static std::atomic<bool> on{false};
     return on;
 }
 
-// Deleter of shared pointers, whichever thread lets go last.
+// Deleter for shared pointers; may be called on any thread.
 struct FreeAside {
     template <class T>
     void operator()(T* value) const {
@@ -33,7 +34,7 @@ std::shared_ptr<T> makeFreedAside(Arguments&&... arguments) {
     return std::shared_ptr<T>(new T{std::forward<Arguments>(arguments)...}, FreeAside{});
 }
 
-// Lets go of the value aside.
+// Destroys the value in the background.
 template <class T>
 void discard(T value) {
     FreeAside{}(new T(std::move(value)));

@@ -13,7 +13,7 @@ namespace reliefui {
 
 namespace {
 
-// What takes so much of an event gives it its name.
+// A nested part that takes at least this share of an event's time is included in the event's name.
 constexpr double kMostOfIt = 0.5;
 
 double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
@@ -28,7 +28,7 @@ QString between() {
     return QStringLiteral(" › ");
 }
 
-// What parts are called where they tell of themselves (PauseLog::Part).
+// Translatable names of parts, as passed to PauseLog::Part.
 constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("parts", "bottom line"),
     QT_TRANSLATE_NOOP("parts", "breakpoints"),
@@ -68,7 +68,7 @@ constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("parts", "trace 3-D: step"),
 };
 
-// Parts in the user's language; classes and events are Qt's words.
+// Translates the names of parts; names of classes and events are Qt's own and stay.
 QString said(const QString& what) {
     QStringList parts = what.split(between());
     for (QString& part : parts) {
@@ -86,7 +86,7 @@ PauseLog& PauseLog::instance() {
     return log;
 }
 
-// Events that have begun go on.
+// Events that are being handled are still measured, from now on.
 void PauseLog::clear() {
     gap_ = longestGap_ = {};
     gapLongest_ = 0;
@@ -144,7 +144,7 @@ void PauseLog::open() {
     started_ = Clock::now();
 }
 
-// The stretch without a look at the queue ends; it is that of the innermost loop's event.
+// Ends the current interval without a poll of the event queue and attributes it to the innermost event loop's event.
 void PauseLog::close(Clock::time_point now) {
     if (!running_) return;
     running_ = false;
@@ -185,17 +185,17 @@ void PauseLog::pop() {
     if (frame.outermost) {
         close(now);
         stack_.pop_back();
-        if (!stack_.empty()) open();  // what ran a loop of its own goes on
+        if (!stack_.empty()) open();  // the event that ran a nested loop continues
         return;
     }
     if (stack_.size() > 1) {
         Frame& outer = stack_[stack_.size() - 2];
-        // What was drawn inside is not drawn twice.
+        // Subtracted from the enclosing part, so that painting time is not counted twice.
         outer.inside += ms;
         if (ms >= kWorthTelling && ms > outer.longest) {
             outer.longest = ms;
             outer.longestName = told(frame, ms);
-            // A part of a part says more than an event that was only handed on.
+            // If an event was only forwarded to another object, the part inside it is the better name.
             if (frame.type != 0 && frame.longest > kMostOfIt * ms) outer.longestName = frame.longestName;
         }
     }
@@ -210,7 +210,7 @@ void PauseLog::enter(const QObject* receiver, QEvent::Type type, int loop) {
     frame.type = type;
     frame.loop = loop;
     frame.outermost = stack_.empty() || loop > stack_.back().loop;
-    // The window is composed of its panes' pictures, and these are drawn; at first its surface is made.
+    // These events compose the window from its panes' pictures, or create its surface, which counts as painting.
     frame.drawing = type == QEvent::UpdateRequest || type == QEvent::Expose ||
                     (type == QEvent::Paint && qobject_cast<const QOpenGLWidget*>(receiver) != nullptr);
     if (frame.outermost) {

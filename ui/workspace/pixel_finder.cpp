@@ -10,9 +10,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr std::size_t kMost = 24;  // that one would look at
-constexpr int kApart = 40;         // of so many parts of the picture's width
-constexpr int kLeastApart = 4;     // pixels
+constexpr std::size_t kMost = 24;  // largest number of pixels found
+constexpr int kApart = 40;         // minimum distance of two pixels is the picture's width divided by this,
+constexpr int kLeastApart = 4;     // but at least this, in pixels
 
 QString nameOf(const relief::MethodChoice& method) {
     return QString::fromStdString(relief::variationText(relief::CompareSubject::Methods, method));

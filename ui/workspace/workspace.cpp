@@ -16,7 +16,7 @@ namespace reliefui {
 
 namespace {
 
-// Nothing has to be computed for it.
+// Returns true if the scenarios differ only in parts that need no computation.
 bool onlyNotesDiffer(const relief::Scenario& a, const relief::Scenario& b) {
     return a == relief::withNotesOf(b, a);
 }
@@ -27,14 +27,15 @@ void clampPixel(relief::Scenario& scenario) {
     scenario.pixel->y = std::clamp(scenario.pixel->y, 0, std::max(0, scenario.height - 1));
 }
 
-// Whether there is something to be loaded from the one for the other: heights drawn by hand are at hand.
+// Returns true if pictures have to be loaded for the change; heights drawn by hand are already in memory.
 bool needsLoading(const relief::Pictures& from, const relief::Pictures& to) {
     relief::Pictures same = to;
     if (!from.drawn.empty() && !to.drawn.empty()) same.drawn = from.drawn;
     return !(same == from);
 }
 
-// Beyond the core's own checks: a picture that would take this machine's memory is a slip of the hand in a window.
+// Limit of the picture's size, in addition to the core's own checks: larger values entered in a window are probably
+// typing errors, and would need the machine's whole memory.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
 void checkForWindow(const relief::Scenario& scenario, const StateReaders* readers) {
@@ -60,7 +61,7 @@ Workspace::Workspace(std::shared_ptr<const StateReaders> readers, QObject* paren
     style_.language = uiLanguage();
 }
 
-// Ends the worker's thread: what runs is cancelled, and waited for.
+// Ends the worker's thread: cancels the running job and waits for it.
 Workspace::~Workspace() {
     worker_.reset();
 }
@@ -83,7 +84,7 @@ void Workspace::change(const relief::Scenario& scenario, const QString& what, co
         checkForWindow(wanted, readers_.get());
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
-        Q_EMIT scenarioChanged();  // controls go back to what is
+        Q_EMIT scenarioChanged();  // resets the controls to the actual values
         return;
     }
     if (needsLoading(scenario_.pictures, wanted.pictures)) {
@@ -94,7 +95,7 @@ void Workspace::change(const relief::Scenario& scenario, const QString& what, co
         pending_.reset();
         worker_->cancelLoad();
     }
-    // Who looks at the end of the ray goes on doing so when the ray changes.
+    // If the chosen step was the ray's last one, it stays the last one when the ray changes.
     const bool atEnd = snapshot_ && scenario_.step >= lastStep(*snapshot_);
     if (atEnd && !keepStep_ && !onlyNotesDiffer(wanted, scenario_)) toLastStep_ = true;
     past_.push({wanted, what, mergeKey});
@@ -113,7 +114,7 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
     scenario_ = scenario;
     if (panes) Q_EMIT panesChanged();
     if (notesOnly) {
-        if (recolor) requestRender(false);  // of what is drawn already, in other colours
+        if (recolor) requestRender(false);  // recolours the existing picture
         if (agreed) good_ = past_;
         if (step) Q_EMIT stepChanged(scenario_.step);
         if (notes) Q_EMIT notesChanged();
@@ -143,9 +144,9 @@ void Workspace::choosePixel(int x, int y) {
     clampPixel(wanted);
     if (wanted.pixel == scenario_.pixel || past_.empty()) return;
     toLastStep_ = raysFromEnd_;
-    // The search is looked at before its answer.
+    // Start at the beginning of the search, not at its result.
     if (!raysFromEnd_) wanted.step = 0;
-    // One entry a click; arrows in a row are one as well, as they follow each other without a settle().
+    // Each click is one undo entry. Arrow keys in succession share one, because no settle() comes between them.
     keepStep_ = true;
     change(wanted, changeName([] { return tr("Choose pixel"); }), QStringLiteral("pixel"));
     keepStep_ = false;
@@ -255,7 +256,7 @@ void Workspace::finishLoad(const LoadResult& result) {
     pending_.reset();
     if (result.cancelled || !result.problem.isEmpty()) {
         if (!result.problem.isEmpty()) Q_EMIT problem(result.problem);
-        Q_EMIT scenarioChanged();  // controls go back to what is
+        Q_EMIT scenarioChanged();  // resets the controls to the actual values
         tellBusy();
         return;
     }
@@ -268,7 +269,7 @@ void Workspace::finishLoad(const LoadResult& result) {
         return;
     }
     accept(pending);
-    tellBusy();  // where only notes differ, nothing is rendered
+    tellBusy();  // nothing is rendered if only notes differ
     if (!result.notes.isEmpty()) Q_EMIT notice(result.notes);
     if (pending.action == Action::Open && !pending.path.isEmpty()) Q_EMIT opened(pending.path);
 }
@@ -283,7 +284,7 @@ void Workspace::accept(const Pending& pending) {
     } else {
         const bool wholeScenario = pending.whole || pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
         if (!past_.empty() && !wholeScenario) {
-            // What was turned while the pictures were loading stays turned.
+            // Changes made while the pictures were loading are kept.
             scenario = scenario_;
             scenario.pictures = pending.scenario.pictures;
         }
@@ -329,7 +330,7 @@ void Workspace::cancel() {
 
 void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (snapshot_ && snapshot->version < snapshot_->version) return;
-    // The numbers are another list's.
+    // The index refers to the list of another footprint.
     if (!snapshot_ || snapshot_->footprint != snapshot->footprint) texel_.reset();
     snapshot_ = std::move(snapshot);
     hideAnswer();
@@ -346,7 +347,7 @@ void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
         goodVersion_ = version_;
         asked_.clear();
     } else {
-        // Of a change that others have followed: what is gone back to, should they be cancelled.
+        // A snapshot of an older version: it becomes the state to return to if the later changes are cancelled.
         while (!asked_.empty() && asked_.front().first < snapshot_->version) asked_.pop_front();
         if (!asked_.empty() && asked_.front().first == snapshot_->version) {
             good_ = std::move(asked_.front().second);
@@ -354,7 +355,7 @@ void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
         }
     }
     Q_EMIT snapshotChanged();
-    // A step was chosen while the worker was busy: it stays chosen.
+    // A step chosen while the worker was busy is kept.
     if (snapshot_->version == version_ && snapshot_->scenario.step != scenario_.step)
         Q_EMIT stepChanged(scenario_.step);
     tellBusy();
@@ -368,7 +369,7 @@ void Workspace::fail(const RenderFailure& failure) {
     tellBusy();
 }
 
-// The last state that was shown comes back, with the history it had.
+// Returns to the last state that was shown, with its history.
 void Workspace::goBack() {
     if (good_.empty()) return;
     toLastStep_ = false;
@@ -403,7 +404,7 @@ void Workspace::tellBusy() {
     if (busy() == toldBusy_) return;
     toldBusy_ = busy();
     Q_EMIT busyChanged(toldBusy_);
-    // Whether a first picture is to come is seen in the panes.
+    // Panes without a snapshot show whether the first one is being computed.
     if (!snapshot_) Q_EMIT styleChanged();
 }
 
