@@ -18,7 +18,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kCopiedWidth = 1600;  // pixels
+constexpr int kCopiedWidth = 1600;  // in pixels
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void FigureView::setPoint(const std::optional<QueryPoint>& point) {
 }
 
 void FigureView::askPoint(const QPointF& widget) {
-    constexpr double kSame = 5;  // pixels
+    constexpr double kSame = 5;  // in pixels
     const std::optional<QPointF> mark = pointPlace();
     const bool same = mark && std::abs(mark->x() - widget.x()) <= kSame && std::abs(mark->y() - widget.y()) <= kSame;
     const std::optional<QueryPoint> point = pointAt(widget);
@@ -149,8 +149,8 @@ void FigureView::copyPicture() {
     });
 }
 
-// draw: on another thread; what it returns is called on the window's, if the pane is still there. VTK draws on the
-// window's alone.
+// Runs `draw` on another thread; the function it returns is called on the window's thread if the pane still exists.
+// Figures rendered with VTK are drawn on the window's thread instead.
 void FigureView::drawAside(const Figure& figure, BackgroundTasks::Task draw) {
     if (!figure.vectors()) {
         const DrawingTime drawing("figure");

@@ -15,8 +15,8 @@ class History {
   public:
     struct Entry {
         relief::Scenario scenario;
-        QString what;      // consecutive changes with the same key form one entry; empty: never merged
-        QString mergeKey;  // changes with the same key in a row are one entry; empty: never
+        QString what;      // name of the change that led here, for the undo menu
+        QString mergeKey;  // consecutive changes with the same key form one entry; empty: never merged
     };
 
     bool empty() const { return entries_.empty(); }

@@ -1,4 +1,5 @@
-// The controls of the charts pane: measure or cancel, by itself or not, which methods, which error, which charts.
+// Controls of the charts pane: start or cancel measuring, measure automatically, which methods, which error, which
+// charts.
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QToolButton>

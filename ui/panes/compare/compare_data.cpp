@@ -18,7 +18,7 @@ class CompareText {
 
 using relief::CompareSubject;
 
-// All on which the picture depends that has this choice in the place of the scenario's own.
+// The scenario of a picture, reduced to what the picture depends on, with this choice in place of the scenario's own.
 relief::Scenario shownBy(const relief::Scenario& whole, const relief::MethodChoice& choice) {
     const CompareSubject subject = whole.comparison.subject;
     relief::Scenario scenario = relief::varied(whole, subject, choice);
@@ -59,7 +59,7 @@ const QImage& ComparedPicture::shown(const relief::Comparison& how, bool referen
     const bool errors = how.mode == relief::CompareMode::Difference && !reference;
     if (!errors) return picture;
     const QImage& map = how.measure == relief::CompareMeasure::L1 ? l1Picture : flipPicture;
-    return map.isNull() ? picture : map;  // coarse, or not measured yet: the picture itself
+    return map.isNull() ? picture : map;  // while coarse or not measured yet, the picture itself
 }
 
 std::string comparedName(std::size_t number, CompareSubject subject, const relief::MethodChoice& choice) {
@@ -116,7 +116,7 @@ Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::M
     return at;
 }
 
-// Of all but A, which is the snapshot's.
+// Renders all pictures except A, which is the snapshot's.
 void Comparer::fill(ComparedPicture& picture, const Snapshot& snapshot, relief::Work& work) {
     const relief::HeightField& field = snapshot.request->field;
     const bool method = snapshot.scenario.comparison.subject == CompareSubject::Methods;
@@ -172,7 +172,7 @@ std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, con
     view->rated = std::none_of(view->pictures.begin(), view->pictures.end(),
                                [](const ComparedPicture& picture) { return picture.traces && !picture.problem; });
     view->complete = true;
-    // Buffers of what is not looked at any more.
+    // Renderers not used in the last calls are dropped.
     constexpr int kKept = 4;
     std::erase_if(rendered_, [&](const auto& entry) { return entry.second.used + kKept < calls_; });
     return view;

@@ -1,4 +1,4 @@
-// The pictures of the compare pane: what is seen, and what the mouse does there.
+// The pictures of the compare pane: painting and mouse and key events.
 #include <algorithm>
 #include <cmath>
 
@@ -21,8 +21,8 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kReach = 6;  // points to a divider
-// Until a picture that is not what is wanted any more is veiled: one that moves is replaced sooner.
+constexpr double kReach = 6;  // pick distance of a divider, in points
+// Delay before an outdated picture is veiled; during a drag it is replaced sooner.
 constexpr int kVeilMs = 150;
 
 }  // namespace
@@ -95,7 +95,7 @@ void ComparePictures::relayout() {
             veil_.start(kVeilMs);
         }
         CompareSource source = compareSource(*view_, wanted(), shown_, pending_);
-        // Numbers that are not there yet come back to where they were.
+        // Reserves as many text lines as before: the numbers will return to the same place.
         if ((late || view_->coarse) && mode_ == source.mode) source.lines = lines_;
         ComparePage parts = comparePage(source, page, workspace()->style(), false);
         errors_ = std::move(source.errors);
@@ -213,7 +213,7 @@ void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
         setCursor(over ? Qt::SplitHCursor : Qt::ArrowCursor);
         return PictureView::mouseMoveEvent(event);
     }
-    // Undone, or another way of comparing, while the button was down.
+    // The dividers changed during the drag, by undo or another mode.
     if (!dragsFit()) return dragged_.reset();
     const QRectF room = onScreen(layout_.rooms.front());
     const std::size_t n = *dragged_;
@@ -237,7 +237,7 @@ void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     relayout();
 }
 
-// Alt with left and right moves the divider, with up and down takes another one; Shift: in larger steps.
+// Alt with left or right moves the divider, Alt with up or down selects another one; Shift: larger steps.
 bool ComparePictures::moveDivider(QKeyEvent* event) {
     constexpr double kStep = 0.01;
     constexpr double kFarStep = 0.1;
@@ -265,7 +265,7 @@ bool ComparePictures::moveDivider(QKeyEvent* event) {
     return true;
 }
 
-// A letter shows that picture alone where one is shown at a time.
+// In modes that show one picture at a time, a letter selects it.
 void ComparePictures::keyPressEvent(QKeyEvent* event) {
     if (moveDivider(event)) return;
     const int number = event->key() - Qt::Key_A;

@@ -1,4 +1,4 @@
-// The controls of the distance map's pane, and what is done with the pointer there.
+// Controls of the distance pane, and its reaction to the pointer.
 #include <algorithm>
 #include <cmath>
 
@@ -135,7 +135,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
         connect(axes_.back(), &QToolButton::clicked, this, [this, a] {
             DistanceOptions next = options_;
             next.axis = static_cast<SliceAxis>(a);
-            next.slice.reset();  // a number of the other axis means nothing here
+            next.slice.reset();  // an index along the other axis is meaningless here
             change(next);
             showControls();
         });
@@ -167,7 +167,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
     });
 }
 
-// Over the canvas: a row of its own would change the room that is drawn for.
+// Placed over the canvas, because a row of its own would change the size of the drawing.
 void DistanceView::makeWaiting() {
     waiting_ = new QFrame(this);
     waiting_->setObjectName(QStringLiteral("distance-waiting"));
@@ -261,7 +261,7 @@ std::optional<QueryPoint> DistanceView::pointAt(const QPointF& widget) const {
     if (!result_) return std::nullopt;
     const DistanceFrame& frame = result_->picture.frame;
     const Point at = canvas_->toDrawing(widget);
-    // A cone map has no height under the pointer.
+    // In a cone map, points under the pointer have no height.
     if (frame.slopes || frame.slab <= 0 || !frame.plot.contains(at)) return std::nullopt;
     const Place3 place = fromSlice(frame.axis, frame.slab, frame.plane, frame.uvAt(at));
     const QueryPoint point{place[0], place[1], std::clamp(place[2] / frame.slab, 0.0, 1.0)};

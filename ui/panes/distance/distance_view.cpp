@@ -27,12 +27,12 @@ void DistanceView::setOptions(const DistanceOptions& options) {
     change(options);
 }
 
-// drag: what is dragged, one step of undo.
+// drag: merge key of a drag, which is one step of undo; null: none.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
     workspace_->change(withState(workspace_->scenario(), paneOf(options)),
                        changeName([] { return tr("Distance map: other view"); }), QString::fromLatin1(drag));
-    showControls();  // where it was refused
+    showControls();  // resets the controls if the change was refused
 }
 
 void DistanceView::adopt() {
@@ -86,12 +86,12 @@ void DistanceView::showSnapshot() {
     } else if (now == failed_) {
         showControls();
     } else if (!(now == building_) && !snapshot_->coarse) {
-        // While something is dragged the map would be another one a moment later.
+        // Not during a drag, in which the map would soon be outdated.
         build(now);
     }
 }
 
-// The maps themselves stay in the cache, within its budget.
+// The maps themselves stay in the cache, within its memory budget.
 void DistanceView::letGo() {
     job_->drop();
     point_.drop();
@@ -134,7 +134,7 @@ void DistanceView::build(const MapNames& names) {
     showWaiting();
 }
 
-// In points; what the canvas leaves around drawing and legend is its own.
+// Computes slice and legend in the background. Sizes are in points, without the canvas's margins.
 void DistanceView::draw() {
     constexpr double kMargin = 6;
     constexpr double kOneRow = 14;
@@ -151,7 +151,7 @@ void DistanceView::draw() {
     const auto work = [result, options = options_, room, step, language](relief::Work&) {
         const DistanceSource source = result->source();
         if (source.second != nullptr) result->secondSector = sectorOf(*source.second, source, options);
-        // Twice, where the legend turns out higher than one row.
+        // A second pass is needed if the legend turns out higher than one row.
         double legend = kOneRow + kMargin / 2;
         for (int n = 0; n < 2; ++n) {
             result->picture = distancePicture(source, options, step, room.width(), room.height() - legend, language);
@@ -201,10 +201,10 @@ void DistanceView::showEmpty(relief::MessageId why) {
 
 void DistanceView::fail(const QString& problem) {
     problem_ = problem.isEmpty() ? tr("The map was not built: it was cancelled.") : problem;
-    // By then there may be no picture any more.
+    // The snapshot may have gone in the meantime.
     failed_ = ready() ? namesNow() : MapNames{};
     building_ = {};
-    // What is on the screen is not what was asked for.
+    // The drawing on the screen is not the requested one, so it is removed.
     result_.reset();
     canvas_->setLayers({}, nullptr);
     showControls();
@@ -214,7 +214,7 @@ void DistanceView::cancel() {
     job_->cancel();
 }
 
-// The controls say what is shown.
+// Sets the controls to what is shown.
 void DistanceView::showControls() {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietSector(sector_);

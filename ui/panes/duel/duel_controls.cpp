@@ -1,4 +1,4 @@
-// The duel pane's controls, and how drawing and table share its room.
+// Controls of the duel pane, and the division of its room between drawing and table.
 #include <algorithm>
 
 #include <QComboBox>
@@ -22,7 +22,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPlaces = 3;  // beside the scenario's own method
+constexpr int kPlaces = 3;  // number of rivals of the scenario's own method
 constexpr int kColumnLetters = 21;
 constexpr int kDrawingLines = 26;
 constexpr int kLowDrawingLines = 16;
@@ -89,7 +89,7 @@ void DuelView::setRival(int place, const QString& method) {
     const std::vector<relief::MethodChoice> shown = duelRivals(wanted);
     std::vector<relief::MethodChoice>& others = wanted.comparison.others;
     const auto at = static_cast<std::size_t>(place);
-    // What is compared and no rival (it finds no hits) stays as it is.
+    // A compared choice that cannot be a rival, because it finds no hits, keeps its place.
     const auto there = at < shown.size() ? std::find(others.begin(), others.end(), shown[at]) : others.end();
     if (there != others.end() && there->name == method.toStdString()) return;
     if (method.isEmpty()) {
@@ -124,7 +124,8 @@ void DuelView::applyFont() {
     table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
 }
 
-// The drawing comes first: the table stands beside it where the pane is wide, below where it is high, else nowhere.
+// The drawing has priority: the table stands to its right in a wide pane, below it in a high one, and is hidden
+// otherwise.
 void DuelView::shareRoom() {
     const QFontMetrics letters(table_->font());
     const int line = letters.height();
@@ -134,7 +135,7 @@ void DuelView::shareRoom() {
     const int wanted = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
     const bool beside = split_->width() - wanted >= kDrawingLines * line;
     const bool below = split_->height() >= (kLowDrawingLines + kTableLines) * line;
-    // In the menu as well.
+    // Also available in the menu.
     for (QWidget* const part : {static_cast<QWidget*>(own_), static_cast<QWidget*>(near_)}) {
         part->setVisible(width() > kWideLines * line);
     }
@@ -149,7 +150,7 @@ void DuelView::shareRoom() {
 
 void DuelView::resizeEvent(QResizeEvent* event) {
     FigureView::resizeEvent(event);
-    // When the layout has given everything its place.
+    // Delayed until the layout is done.
     QTimer::singleShot(0, this, &DuelView::shareRoom);
 }
 
