@@ -15,7 +15,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kMajor = 3;  // of OpenGL's core profile
+constexpr int kMajor = 3;  // version of OpenGL's core profile
 constexpr int kMinor = 2;
 
 struct Texts {
@@ -85,7 +85,7 @@ struct OffscreenGl::ByEgl {
 };
 
 OffscreenGl::OffscreenGl() {
-    // Qt's platform without a display knows no OpenGL there.
+    // Qt's offscreen platform does not support OpenGL.
     if (QGuiApplication::platformName() == QLatin1String("xcb")) {
         qt_ = std::make_unique<ByQt>();
     } else {

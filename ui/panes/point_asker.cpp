@@ -28,7 +28,7 @@ void PointAsker::ask(const std::shared_ptr<const Snapshot>& snapshot, const std:
                        field.address(), field.reliefDepth(),   servedFlattest(snapshot->scenario.method)};
     if (asked_ == now) return;
     drop();
-    // While something is dragged the relief would be another one a moment later.
+    // Not during a drag, in which the relief would soon be outdated.
     if (snapshot->coarse) return;
     asked_ = now;
     auto query = std::make_shared<std::shared_ptr<const PointQuery>>();

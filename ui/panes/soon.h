@@ -1,5 +1,6 @@
-// Runs a call once, soon, however often it is asked for: when what happens now is over, but before the window is put on
-// the screen. A timer of no time would come after that, and the whole window would be composed again for each pane.
+// Schedules a call that runs once, however often it is requested: after the current event, but before the window is
+// painted. A zero-timeout QTimer would fire only after painting, and the whole window would be composed again for each
+// pane.
 #pragma once
 
 #include <functional>
@@ -25,11 +26,11 @@ class Soon {
             },
             Qt::QueuedConnection);
     }
-    // What was asked for is not run.
+    // Withdraws the request.
     void stop() { wanted_ = false; }
 
   private:
-    QObject* receiver_;  // lives as long as this
+    QObject* receiver_;  // must outlive this object
     std::function<void()> call_;
     bool wanted_ = false;
 };

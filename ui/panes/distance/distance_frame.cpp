@@ -159,8 +159,8 @@ DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions&
         frame.plane = source.first->planeOf(frame.axis, frame.slice, current);
         cut[axis] = frame.plane;
     } else {
-        // The plane passes through the step, so that its sphere is cut through the centre; values are taken from the
-        // voxel that the ray leaves, whose side the step may lie on.
+        // The plane passes through the step, so that its sphere is cut through the centre; values are looked up in
+        // the voxel that the step examines, on whose border the step may lie.
         frame.plane = current[axis];
         cut[axis] = voxelMiddle(source, step, frame.axis).value_or(frame.plane);
         frame.slice = source.first->sliceAt(frame.axis, cut);

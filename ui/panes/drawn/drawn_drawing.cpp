@@ -55,7 +55,7 @@ DrawnPicture gridPicture(const DrawnSource& source) {
     return picture;
 }
 
-// The surface at the middle of each row of samples, interpolated between texels like the method does.
+// Outline of the surface along the row: the columns' steps, or heights interpolated between texel centres.
 std::vector<Point> outline(const DrawnSource& source, const DrawnPicture& picture) {
     const DrawnRelief& relief = source.relief;
     const auto y = [&](int i) {

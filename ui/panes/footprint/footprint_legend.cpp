@@ -21,7 +21,7 @@ class Rows {
         : f_(f), options_(options), rows_(width, language) {}
 
     Drawing take(bool weights) {
-        // Distance, in texels, of the texture's lower end; effectively infinite.
+        // An opaque background hides the texture behind the legend; kFar, in points, exceeds the size of any pane.
         constexpr double kFar = 1e4;
         rows_.add(Role::Background, Rectangle{{-kFar, -3, kFar, kFar}, true, 0, 0}, {}, Emphasis::Strong);
         numbers();

@@ -16,7 +16,7 @@ FormulaFace::FormulaFace(QWidget* parent) : QAbstractScrollArea(parent) {
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     viewport()->setMouseTracking(true);
-    // Else it would cover the pane, which then is never in sight.
+    // An opaque viewport would hide the pane, which would then never get the paint event that marks it as visible.
     viewport()->setAutoFillBackground(false);
 }
 
@@ -31,7 +31,7 @@ void FormulaFace::setGroups(std::vector<FormulaGroup> groups, relief::MessageId 
     lay();
 }
 
-// As wide as it is with a scroll bar: the bar's coming and going must not change the height that it depends on.
+// The width always allows for the scroll bar, because its appearance must not change the height that it depends on.
 void FormulaFace::lay() {
     const double unit = style_.pixelsPerPoint();
     const int bar = verticalScrollBar()->sizeHint().width();
@@ -102,7 +102,7 @@ FormulaView::FormulaView(Workspace* workspace, QWidget* parent)
 void FormulaView::showSnapshot() {
     const PauseLog::Part part("formulas");
     const auto shown = workspace_->snapshot();
-    // Of a coarse picture the pixel is another one: the numbers wait for the full one.
+    // In a coarse picture the pixel differs; the numbers follow with the full picture.
     if (shown && shown->coarse) return;
     const Style& style = workspace_->style();
     if (!shown) return face_->setGroups({}, relief::MessageId::DrawNoPicture, style);

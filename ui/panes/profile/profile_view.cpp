@@ -123,7 +123,7 @@ void ProfileView::showSnapshot() {
     const PauseLog::Part part("profile");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    // A guess is about one ray.
+    // A guess applies to one ray only.
     if (options_.guess && shown_ && shown_->version != guessed_) options_.guess.reset();
     if (!ready()) {
         showEmpty(!shown_ ? workspace_->whyEmpty()
@@ -132,7 +132,8 @@ void ProfileView::showSnapshot() {
     }
     point_.ask(shown_, query_);
     const ProfileSource from = source();
-    // The legend first: what it needs is not left to the plot. Where it would take too much it says less.
+    // The legend is laid out first; the plot gets the remaining room. If the legend would take too much, it is
+    // shortened.
     constexpr double kMostLegend = 0.25;
     const relief::Language language = workspace_->style().language;
     for (const bool brief : {false, true}) {
@@ -142,7 +143,7 @@ void ProfileView::showSnapshot() {
     }
     const QSizeF room = canvas_->room();
     frame_ = profileFrame(from, options_, room.width(), room.height());
-    // Where it lies, so that the canvas knows what it shows.
+    // An empty layer that tells the canvas the drawing's bounds.
     auto bounds = std::make_shared<Drawing>();
     bounds->bounds = frame_.whole;
     canvas_->setLayers({std::move(bounds)}, legend_);
@@ -190,7 +191,7 @@ void ProfileView::guessAt(double lambda) {
     options_.guess = std::clamp(lambda, 0.0, frame_.lambdaEnd);
     guessed_ = workspace_->version();
     workspace_->setGuessing(false);
-    // The answer.
+    // Show the answer.
     workspace_->chooseStep(static_cast<int>(shown_->trace.steps.size()) - 1);
 }
 
@@ -207,7 +208,7 @@ void ProfileView::choose(const ItemId& id) {
     if (id.kind == ItemKind::Step && id.i < count) workspace_->chooseStep(static_cast<int>(id.i));
     if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
     if (id.kind != ItemKind::Texel) return;
-    // Of all steps on this texel, the next one after the current, round and round.
+    // If several steps concern this texel, choose the one after the current step, cyclically.
     const std::int64_t current =
         std::clamp<std::int64_t>(workspace_->scenario().step, 0, std::max<std::int64_t>(count - 1, 0));
     for (std::int64_t n = 1; n <= count; ++n) {
@@ -239,7 +240,7 @@ std::optional<QueryPoint> ProfileView::pointAt(const QPointF& widget) const {
     const relief::HeightField& field = shown_->request->field;
     const Point at = canvas_->toDrawing(widget);
     const double height = frame_.heightAt(at.y);
-    // Above the slab there is some room.
+    // The plot includes some room above the slab, where there are no points.
     if (!frame_.plot.contains(at) || height > 1 || field.slabTexels() <= 0) return std::nullopt;
     const Point texel = RayPath(field, shown_->trace.ray).at(frame_.lambdaAt(at.x));
     const QueryPoint point{texel.x, texel.y, std::max(height, 0.0)};

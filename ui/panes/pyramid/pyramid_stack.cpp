@@ -19,7 +19,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kClickReach = 4;  // pixels
+constexpr double kClickReach = 4;  // in pixels
 
 }  // namespace
 

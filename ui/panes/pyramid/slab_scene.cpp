@@ -28,18 +28,18 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kTitleSize = 0.85;  // of the text's
-constexpr double kLine = 1.4;        // of the titles, of their size
-// The sides of a slab are darker than its top, those that look to the left and right more so.
+constexpr double kTitleSize = 0.85;  // relative to the style's text size
+constexpr double kLine = 1.4;        // line height, relative to the titles' size
+// Brightness of a slab's sides relative to its top; the sides facing left and right are darkest.
 constexpr double kFront = 0.72;
 constexpr double kSide = 0.5;
-constexpr double kHidden = 0.4;      // opacity of the ray behind slabs
-constexpr double kBeforeAll = -2e5;  // depth by which marks are drawn before everything
-constexpr double kMostLines = 40;    // of a level's grid along a side
+constexpr double kHidden = 0.4;      // opacity of the ray where slabs hide it
+constexpr double kBeforeAll = -2e5;  // depth offset by which marks are drawn in front of everything
+constexpr double kMostLines = 40;    // of a level's grid, per side
 
 using Place = Turntable::Place;
 
-// Four-cornered faces, each in its colour.
+// Quadrilaterals, each with its colour.
 class Faces {
   public:
     Faces() { colors_->SetNumberOfComponents(3); }
@@ -50,7 +50,7 @@ class Faces {
         cells_->InsertNextCell(4, ids);
         colors_->InsertNextTuple3(color.r * shade, color.g * shade, color.b * shade);
     }
-    // The top of a box and its sides; the foot is not seen.
+    // Adds the top and sides of a box; the bottom is never visible.
     void box(const Place& low, const Place& high, Rgba color) {
         const auto [x0, y0, z0] = low;
         const auto [x1, y1, z1] = high;
@@ -76,7 +76,7 @@ class Faces {
         data->GetCellData()->SetScalars(colors_);
         return flat(data);
     }
-    // Without light: colours mean something.
+    // Without lighting, because the colours encode values.
     static vtkSmartPointer<vtkActor> flat(const vtkSmartPointer<vtkPolyData>& data) {
         auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
         mapper->SetInputData(data);
@@ -166,7 +166,7 @@ std::vector<SlabScene::Line> SlabScene::rim(std::size_t part, const Box& b, doub
     return lines;
 }
 
-// The frame of each level, and the lines between its slabs, also where none are drawn.
+// Adds the frame of each level and the lines between slabs, also where no slabs are drawn.
 void SlabScene::addGround(std::size_t part) {
     const Box& domain = tower_.domain(part);
     const PyramidPart& of = parts_->parts[part];
@@ -202,7 +202,7 @@ void SlabScene::addGround(std::size_t part) {
 
 namespace {
 
-// The corner that lies first in this direction, X to the right and Y upwards; texels count downwards.
+// The corner that comes first in this direction (X to the right, Y upwards; texel rows increase downwards).
 Point firstCorner(const Box& d, Point direction) {
     const std::array<Point, 4> corners{Point{d.x0, d.y0}, {d.x1, d.y0}, {d.x1, d.y1}, {d.x0, d.y1}};
     return *std::min_element(corners.begin(), corners.end(), [&](Point a, Point b) {
@@ -212,7 +212,7 @@ Point firstCorner(const Box& d, Point direction) {
 
 }  // namespace
 
-// To the right, seen along (x, y), is (y, -x).
+// Viewed along (x, y), the right-hand direction is (y, -x).
 Point SlabScene::leftCorner(std::size_t part) const {
     return firstCorner(tower_.domain(part), {tower_.seenAlong().y, -tower_.seenAlong().x});
 }
@@ -243,7 +243,7 @@ void SlabScene::addWords(const std::string& said, const Place& at, bool beside) 
     renderer_->AddActor2D(text);
 }
 
-// Left of each level, below each of several pyramids, and in the corner what the scales are.
+// Adds titles left of each level, below each of several pyramids, and the scales in the corner.
 void SlabScene::addTitles() {
     titleWidth_ = 0;
     const int last = tower_.levels() - 1;
@@ -288,7 +288,7 @@ vtkSmartPointer<vtkActor> SlabScene::addLines(const std::vector<Line>& lines, Rg
     data->SetPoints(points);
     data->SetLines(cells);
     auto actor = Faces::flat(data);
-    // In front of the face that they lie on, or of all.
+    // Depth offsets that draw lines in front of the face they lie on, or in front of everything.
     constexpr double kOnFace = -8;
     auto* const mapper = actor->GetMapper();
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
@@ -335,7 +335,7 @@ void SlabScene::addWay(std::size_t part, std::size_t chosen) {
     }
     const auto end = tower_.end(part);
     if (!end) return;
-    // A ring that lies flat: disks over each other.
+    // A horizontal ring, made of disks on top of each other.
     constexpr double kRadius = 0.018;
     const double radius = kRadius * std::max(tower_.domain(part).width(), tower_.domain(part).height());
     const Rgba ground = style_.background();
@@ -406,7 +406,7 @@ void SlabScene::showAll(double width, double height) {
                 places.push_back(tower_.at(n, p, z));
         }
     }
-    // Beside the titles, and above the lines in the corner.
+    // Leaves room for the titles at the side and for the lines in the corner.
     const double line = kLine * style_.textPixels(kTitleSize);
     camera.fit(places, std::max(width - titleWidth_, width / 4) / std::max(height, 1.0));
     const double beside = std::min(titleWidth_, width * 3 / 4);

@@ -8,7 +8,7 @@ namespace reliefui {
 
 namespace {
 
-// Sizes of the text, of the style's.
+// Text sizes, relative to the style's text size.
 constexpr double kLargest = 1.4;
 constexpr double kSmallest = 0.7;
 constexpr double kStep = 0.05;
@@ -55,7 +55,7 @@ QString StepSentence::words() const {
     const int end = static_cast<int>(trace.steps.size()) - 1;
     const auto at = static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, end));
     const QString step = said(relief::stepSentence(trace.steps, at, trace.ray, trace.exact));
-    // At the end, and all along where the answer is another one.
+    // The answer is described at the last step, and at every step if it is wrong.
     const bool last = at + 1 == trace.steps.size();
     if (!last && relief::answerError(trace.hit, trace.exact, trace.ray) <= relief::kSameAnswer) return step;
     return step + QLatin1Char('\n') + said(relief::answerSentence(trace.hit, trace.exact, trace.ray));
@@ -67,7 +67,7 @@ void StepSentence::refresh() {
     fit();
 }
 
-// The largest type in which all of it is seen.
+// Chooses the largest font size at which the whole text is visible.
 void StepSentence::fit() {
     if (!isVisible()) return;
     QFont type = font();

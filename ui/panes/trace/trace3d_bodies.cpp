@@ -31,7 +31,7 @@ class Bodies {
           style_(style),
           tube_(radius) {}
 
-    // What follows is drawn in the colour of this step's body.
+    // Sets the colour of the following bodies to that of this step.
     void take(const Snapshot& snapshot, const relief::Step& step) {
         color_ = style_.color(bodyRole(step, snapshot.trace.ray, snapshot.trace.exact));
     }
@@ -44,7 +44,7 @@ class Bodies {
         return actor;
     }
 
-    // A level ring and one in the plane of the ray; of a cone its edge and two sides.
+    // Sphere: a horizontal circle and one in the plane of the ray. Cone: its rim and two sides.
     void outline(Tubes& tubes, const StepBody& body, double width) const {
         if (body.kind == StepBody::Kind::Sphere) {
             ring(
@@ -90,10 +90,11 @@ class Bodies {
         }
     }
 
-    // How far out the cone is drawn: to the top of the slab, or somewhat farther than the ray goes in it.
+    // Radius up to which the cone is drawn: where it reaches the top of the slab, or somewhat farther than the ray
+    // travels in it.
     double reachOf(const StepBody& body) const {
         constexpr double kFarther = 1.4;
-        constexpr double kLeast = 1.5;  // texels
+        constexpr double kLeast = 1.5;  // in texels
         const double away = body.away(ray_.a, ray_.b);
         const double way = (1 - body.lambda - body.apex) / (1 + body.slope * away) * away;
         const double far = std::max(kFarther * way, kLeast);
@@ -143,7 +144,7 @@ class Bodies {
     const TraceScene& scene_;
     double slab_;
     relief::ViewRay ray_;
-    double run_;  // of the ray, texels a unit of lambda
+    double run_;  // of the ray, in texels per unit of lambda
     Point direction_;
     const Style& style_;
     Rgba color_;
