@@ -14,9 +14,9 @@ bool CellPictures::Picture::serves(const Cells& cells, const Style& style) const
 
 // Renders the visible cells with a border around them, so that small movements of the view need no new image; of a
 // large grid only this part is rendered.
-void CellPictures::Picture::make(const Cells& cells, const Style& style, const CellRange& seen, int cellsAPixel) {
+void CellPictures::Picture::make(const Cells& cells, const Style& style, const CellRange& seen, int cellsPerPixel) {
     constexpr int kMostAround = 384;  // pixels
-    step = cellsAPixel;
+    step = cellsPerPixel;
     const int around = std::min(kMostAround * step, std::max(seen.i1 - seen.i0, seen.j1 - seen.j0) / 2);
     // Starts at a multiple of `step` wherever the view is, so that the subsampled image does not shimmer as the view
     // moves.

@@ -59,7 +59,7 @@ void DrawingCanvas::showText(relief::MessageId why) {
     setLayers({std::move(words)}, nullptr);
 }
 
-void DrawingCanvas::letGo() {
+void DrawingCanvas::releaseContents() {
     layers_.clear();
     legend_.reset();
     cells_ = {};
@@ -210,7 +210,7 @@ void DrawingCanvas::mouseMoveEvent(QMouseEvent* event) {
 void DrawingCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && !dragging_) {
         if ((event->modifiers() & Qt::ControlModifier) != 0) {
-            Q_EMIT asked(event->localPos());
+            Q_EMIT pointQueried(event->localPos());
         } else {
             Q_EMIT clickedAt(event->localPos());
             Q_EMIT clicked(itemAt(event->localPos()));

@@ -26,7 +26,7 @@ class DrawingCanvas : public QWidget {
     // Shows only a message that explains how to fill the pane.
     void showText(relief::MessageId why);
     // Releases the drawings; the zoom is kept.
-    void letGo();
+    void releaseContents();
 
     // Room for the drawing at its home zoom, in points.
     QSizeF room() const;
@@ -46,7 +46,7 @@ class DrawingCanvas : public QWidget {
   signals:
     void clicked(const reliefui::ItemId& id);
     void clickedAt(const QPointF& widget);     // emitted before the item's signal, whatever is at this point
-    void asked(const QPointF& widget);         // Ctrl+click, emitted instead of the two others: query this point
+    void pointQueried(const QPointF& widget);  // Ctrl+click, emitted instead of the two others: query this point
     void hovered(const reliefui::ItemId& id);  // id of the item under the pointer; ItemKind::None: no item
     void resized();
     void moved();                         // zoomed or moved, so that another part is visible

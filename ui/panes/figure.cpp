@@ -258,18 +258,18 @@ QImage preparedImage(const Figure& figure, const FigurePage& page) {
 
 }  // namespace
 
-QImage figureImage(const Figure& figure, const FigurePage& wanted, int width, relief::Work& work) {
-    FigurePage page = wanted;
+QImage figureImage(const Figure& figure, const FigurePage& requested, int width, relief::Work& work) {
+    FigurePage page = requested;
     page.widthPixels = width;
     const auto prepared = figure.prepared(page, work);
     work.throwIfStopped();
     return preparedImage(prepared ? *prepared : figure, page);
 }
 
-void writeFigure(const Figure& wanted, const FigurePage& page, const std::string& path, relief::Work& work) {
-    checkPage(page, path, wanted.vectors());
-    const auto prepared = wanted.prepared(page, work);
-    const Figure& figure = prepared ? *prepared : wanted;
+void writeFigure(const Figure& requested, const FigurePage& page, const std::string& path, relief::Work& work) {
+    checkPage(page, path, requested.vectors());
+    const auto prepared = requested.prepared(page, work);
+    const Figure& figure = prepared ? *prepared : requested;
     work.throwIfStopped();
     relief::AtomicFile target(path);
     StoppedFile file(target.temporaryPath(), work);

@@ -27,7 +27,7 @@ class FigureView : public QWidget {
     // Returns true while figures are being written.
     bool saving() const { return saving_ > 0; }
     // The pane was closed: releases everything needed only for display. It is created again when the pane is shown.
-    void giveBack();
+    void releaseClosed();
 
   public slots:
     // Writes an SVG, PDF or PNG, depending on the extension. Drawn in the background; completion or failure is
@@ -59,20 +59,20 @@ class FigureView : public QWidget {
     // Call this after a change of snapshot, style or choice: draws now, or when the pane is next on screen.
     void refresh();
     // Records a change; returns true if the pane is not on screen, so that it is not drawn now.
-    bool outOfSight();
+    bool markStaleIfHidden();
     bool stale() const { return stale_; }
     // For use in showSnapshot(): returns true if the pane was not on screen until now.
-    bool cameIntoSight() const { return cameIntoSight_; }
+    bool becameVisible() const { return becameVisible_; }
     void paintEvent(QPaintEvent* event) override;
     // Returns true if the pane is on screen. A pane behind another tab lies outside the window, but is visible to Qt.
-    bool inSight() const { return isVisible() && !visibleRegion().isEmpty(); }
+    bool isOnScreen() const { return isVisible() && !visibleRegion().isEmpty(); }
 
     // The figure that the pane shows; null if there is nothing to export.
     virtual std::shared_ptr<const Figure> figure() const = 0;
     // Reads out the item at this point of the face.
-    virtual void tell(const QPointF&) {}
+    virtual void readOut(const QPointF&) {}
     // Releases what the pane shows; showSnapshot() creates it again.
-    virtual void letGo() {}
+    virtual void releaseContents() {}
     // Adds entries above the common ones of the menu.
     virtual void addToMenu(QMenu&) {}
     // For panes that show a point's distances. pointAt(): the point of the slab at this point of the face; std::nullopt
@@ -91,7 +91,7 @@ class FigureView : public QWidget {
     FigurePage page() const;
     void setPoint(const std::optional<QueryPoint>& point);
     void addPointToMenu(QMenu& menu, const QPoint& at);
-    void drawAside(const Figure& figure, BackgroundTasks::Task draw);
+    void drawInBackground(const Figure& figure, BackgroundTasks::Task draw);
 
     QString name_;
     QString dialog_;
@@ -99,7 +99,7 @@ class FigureView : public QWidget {
     QString readout_;
     int saving_ = 0;
     bool stale_ = true;  // changed while it was not on screen
-    bool cameIntoSight_ = false;
+    bool becameVisible_ = false;
 };
 
 }  // namespace reliefui

@@ -14,9 +14,9 @@ constexpr QSize kLittle(8, 8);
 // Qt recreates the OpenGL context of a widget only when it has a non-empty size, but while many panes are laid out it
 // may be shown without one. Qt would then compose the window with a context that does not exist yet. Giving the widget
 // a size for a moment creates the context at once.
-class BeginAtOnce : public QObject {
+class RecreateContextOnShow : public QObject {
   public:
-    explicit BeginAtOnce(QVTKOpenGLNativeWidget& widget) : QObject(&widget), widget_(widget) {
+    explicit RecreateContextOnShow(QVTKOpenGLNativeWidget& widget) : QObject(&widget), widget_(widget) {
         widget.installEventFilter(this);
     }
     bool eventFilter(QObject*, QEvent* event) override {
@@ -49,12 +49,12 @@ void releaseGl(QVTKOpenGLNativeWidget& widget) {
     QCoreApplication::sendEvent(&widget, &event);
     // The event that Qt sends to an OpenGL widget that moves to another window; the widget releases its context. It is
     // hidden meanwhile, because it would otherwise recreate the context at once.
-    const bool wanted = !widget.isHidden();
+    const bool shown = !widget.isHidden();
     widget.hide();
     QEvent other(QEvent::WindowChangeInternal);
     QCoreApplication::sendEvent(&widget, &other);
-    new BeginAtOnce(widget);
-    if (wanted) widget.show();
+    new RecreateContextOnShow(widget);
+    if (shown) widget.show();
     // Makes the layout restore the original size.
     widget.updateGeometry();
 }

@@ -82,8 +82,8 @@ bool NarrowBar::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void NarrowBar::fitHeight() {
-    const int wanted = minimumSizeHint().height();
-    if (minimumHeight() != wanted || maximumHeight() != wanted) setFixedHeight(wanted);
+    const int needed = minimumSizeHint().height();
+    if (minimumHeight() != needed || maximumHeight() != needed) setFixedHeight(needed);
 }
 
 // Places the buttons over the controls at the ends, if more controls lie beyond them.

@@ -116,7 +116,7 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
         last_ = at;
         update();
     } else if (drag_ == Drag::None) {
-        tellHover(at);
+        readOutHover(at);
     }
 }
 

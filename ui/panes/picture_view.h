@@ -34,7 +34,7 @@ class PictureView : public QWidget {
 
     // The rectangle of this widget with the picture at this point; empty if there is none.
     virtual QRectF roomAt(QPointF widget) const = 0;
-    virtual void tellHover(QPointF at) = 0;
+    virtual void readOutHover(QPointF at) = 0;
 
     Workspace* workspace() const { return workspace_; }
     QSize pictureSize() const;

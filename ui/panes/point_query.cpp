@@ -16,7 +16,7 @@ using relief::Message;
 using relief::MessageId;
 
 constexpr int kDecimals = 3;
-constexpr double kBesidePlane =
+constexpr double kNearPlane =
     0.5;  // texels: a point at most this far from the plane is drawn, even if its spheres are smaller
 constexpr LevelTint kEuclidean{0, 4};
 constexpr LevelTint kRefined{1, 4};
@@ -30,7 +30,7 @@ const char* decidingName(bool hidden) {
 // Returns true if the plane intersects the point's spheres, or passes very close to the point.
 bool touches(const PointPlane& view, const relief::PointDistances& found) {
     const double radius = std::max(found.euclidean, found.reached ? found.refined : 0);
-    return !view.spheres || std::abs(view.off) <= std::max(radius, kBesidePlane);
+    return !view.spheres || std::abs(view.off) <= std::max(radius, kNearPlane);
 }
 
 // Returns true if the nearest surface point is not visible from above through C, and so does not count.

@@ -114,9 +114,9 @@ relief::Breakpoint BreakpointBar::edited() const {
 
 void BreakpointBar::add() {
     std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
-    const relief::Breakpoint wanted = edited();
-    if (std::find(all.begin(), all.end(), wanted) != all.end()) return;
-    all.push_back(wanted);
+    const relief::Breakpoint added = edited();
+    if (std::find(all.begin(), all.end(), added) != all.end()) return;
+    all.push_back(added);
     workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Add breakpoint"); }));
 }
 

@@ -11,6 +11,6 @@ std::string displayProblem();
 
 // Returns true for a screen of at least 3200 x 2000 pixels whose desktop sets no scale (Xft.dpi is missing or 96):
 // unscaled, 10-point letters would be about 2 mm high. Returns false if the user has set Qt's scale explicitly.
-bool wantsTwiceTheSize();
+bool needsDoubleScale();
 
 }  // namespace reliefui

@@ -44,7 +44,7 @@ bool scrolls(const QWidget* widget) {
 }
 
 // The keys with the same meaning everywhere: all printable characters, Home and End.
-bool looksAtThings(const QKeyEvent& event) {
+bool actsOnView(const QKeyEvent& event) {
     if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != 0) return false;
     if (event.key() == Qt::Key_Home || event.key() == Qt::Key_End) return true;
     return !event.text().isEmpty() && event.text().front().isPrint();
@@ -60,7 +60,7 @@ bool isSpace(const QKeyEvent& event) {
 
 // Returns true if the widget is on screen. A pane behind another one's tab lies outside the window, yet isVisible() is
 // true for it.
-bool inSight(const QWidget* widget) {
+bool isOnScreen(const QWidget* widget) {
     if (!widget->isVisible()) return false;
     for (; widget != nullptr; widget = widget->parentWidget()) {
         const auto* const dock = qobject_cast<const QDockWidget*>(widget);
@@ -70,11 +70,11 @@ bool inSight(const QWidget* widget) {
 }
 
 // The next widget in Tab order that is on screen; null if there is no other.
-QWidget* nextInSight(const QWidget* from, bool back) {
+QWidget* nextOnScreen(const QWidget* from, bool back) {
     const auto step = [back](const QWidget* at) { return back ? at->previousInFocusChain() : at->nextInFocusChain(); };
     for (QWidget* at = step(from); at != from; at = step(at)) {
         const bool takesTab = (at->focusPolicy() & Qt::TabFocus) != 0 && at->focusProxy() == nullptr;
-        if (takesTab && at->isEnabled() && at->window() == from->window() && inSight(at)) return at;
+        if (takesTab && at->isEnabled() && at->window() == from->window() && isOnScreen(at)) return at;
     }
     return nullptr;
 }
@@ -87,7 +87,7 @@ KeyPolicy::KeyPolicy(QMainWindow* window, std::function<QWidget*()> fallback)
 }
 
 // True for widgets of the window and its floating panes; false for dialogs and open lists.
-bool KeyPolicy::ours(const QWidget* widget) const {
+bool KeyPolicy::belongsToWindow(const QWidget* widget) const {
     const QWidget* const top = widget->window();
     return top == window_ || (qobject_cast<const QDockWidget*>(top) != nullptr && top->parentWidget() == window_);
 }
@@ -107,7 +107,7 @@ bool KeyPolicy::eventFilter(QObject* watched, QEvent* event) {
             return false;
     }
     auto* const widget = qobject_cast<QWidget*>(watched);
-    if (widget == nullptr || !ours(widget)) return false;
+    if (widget == nullptr || !belongsToWindow(widget)) return false;
     const Kind kind = kindOf(widget);
     switch (event->type()) {
         case QEvent::Polish:
@@ -163,7 +163,7 @@ bool KeyPolicy::keepsKey(QWidget* widget, const QKeyEvent& event) {
         }
         return true;
     }
-    return !looksAtThings(event) || (kind == Kind::Button && isSpace(event));
+    return !actsOnView(event) || (kind == Kind::Button && isSpace(event));
 }
 
 void KeyPolicy::focusCame(QWidget* widget, Qt::FocusReason reason) {
@@ -200,10 +200,10 @@ void KeyPolicy::settle() {
     // Called again when the mouse button is released or the list is closed.
     if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activePopupWidget() != nullptr) return;
     QWidget* const now = QApplication::focusWidget();
-    if (now == nullptr ? QApplication::activeWindow() != window_ : !ours(now)) return;
-    const bool seen = now != nullptr && inSight(now);
+    if (now == nullptr ? QApplication::activeWindow() != window_ : !belongsToWindow(now)) return;
+    const bool seen = now != nullptr && isOnScreen(now);
     if (seen && (kindOf(now) == Kind::None || now == held_)) return;
-    QWidget* const next = tab && now != nullptr && !seen ? nextInSight(now, tabBack_) : nullptr;
+    QWidget* const next = tab && now != nullptr && !seen ? nextOnScreen(now, tabBack_) : nullptr;
     if (next != nullptr) {
         tab_ = true;
         next->setFocus(tabBack_ ? Qt::BacktabFocusReason : Qt::TabFocusReason);
@@ -217,9 +217,9 @@ void KeyPolicy::settle() {
 QWidget* KeyPolicy::viewFor(const QWidget* control) const {
     for (const QWidget* at = control; at != nullptr && at != window_; at = at->parentWidget()) {
         QWidget* const proxy = at->focusProxy();
-        if (proxy != nullptr && kindOf(proxy) == Kind::None && !scrolls(proxy) && inSight(proxy)) return proxy;
+        if (proxy != nullptr && kindOf(proxy) == Kind::None && !scrolls(proxy) && isOnScreen(proxy)) return proxy;
     }
-    if (view_ && ours(view_) && inSight(view_)) return view_;
+    if (view_ && belongsToWindow(view_) && isOnScreen(view_)) return view_;
     return fallback_();
 }
 

@@ -19,7 +19,7 @@
 #include <QObject>
 #include <QPointer>
 
-#include "panes/soon.h"
+#include "panes/deferred_call.h"
 
 class QKeyEvent;
 class QMainWindow;
@@ -41,7 +41,7 @@ class KeyPolicy : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    bool ours(const QWidget* widget) const;
+    bool belongsToWindow(const QWidget* widget) const;
     bool keepsKey(QWidget* widget, const QKeyEvent& event);
     void focusCame(QWidget* widget, Qt::FocusReason reason);
     void pressed(QWidget* widget);
@@ -54,7 +54,7 @@ class KeyPolicy : public QObject {
     QPointer<QWidget> held_;  // the control that the user chose explicitly, by Tab or a click
     bool tab_ = false;        // the focus is being moved by Tab
     bool tabBack_ = false;
-    Soon settle_{this, [this] { settle(); }};
+    DeferredCall settle_{this, [this] { settle(); }};
 };
 
 }  // namespace reliefui

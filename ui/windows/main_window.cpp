@@ -142,10 +142,10 @@ void MainWindow::addPane(const PaneKind& kind) {
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible) closed_->start();
         keys_->panesMoved();
-        QTimer::singleShot(0, this, &MainWindow::dressTabs);
+        QTimer::singleShot(0, this, &MainWindow::styleTabs);
     });
     connect(dock, &QDockWidget::dockLocationChanged, this,
-            [this] { QTimer::singleShot(0, this, &MainWindow::dressTabs); });
+            [this] { QTimer::singleShot(0, this, &MainWindow::styleTabs); });
     QWidget* const proxy = kind.focus ? kind.focus(whole) : whole->focusProxy();
     QWidget* const focus = proxy != nullptr ? proxy : whole;
     panes_.push_back({kind, dock, focus, dock});
@@ -186,7 +186,7 @@ void MainWindow::addTableMenus() {
     QDockWidget* const skipped = dockOf(QStringLiteral("skipped"));
     addExport(skipped->widget(), QStringLiteral("skipped"));
     addExport(time_->table()->table(), QStringLiteral("steps"));
-    connect(status_, &StatusLine::ledgerWanted, skipped, [skipped] { skipped->setVisible(skipped->isHidden()); });
+    connect(status_, &StatusLine::ledgerRequested, skipped, [skipped] { skipped->setVisible(skipped->isHidden()); });
     // Its reasons are whole sentences, so it opens as wide as the steps, as a tab over them.
     connect(skipped->toggleViewAction(), &QAction::toggled, skipped, [this, skipped](bool shown) {
         if (!shown) return;
@@ -219,8 +219,8 @@ void MainWindow::makeMessages() {
     messageHolder_ = messageRow_->addWidget(both);
     addToolBar(messageRow_);
     showMessages();
-    connect(workspace_, &Workspace::problem, this, [this](const QString& text) { tell(text, true); });
-    connect(workspace_, &Workspace::notice, this, [this](const QString& text) { tell(text, false); });
+    connect(workspace_, &Workspace::problem, this, [this](const QString& text) { report(text, true); });
+    connect(workspace_, &Workspace::notice, this, [this](const QString& text) { report(text, false); });
     connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::dropStaleMessage);
     connect(workspace_, &Workspace::snapshotChanged, this, &MainWindow::dropStaleMessage);
     // A problem is no longer of interest once something else was opened.
@@ -229,7 +229,7 @@ void MainWindow::makeMessages() {
     });
 }
 
-void MainWindow::tell(const QString& text, bool problem) {
+void MainWindow::report(const QString& text, bool problem) {
     problem ? messages_->showProblem(text) : messages_->showNotice(text);
     // If something is being opened, the message refers to its pictures, which are known later.
     messagePictures_.reset();
@@ -257,9 +257,9 @@ void MainWindow::welcome() {
     QSettings settings;
     if (settings.value(key).toBool()) return;
     settings.setValue(key, true);
-    tell(tr("Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full "
-            "stop); drag the picture to look around. F1 lists all keys."),
-         false);
+    report(tr("Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full "
+              "stop); drag the picture to look around. F1 lists all keys."),
+           false);
 }
 
 void MainWindow::showMessages() {

@@ -117,24 +117,24 @@ class MainWindow : public QMainWindow {
     void addPane(const PaneKind& kind);
     void addResult(const PaneKind& kind);
     void addTableMenus();
-    void dressTabs();
+    void styleTabs();
     QDockWidget* dockOf(const QString& pane) const;
     // The first dock at this place, which is initially in front.
     QDockWidget* front(DockPlace place) const;
     static QString paneKey(std::size_t pane);
     PaneTitle* titleOf(const PaneKind& kind, QWidget* whole);
     void makeMessages();
-    void tell(const QString& text, bool problem);
+    void report(const QString& text, bool problem);
     void dropStaleMessage();
     void arrange();
     DockPlace placeOf(const Pane& pane) const;
-    QDockWidget* lookedAt() const;
+    QDockWidget* activePane() const;
     void shareRoom();
     void closePane(QWidget* whole);
     void emptyClosed();
     void fill(QWidget* pane);
     void showView(View view, QWidget* pane = nullptr);
-    void dressForView();
+    void adaptToView();
     void restoreKept();
     void restorePanes(const QByteArray& state);
     void takeType(const Style& style);

@@ -23,7 +23,7 @@
 #include "windows/manual.h"
 #include "windows/pane_list.h"
 #include "windows/pictures_box.h"
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 #include "workspace/change_name.h"
 #include "workspace/language.h"
 #include "workspace/start_scenario.h"
@@ -110,7 +110,7 @@ void MainWindow::askSavePicture(bool legend) {
 void MainWindow::savePicture(const QString& path, bool legend) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
-    const auto tell = [this, path](const QString& problem) {
+    const auto report = [this, path](const QString& problem) {
         if (problem.isEmpty()) {
             statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
         } else {
@@ -119,13 +119,13 @@ void MainWindow::savePicture(const QString& path, bool legend) {
     };
     const QImage image =
         legend ? withLegend(snapshot->layer.image, snapshot->layer, workspace_->style()) : snapshot->layer.image;
-    runAside([image, path, tell, back = mailbox_.address()] {
+    runInBackground([image, path, report, back = mailbox_.address()] {
         QSaveFile file(path);
         QImageWriter writer(&file, QFileInfo(path).suffix().toLatin1());
         const bool done = file.open(QIODevice::WriteOnly) && writer.write(image) && file.commit();
         const QString fault = file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString();
         const QString problem = done ? QString() : fault;
-        back.post([tell, problem] { tell(problem); });
+        back.post([report, problem] { report(problem); });
     });
 }
 
@@ -233,10 +233,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::showManual() {
     const QString page = manualPage(QApplication::applicationDirPath());
     if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
-    tell(page.isEmpty()
-             ? tr("The manual is not here: cmake --build build --target manual makes it, in build/manual/html.")
-             : tr("No browser could be started; the manual is %1").arg(page),
-         false);
+    report(page.isEmpty()
+               ? tr("The manual is not here: cmake --build build --target manual makes it, in build/manual/html.")
+               : tr("No browser could be started; the manual is %1").arg(page),
+           false);
 }
 
 }  // namespace reliefui

@@ -48,7 +48,7 @@ void MainWindow::resetLayout() {
 // Arranges the panes as the mode's plan says. Closed and floating panes stay as they are.
 void MainWindow::arrange() {
     plan_ = layoutPlan(view_ == View::Teach, workspace_->style().projector, size());
-    QDockWidget* const looked = lookedAt();
+    QDockWidget* const active = activePane();
     addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::UpperRight));
     addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::LowerRight));
     addDockWidget(Qt::BottomDockWidgetArea, front(DockPlace::Bottom));
@@ -65,8 +65,8 @@ void MainWindow::arrange() {
     for (const DockPlace place : {DockPlace::UpperRight, DockPlace::Left, DockPlace::LowerRight, DockPlace::Bottom}) {
         if (!plan_.oneStack || place != DockPlace::LowerRight) front(place)->raise();
     }
-    if (plan_.oneStack) looked->raise();
-    dressTabs();
+    if (plan_.oneStack) active->raise();
+    styleTabs();
     arranged_ = true;
     shareRoom();
     // Repeated once the window has its final size: until then, docks are at their minimum size.
@@ -82,7 +82,7 @@ DockPlace MainWindow::placeOf(const Pane& pane) const {
 
 // The explaining pane in use: of those on screen the one with the keyboard focus, otherwise a lower one. Before any is
 // on screen, the profile, which explains most.
-QDockWidget* MainWindow::lookedAt() const {
+QDockWidget* MainWindow::activePane() const {
     QDockWidget* chosen = nullptr;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || pane.dock->isFloating() || pane.dock->visibleRegion().isEmpty()) continue;
@@ -108,7 +108,7 @@ void MainWindow::shareRoom() {
     if (!plan_.oneStack)
         resizeDocks({upper, lower}, {part(room, plan_.upper), part(room, 1 - plan_.upper)}, Qt::Vertical);
     // The tab bars have changed their width.
-    QTimer::singleShot(0, this, &MainWindow::dressTabs);
+    QTimer::singleShot(0, this, &MainWindow::styleTabs);
 }
 
 void MainWindow::closePane(QWidget* whole) {
@@ -122,7 +122,7 @@ void MainWindow::emptyClosed() {
     if (view_ != View::All) return;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || !pane.dock->isHidden()) continue;
-        if (auto* const view = qobject_cast<FigureView*>(pane.dock->widget())) view->giveBack();
+        if (auto* const view = qobject_cast<FigureView*>(pane.dock->widget())) view->releaseClosed();
     }
 }
 
@@ -152,11 +152,11 @@ void MainWindow::showView(View view, QWidget* pane) {
         }
         arrange();
     }
-    dressForView();
+    adaptToView();
 }
 
 // Adapts the time pane and the sentence below the result to the view.
-void MainWindow::dressForView() {
+void MainWindow::adaptToView() {
     QDockWidget* const steps = front(DockPlace::Bottom);
     const bool whole = view_ == View::All || filled_ == steps;
     steps->titleBarWidget()->setVisible(whole);
@@ -177,7 +177,7 @@ void MainWindow::restoreKept() {
     const QByteArray& kept = kept_[workspace_->style().projector];
     view_ = View::All;
     filled_ = nullptr;
-    dressForView();
+    adaptToView();
     kept.isEmpty() ? arrange() : restorePanes(kept);
 }
 
@@ -189,7 +189,7 @@ void MainWindow::fill(QWidget* pane) {
 void MainWindow::setTeaching(bool on) {
     if (on == (view_ == View::Teach)) return;
     showView(on ? View::Teach : View::All);
-    focusWhole(lookedAt());
+    focusWhole(activePane());
 }
 
 // Gives a pane the focus; hiding the others has moved it.
@@ -255,7 +255,7 @@ void MainWindow::takeType(const Style& style) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    QTimer::singleShot(0, this, &MainWindow::dressTabs);
+    QTimer::singleShot(0, this, &MainWindow::styleTabs);
     Style style = workspace_->style();
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
     if (!style.projector) return;
@@ -270,7 +270,7 @@ bool MainWindow::event(QEvent* event) {
 
 // Qt creates the tab bars of stacked docks, which know only the docks' titles. Adds the tool tips and chooses the
 // largest font in which all tabs of a bar fit; if even the smallest does not fit, the bar scrolls.
-void MainWindow::dressTabs() {
+void MainWindow::styleTabs() {
     constexpr double kSmallest = 7;
     const double largest = Style::kTextPoints * std::min(workspace_->style().scale(), 1.4);
     for (QTabBar* const bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -295,7 +295,7 @@ void MainWindow::dressTabs() {
 void MainWindow::restorePanes(const QByteArray& state) {
     arranged_ = false;
     restoreState(state);
-    dressTabs();
+    styleTabs();
     showMessages();
 }
 

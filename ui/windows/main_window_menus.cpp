@@ -251,8 +251,8 @@ void MainWindow::refreshTitles() {
     // The tool bar keeps its symbol; only menu text and tool tip name the change.
     const QString undoSign = undo_->iconText();
     const QString redoSign = redo_->iconText();
-    rename(undo_, tr("&Undo"), saidAgain(workspace_->undoText()));
-    rename(redo_, tr("&Redo"), saidAgain(workspace_->redoText()));
+    rename(undo_, tr("&Undo"), translatedChangeName(workspace_->undoText()));
+    rename(redo_, tr("&Redo"), translatedChangeName(workspace_->redoText()));
     undo_->setIconText(undoSign);
     redo_->setIconText(redoSign);
 }

@@ -24,7 +24,7 @@ constexpr int kMessageMs = 8000;
 
 void MainWindow::makeWorthMenu(QMenu* menu) {
     finder_ = new PixelFinder(workspace_, this);
-    connect(finder_, &PixelFinder::said, this,
+    connect(finder_, &PixelFinder::reported, this,
             [this](const QString& text) { statusBar()->showMessage(text, kMessageMs); });
     QMenu* const worth = menu->addMenu(tr("Next pixel &worth seeing"));
     const auto add = [&](const QString& text, const char* keys, const QString& help, relief::Worth kind) {

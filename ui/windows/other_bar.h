@@ -31,7 +31,7 @@ class OtherBar : public QWidget {
     QLabel* file_;
     QSpinBox* ray_;
     QLabel* count_;
-    QComboBox* whose_;
+    QComboBox* stepsOf_;
 };
 
 }  // namespace reliefui

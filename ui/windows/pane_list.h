@@ -5,7 +5,7 @@
 
 namespace reliefui {
 
-// Titles are in the window's language; call this after dressApplication().
+// Titles are in the window's language; call this after setUpApplication().
 std::vector<PaneKind> paneList();
 
 // Readers of the panes' states in scenarios, and of the colour ranges, which several panes share.

@@ -40,7 +40,7 @@ namespace {
 constexpr int kPanesDrawnMs = 800;
 
 // Creates the runtime folder, because Qt prints a warning if it is missing.
-void giveRuntimeFolder() {
+void createRuntimeFolder() {
     if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
     const QString folder = QDir::tempPath() + QStringLiteral("/runtime-%1").arg(getuid());
     QDir().mkpath(folder);
@@ -61,9 +61,9 @@ void grab(MainWindow& window, const QString& path) {
 void prepareWindows() {
     // VTK draws through GLX, so X11 is required, even in a session that offers Wayland.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-    giveRuntimeFolder();
+    createRuntimeFolder();
     // On high-resolution screens Qt follows the desktop's scale; if the desktop sets none, everything is doubled.
-    if (wantsTwiceTheSize()) qputenv("QT_SCALE_FACTOR", "2");
+    if (needsDoubleScale()) qputenv("QT_SCALE_FACTOR", "2");
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
@@ -73,21 +73,21 @@ void prepareWindows() {
 
 void prepareFigures() {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    giveRuntimeFolder();
+    createRuntimeFolder();
 }
 
-void dressApplication(QApplication&) {
+void setUpApplication(QApplication&) {
     std::setlocale(LC_NUMERIC, "C");
     initTranslations();
     QApplication::setApplicationName(QStringLiteral("reliefscope"));
     QApplication::setOrganizationName(QStringLiteral("reliefscope"));
-    speak({});
+    installTranslations({});
     QApplication::setStyle(new WindowStyle);
     QApplication::setPalette(themePalette(Theme::Dark));
     QApplication::setFont(windowFont(1));
 }
 
-void speak(const QString& language) {
+void installTranslations(const QString& language) {
     QLocale::setDefault(language.isEmpty() ? QLocale::system() : QLocale(language));
     for (QTranslator* const old : QCoreApplication::instance()->findChildren<QTranslator*>()) delete old;
     const auto add = [](const QString& file, const QString& folder) {

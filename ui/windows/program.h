@@ -14,9 +14,9 @@ void prepareWindows();
 // The same for programs that only draw figures; needs no display.
 void prepareFigures();
 // Call after creating it: sets translation (the locale's language), fonts and colours. Numbers keep the C locale.
-void dressApplication(QApplication& application);
+void setUpApplication(QApplication& application);
 // Language of windows created from now on, as Qt names it ("uk"); empty: the system's.
-void speak(const QString& language);
+void installTranslations(const QString& language);
 
 // Grabs the window, including OpenGL panes, when its first full picture is shown, and ends the application with exit
 // status 0, or 1 if the file cannot be written.

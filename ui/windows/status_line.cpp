@@ -19,7 +19,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 250;
+constexpr int kBusyDelayMs = 250;
 
 double counter(const relief::Frame& frame, relief::MessageId what) {
     const auto found = frame.counters.find(what);
@@ -99,9 +99,9 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     addPermanentWidget(frame_);
     addPermanentWidget(walk_);
     showBusy(false);
-    patience_.setSingleShot(true);
-    patience_.setInterval(kPatienceMs);
-    connect(&patience_, &QTimer::timeout, this, [this] { showBusy(busy()); });
+    busyDelay_.setSingleShot(true);
+    busyDelay_.setInterval(kBusyDelayMs);
+    connect(&busyDelay_, &QTimer::timeout, this, [this] { showBusy(busy()); });
     connect(workspace_, &Workspace::busyChanged, this, &StatusLine::takeBusy);
     connect(&workspace_->tasks(), &BackgroundTasks::busyChanged, this, &StatusLine::takeBusy);
     connect(workspace_, &Workspace::progress, this, &StatusLine::showProgress);
@@ -115,7 +115,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
         refresh();
         // The delay starts again with each picture: while pictures keep coming, no progress is shown.
         showBusy(workspace_->tasks().busy());
-        if (workspace_->busy()) patience_.start();
+        if (workspace_->busy()) busyDelay_.start();
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
     connect(walk_, &QToolButton::clicked, this, &StatusLine::takeWalk);
@@ -123,7 +123,7 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == frame_ && event->type() == QEvent::MouseButtonRelease) Q_EMIT ledgerWanted();
+    if (watched == frame_ && event->type() == QEvent::MouseButtonRelease) Q_EMIT ledgerRequested();
     // The tool tip is updated when it is about to be shown.
     if (watched == frame_ && event->type() == QEvent::ToolTip) showLedger();
     return QStatusBar::eventFilter(watched, event);
@@ -135,10 +135,10 @@ bool StatusLine::busy() const {
 
 void StatusLine::takeBusy() {
     if (!busy()) {
-        patience_.stop();
+        busyDelay_.stop();
         showBusy(false);
     } else if (!bar_->isVisible()) {
-        patience_.start();
+        busyDelay_.start();
     }
 }
 

@@ -24,7 +24,7 @@ class StatusLine : public QStatusBar {
 
   Q_SIGNALS:
     // The frame's text was clicked, to show what was skipped in full.
-    void ledgerWanted();
+    void ledgerRequested();
 
   private:
     void refresh();
@@ -43,7 +43,7 @@ class StatusLine : public QStatusBar {
     QProgressBar* bar_;
     QToolButton* cancel_;
     QToolButton* walk_;
-    QTimer patience_;  // delays the progress display, so that short work shows none
+    QTimer busyDelay_;  // delays the progress display, so that short work shows none
 };
 
 }  // namespace reliefui

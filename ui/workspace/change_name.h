@@ -10,8 +10,8 @@ namespace reliefui {
 
 // Returns the name in the current language and registers the function. `said` must capture only values, no part of a
 // window. Window's thread only.
-QString changeName(std::function<QString()> said);
+QString changeName(std::function<QString()> translate);
 // Translates a name returned by changeName() into the current language; returns any other text unchanged.
-QString saidAgain(const QString& name);
+QString translatedChangeName(const QString& name);
 
 }  // namespace reliefui

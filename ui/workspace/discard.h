@@ -6,23 +6,23 @@
 #include <memory>
 #include <utility>
 
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 
 namespace reliefui {
 
 // True while a windowed application exists, which waits for pending destruction when it ends. Without one, objects are
 // freed immediately, because there is no window to block.
-inline std::atomic<bool>& freesAside() {
+inline std::atomic<bool>& freesInBackground() {
     static std::atomic<bool> on{false};
     return on;
 }
 
 // Deleter for shared pointers; may be called on any thread.
-struct FreeAside {
+struct FreeInBackground {
     template <class T>
     void operator()(T* value) const {
-        if (freesAside()) {
-            runAside([value] { delete value; });
+        if (freesInBackground()) {
+            runInBackground([value] { delete value; });
         } else {
             delete value;
         }
@@ -30,14 +30,14 @@ struct FreeAside {
 };
 
 template <class T, class... Arguments>
-std::shared_ptr<T> makeFreedAside(Arguments&&... arguments) {
-    return std::shared_ptr<T>(new T{std::forward<Arguments>(arguments)...}, FreeAside{});
+std::shared_ptr<T> makeFreedInBackground(Arguments&&... arguments) {
+    return std::shared_ptr<T>(new T{std::forward<Arguments>(arguments)...}, FreeInBackground{});
 }
 
 // Destroys the value in the background.
 template <class T>
 void discard(T value) {
-    FreeAside{}(new T(std::move(value)));
+    FreeInBackground{}(new T(std::move(value)));
 }
 
 }  // namespace reliefui

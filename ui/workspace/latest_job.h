@@ -63,7 +63,7 @@ class LatestJob {
     std::stop_source stop_;
     bool userCancel_ = false;
     std::mutex progressMutex_;
-    Clock::time_point progressTold_;
+    Clock::time_point lastProgress_;
     std::jthread thread_;  // last member: the thread ends before the others are destroyed
 };
 

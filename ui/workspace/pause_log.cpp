@@ -14,7 +14,7 @@ namespace reliefui {
 namespace {
 
 // A nested part that takes at least this share of an event's time is included in the event's name.
-constexpr double kMostOfIt = 0.5;
+constexpr double kNamingShare = 0.5;
 
 double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
@@ -69,7 +69,7 @@ constexpr const char* kParts[] = {
 };
 
 // Translates the names of parts; names of classes and events are Qt's own and stay.
-QString said(const QString& what) {
+QString translated(const QString& what) {
     QStringList parts = what.split(between());
     for (QString& part : parts) {
         for (const char* const known : kParts) {
@@ -95,10 +95,10 @@ void PauseLog::clear() {
     started_ = Clock::now();
 }
 
-PauseLog::Pause PauseLog::longestOurs() const {
+PauseLog::Pause PauseLog::longestComputation() const {
     Pause longest;
     for (const auto& [what, pause] : worst_) {
-        if (pause.ours() > longest.ours()) longest = pause;
+        if (pause.computed() > longest.computed()) longest = pause;
     }
     return longest;
 }
@@ -106,7 +106,7 @@ PauseLog::Pause PauseLog::longestOurs() const {
 std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
     std::vector<Pause> all;
     for (const auto& [what, pause] : worst_) all.push_back(pause);
-    std::sort(all.begin(), all.end(), [](const Pause& a, const Pause& b) { return a.ours() > b.ours(); });
+    std::sort(all.begin(), all.end(), [](const Pause& a, const Pause& b) { return a.computed() > b.computed(); });
     if (all.size() > most) all.resize(most);
     return all;
 }
@@ -114,7 +114,7 @@ std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
 QString PauseLog::text(std::size_t most) const {
     const auto line = [](const Pause& pause) {
         return tr("%1 ms, of them %2 ms of painting: %3")
-            .arg(number(pause.ms), number(pause.drawing), said(pause.what));
+            .arg(number(pause.ms), number(pause.drawing), translated(pause.what));
     };
     QString text = tr("longest pause of the window: ") + line(longestGap());
     for (const Pause& pause : worst(most)) {
@@ -132,9 +132,9 @@ QString PauseLog::nameOf(const Frame& frame) {
     return text + QLatin1Char(' ') + (type != nullptr ? QString::fromLatin1(type) : QString::number(frame.type));
 }
 
-QString PauseLog::told(const Frame& frame, double ms) {
+QString PauseLog::describe(const Frame& frame, double ms) {
     const QString name = nameOf(frame);
-    const bool more = frame.longest > kMostOfIt * ms && !frame.longestName.isEmpty();
+    const bool more = frame.longest > kNamingShare * ms && !frame.longestName.isEmpty();
     return more ? name + between() + frame.longestName : name;
 }
 
@@ -151,21 +151,21 @@ void PauseLog::close(Clock::time_point now) {
     const double ms = msBetween(started_, now);
     gap_.ms += ms;
     gap_.drawing += drawing_;
-    if (ms < kWorthTelling) return;
+    if (ms < kListedFromMs) return;
     const auto frame = std::find_if(stack_.rbegin(), stack_.rend(), [](const Frame& f) { return f.outermost; });
     if (frame == stack_.rend()) return;
-    const QString what = told(*frame, ms);
+    const QString what = describe(*frame, ms);
     if (ms > gapLongest_) {
         gapLongest_ = ms;
         gap_.what = what;
     }
     Pause& pause = worst_[what];
     const int times = pause.times + 1;
-    if (times == 1 || ms - drawing_ > pause.ours()) pause = {what, ms, drawing_, 0};
+    if (times == 1 || ms - drawing_ > pause.computed()) pause = {what, ms, drawing_, 0};
     pause.times = times;
 }
 
-void PauseLog::looked() {
+void PauseLog::queuePolled() {
     close(Clock::now());
     if (gap_.ms > longestGap_.ms) longestGap_ = gap_;
     gap_ = {};
@@ -192,11 +192,11 @@ void PauseLog::pop() {
         Frame& outer = stack_[stack_.size() - 2];
         // Subtracted from the enclosing part, so that painting time is not counted twice.
         outer.inside += ms;
-        if (ms >= kWorthTelling && ms > outer.longest) {
+        if (ms >= kListedFromMs && ms > outer.longest) {
             outer.longest = ms;
-            outer.longestName = told(frame, ms);
+            outer.longestName = describe(frame, ms);
             // If an event was only forwarded to another object, the part inside it is the better name.
-            if (frame.type != 0 && frame.longest > kMostOfIt * ms) outer.longestName = frame.longestName;
+            if (frame.type != 0 && frame.longest > kNamingShare * ms) outer.longestName = frame.longestName;
         }
     }
     stack_.pop_back();
@@ -224,8 +224,8 @@ void PauseLog::leave() {
     if (!stack_.empty()) pop();
 }
 
-PauseLog::Part::Part(const char* name, bool drawing) : told_(instance().thread_ == std::this_thread::get_id()) {
-    if (!told_) return;
+PauseLog::Part::Part(const char* name, bool drawing) : measured_(instance().thread_ == std::this_thread::get_id()) {
+    if (!measured_) return;
     PauseLog& log = instance();
     Frame frame;
     frame.name = name;
@@ -235,7 +235,7 @@ PauseLog::Part::Part(const char* name, bool drawing) : told_(instance().thread_ 
 }
 
 PauseLog::Part::~Part() {
-    if (told_ && !instance().stack_.empty()) instance().pop();
+    if (measured_ && !instance().stack_.empty()) instance().pop();
 }
 
 }  // namespace reliefui

@@ -24,10 +24,10 @@ class PauseLog {
         double ms = 0;       // in total
         double drawing = 0;  // part of `ms` spent on painting
         int times = 0;       // number of pauses of at least kListedFromMs
-        double ours() const { return ms - drawing; }
+        double computed() const { return ms - drawing; }
     };
-    static constexpr double kWorthTelling = 5;  // shorter pauses are not listed
-    static constexpr double kMostOfOurs = 50;   // limit for computation in one event
+    static constexpr double kListedFromMs = 5;     // shorter pauses are not listed
+    static constexpr double kMostComputedMs = 50;  // limit for computation in one event
 
     static PauseLog& instance();
 
@@ -36,7 +36,7 @@ class PauseLog {
     // these.
     Pause longestGap() const { return gap_.ms > longestGap_.ms ? gap_ : longestGap_; }
     // The single event with the longest computation.
-    Pause longestOurs() const;
+    Pause longestComputation() const;
     // The longest pause of each kind of event, sorted by computation time in descending order.
     std::vector<Pause> worst(std::size_t most) const;
     // Text for the user: one line per pause.
@@ -46,7 +46,7 @@ class PauseLog {
     // queue is polled.
     void enter(const QObject* receiver, QEvent::Type type, int loop);
     void leave();
-    void looked();
+    void queuePolled();
 
     // A named part of an event; it is measured from construction to destruction.
     class Part {
@@ -57,7 +57,7 @@ class PauseLog {
         Part& operator=(const Part&) = delete;
 
       private:
-        bool told_;  // false on other threads, which do not block the window
+        bool measured_;  // false on other threads, which do not block the window
     };
 
   private:
@@ -81,7 +81,7 @@ class PauseLog {
     void open();
     void close(Clock::time_point now);
     static QString nameOf(const Frame& frame);
-    static QString told(const Frame& frame, double ms);
+    static QString describe(const Frame& frame, double ms);
 
     std::thread::id thread_;
     std::vector<Frame> stack_;

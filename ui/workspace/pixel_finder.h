@@ -31,7 +31,7 @@ class PixelFinder : public QObject {
     void cancel();
 
   signals:
-    void said(const QString& oneLine);  // describes the chosen pixel, or says that none was found
+    void reported(const QString& oneLine);  // describes the chosen pixel, or says that none was found
 
   private:
     void choose();

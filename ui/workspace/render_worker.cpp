@@ -104,8 +104,8 @@ void RenderWorker::postProgress(std::string_view what, double fraction) {
     {
         const std::lock_guard lock(progressMutex_);
         const auto now = Clock::now();
-        if (fraction >= 0 && now - progressTold_ < kBetweenProgress) return;
-        progressTold_ = now;
+        if (fraction >= 0 && now - lastProgress_ < kBetweenProgress) return;
+        lastProgress_ = now;
     }
     post([this, text = QString::fromUtf8(what.data(), static_cast<int>(what.size())), fraction] {
         listener_.progress(text, fraction);
@@ -209,7 +209,7 @@ void RenderWorker::watch(std::string_view what) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
     if (!drawingSince_) drawingSince_ = now;
-    if (running_ != Running::Moving || patient_ || now - *drawingSince_ < kTooSlow) return;
+    if (running_ != Running::Moving || noCoarser_ || now - *drawingSince_ < kTooSlow) return;
     tooSlow_ = true;
     stop_.request_stop();
 }
@@ -220,7 +220,7 @@ void RenderWorker::learnFromCancelled(const RenderJob& job) {
     if (userCancel_ || !drawingSince_) return;
     const bool coarser = maker_.gaveUp(std::chrono::duration<double>(Clock::now() - *drawingSince_).count());
     if (!tooSlow_) return;
-    patient_ = !coarser;
+    noCoarser_ = !coarser;
     if (!nextRender_) nextRender_ = job;
 }
 
@@ -233,7 +233,7 @@ void RenderWorker::drawMoving(const RenderJob& job, SnapshotOrder order, relief:
     const auto snapshot = maker_.make(order, work);
     post([this, snapshot] { listener_.snapshot(snapshot); });
     const std::lock_guard lock(mutex_);
-    patient_ = false;
+    noCoarser_ = false;
     // Cancelled too late to be noticed by the drawing: the coarse picture stays, and no full one follows.
     if (userCancel_) return post([this, version = job.version] { listener_.failure({version, {}}); });
     if (!snapshot->coarse || nextRender_) return;

@@ -108,11 +108,11 @@ class RenderWorker {
     std::stop_source stop_;    // of the running job
     bool userCancel_ = false;  // stopped by the user, not by newer work
     std::optional<Clock::time_point> drawingSince_;
-    bool tooSlow_ = false;  // stopped in order to be drawn coarser
-    bool patient_ = false;  // no coarser picture is possible, so the drawing time is not limited
+    bool tooSlow_ = false;    // stopped in order to be drawn coarser
+    bool noCoarser_ = false;  // no coarser picture is possible, so the drawing time is not limited
 
     std::mutex progressMutex_;
-    Clock::time_point progressTold_;
+    Clock::time_point lastProgress_;
 
     std::jthread thread_;  // last member: the thread ends before the others are destroyed
 };

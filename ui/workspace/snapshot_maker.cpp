@@ -114,18 +114,18 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     const auto begun = Clock::now();
     const double built = buildSeconds(work);
     const relief::Scenario& scenario = order.scenario;
-    auto snapshot = makeFreedAside<Snapshot>();
+    auto snapshot = makeFreedInBackground<Snapshot>();
     snapshot->version = order.version;
     snapshot->scenario = scenario;
     snapshot->assets = store_.load(scenario.pictures, work);
-    const relief::FrameRequest asked = request(order, snapshot->assets);
-    makePyramids(asked.field, work);
+    const relief::FrameRequest fullRequest = request(order, snapshot->assets);
+    makePyramids(fullRequest.field, work);
     const bool coarser = order.moving && !full_.is(scenario, snapshot->assets);
-    level_ = coarser ? renderer_.levelFor(asked) : relief::MovingLevel{0, asked.filter};
+    level_ = coarser ? renderer_.levelFor(fullRequest) : relief::MovingLevel{0, fullRequest.filter};
     snapshot->coarse = level_.number > 0;
 
     Shown& shown = snapshot->coarse ? coarse_ : full_;
-    const bool drawn = draw(shown, order, asked, snapshot->assets, work);
+    const bool drawn = draw(shown, order, fullRequest, snapshot->assets, work);
     relief::ProgressiveRenderer::Picture& picture = shown.drawn;
     if (order.layer == Layer::Steps) picture.frame = renderer_.counted(picture, work);
     if (shown.layer.layer != order.layer) {

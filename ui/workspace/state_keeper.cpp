@@ -40,7 +40,7 @@ StateKeeper::StateKeeper(Workspace* workspace, SessionFiles files, const relief:
                          std::function<QVariantMap()> layout)
     : workspace_(workspace), files_(std::move(files)), saved_(beginning), layout_(std::move(layout)) {
     writer_.setMaxThreadCount(1);
-    connect(&timer_, &QTimer::timeout, this, &StateKeeper::look);
+    connect(&timer_, &QTimer::timeout, this, &StateKeeper::checkForChanges);
     for (const auto changed : {&Workspace::scenarioChanged, &Workspace::notesChanged, &Workspace::panesChanged}) {
         connect(workspace_, changed, this, &StateKeeper::checkAdopted);
     }
@@ -63,7 +63,7 @@ void StateKeeper::checkAdopted() {
     if (adopted_ && sameButStep(workspace_->scenario(), adoptedScenario_)) adoptedShown_ = true;
 }
 
-void StateKeeper::look() {
+void StateKeeper::checkForChanges() {
     if (writing_ || workspace_->version() == 0) return;
     State now{workspace_->scenario(), layout_()};
     const auto snapshot = workspace_->snapshot();
@@ -91,7 +91,8 @@ void StateKeeper::write(State state) {
 void StateKeeper::written(const State& state, const QString& fault) {
     writing_ = false;
     if (!fault.isEmpty()) {
-        if (!std::exchange(told_, true)) Q_EMIT problem(tr("What you do is not saved while you work: %1").arg(fault));
+        if (!std::exchange(reported_, true))
+            Q_EMIT problem(tr("What you do is not saved while you work: %1").arg(fault));
         return;
     }
     saved_ = state.scenario;

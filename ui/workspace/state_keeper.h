@@ -47,7 +47,7 @@ class StateKeeper : public QObject {
         QVariantMap layout;
     };
 
-    void look();
+    void checkForChanges();
     void checkAdopted();
     void write(State state);
     void written(const State& state, const QString& fault);
@@ -62,7 +62,7 @@ class StateKeeper : public QObject {
     bool adoptedShown_ = false;
     bool shown_ = false;  // the first full picture has been shown
     bool writing_ = false;
-    bool told_ = false;
+    bool reported_ = false;
     QTimer timer_;
     QThreadPool writer_;
 };

@@ -147,7 +147,7 @@ class Workspace : public QObject {
     void fail(const RenderFailure& failure);
     void goBack();
     void requestRender(bool live);
-    void tellBusy();
+    void reportBusy();
 
     relief::Scenario scenario_;
     std::uint64_t version_ = 0;
@@ -165,13 +165,13 @@ class Workspace : public QObject {
     History past_;
     History good_;  // history of the state that is shown
     // Histories of the latest requests to the worker, by version; those older than the state shown are removed.
-    static constexpr std::size_t kMostAsked = 32;
-    std::deque<std::pair<std::uint64_t, History>> asked_;
+    static constexpr std::size_t kMostRequested = 32;
+    std::deque<std::pair<std::uint64_t, History>> requests_;
     std::uint64_t goodVersion_ = 0;
     std::optional<Pending> pending_;
     std::uint64_t lastLoad_ = 0;
     bool waiting_ = false;  // for a full picture of the current version
-    bool toldBusy_ = false;
+    bool reportedBusy_ = false;
     std::unique_ptr<RenderWorker> worker_;
     BackgroundTasks tasks_{this};
 };

@@ -37,7 +37,7 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
     column->addWidget(bar);
     column->addWidget(canvas_, 1);
     canvas_->installEventFilter(this);
-    connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ChartsView::draw);
     connect(canvas_, &DrawingCanvas::clicked, this, [this] {

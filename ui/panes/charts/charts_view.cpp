@@ -59,7 +59,7 @@ void ChartsView::showSnapshot() {
 
 // Measurements took seconds and need little memory, so they are kept while they match the relief and view that are
 // open.
-void ChartsView::letGo() {
+void ChartsView::releaseContents() {
     job_->drop();
     measuring_ = false;
     measuredNow_.reset();
@@ -69,7 +69,7 @@ void ChartsView::letGo() {
     const std::shared_ptr<const Snapshot> now = workspace_->snapshot();
     if (measured_ && !(now && now->request && measured_->of(*now))) measured_.reset();
     picture_ = {};
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
@@ -86,7 +86,7 @@ void ChartsView::startMeasuring() {
 }
 
 void ChartsView::measure() {
-    if (!snapshot_ || !snapshot_->frame || !inSight()) return;
+    if (!snapshot_ || !snapshot_->frame || !isOnScreen()) return;
     auto made = std::make_shared<MeasuredView>();
     const auto work = [made, snapshot = snapshot_, maps = maps_->isChecked()](relief::Work& w) {
         *made = measureView(*snapshot, maps, w);
@@ -161,7 +161,7 @@ ChartsSource ChartsView::source() const {
 void ChartsView::draw() {
     const PauseLog::Part part("charts: drawing");
     if (!snapshot_ || !snapshot_->request) return;
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
     const ChartsSource now = source();
@@ -198,10 +198,10 @@ void ChartsView::choose(std::size_t point) {
         *worst = relief::worstPixel(*snapshot->frame, *snapshot->request, method, *snapshot->maps, w);
     };
     const auto done = [this, worst, method] {
-        relief::Scenario wanted = workspace_->scenario();
-        wanted.method = method;
-        if (*worst) wanted.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
-        workspace_->change(wanted, changeName([] { return tr("Choose method and its worst pixel"); }));
+        relief::Scenario changed = workspace_->scenario();
+        changed.method = method;
+        if (*worst) changed.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
+        workspace_->change(changed, changeName([] { return tr("Choose method and its worst pixel"); }));
         refresh();  // restarts the measurement that was interrupted for this
     };
     measuring_ = false;
@@ -270,7 +270,7 @@ QString ChartsView::rangeOf(const HistogramBar& bar) {
     return {};
 }
 
-void ChartsView::tell(const QPointF& widget) {
+void ChartsView::readOut(const QPointF& widget) {
     const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(widget));
     if (at.point && measured_ && *at.point < measured_->table.points.size()) {
         return setReadout(textOf(measured_->table.points[*at.point]));

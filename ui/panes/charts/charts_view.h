@@ -52,9 +52,9 @@ class ChartsView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     bool eventFilter(QObject* object, QEvent* event) override;
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     void makeBar();

@@ -262,8 +262,8 @@ ParetoFrame paretoFrame(const ParetoSource& source, const Box& room) {
     std::size_t zeros = 0;
     for (const ParetoPoint& point : source.table.points) zeros += point.errorOf(source.measure) == 0 ? 1 : 0;
     // Their names need room above and below the marks.
-    const double wanted = zeros == 0 ? 0 : 24 + 12.0 * static_cast<double>(zeros - 1);
-    const double below = std::min(wanted, kMostZeroRoom * frame.plot.height());
+    const double needed = zeros == 0 ? 0 : 24 + 12.0 * static_cast<double>(zeros - 1);
+    const double below = std::min(needed, kMostZeroRoom * frame.plot.height());
     frame.plot.y1 = bottom - below;
     frame.zero = bottom - below / 2;
     return frame;

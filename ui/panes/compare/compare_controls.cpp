@@ -72,7 +72,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
         pictures_->relayout();
     });
     connect(workspace, &Workspace::panesChanged, this, [this] {
-        if (!outOfSight()) proceed();
+        if (!markStaleIfHidden()) proceed();
     });
     connect(workspace, &Workspace::styleChanged, pictures_, &ComparePictures::relayout);
     showControls();
@@ -128,7 +128,7 @@ void CompareView::makeModeBar() {
     range_ = new RangeButton(
         workspace_, [this] { return pictures_->errors(); }, this);
     bar_->addWidget(range_);
-    connect(pictures_, &ComparePictures::rangeWanted, range_, &RangeButton::open);
+    connect(pictures_, &ComparePictures::rangeRequested, range_, &RangeButton::open);
     rate_ = new QDoubleSpinBox(this);
     rate_->setObjectName(QStringLiteral("compare-rate"));
     rate_->setLocale(QLocale::c());

@@ -70,21 +70,22 @@ bool ComparedView::isReference(const ComparedPicture& picture) const {
     return picture.shows == against;
 }
 
-bool ComparedView::current(const relief::Scenario& wanted, std::size_t number) const {
-    const std::vector<relief::MethodChoice> all = relief::comparedOf(wanted);
-    return number < pictures.size() && number < all.size() && pictures[number].shows == shownBy(wanted, all[number]);
+bool ComparedView::current(const relief::Scenario& requested, std::size_t number) const {
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(requested);
+    return number < pictures.size() && number < all.size() && pictures[number].shows == shownBy(requested, all[number]);
 }
 
-bool ComparedView::measured(const relief::Scenario& wanted, std::size_t number) const {
-    return complete && !coarse && current(wanted, number) && against == shownBy(wanted, comparedReference(wanted));
+bool ComparedView::measured(const relief::Scenario& requested, std::size_t number) const {
+    return complete && !coarse && current(requested, number) &&
+           against == shownBy(requested, comparedReference(requested));
 }
 
 bool ComparedView::of(const Snapshot& snapshot) const {
-    const relief::Scenario& wanted = snapshot.scenario;
-    const std::size_t count = relief::comparedOf(wanted).size();
+    const relief::Scenario& requested = snapshot.scenario;
+    const std::size_t count = relief::comparedOf(requested).size();
     bool all = complete && frame == snapshot.frame && count == pictures.size() &&
-               against == shownBy(wanted, comparedReference(wanted));
-    for (std::size_t n = 0; n < count && all; ++n) all = current(wanted, n);
+               against == shownBy(requested, comparedReference(requested));
+    for (std::size_t n = 0; n < count && all; ++n) all = current(requested, n);
     return all;
 }
 
@@ -137,7 +138,7 @@ void Comparer::fill(ComparedPicture& picture, const Snapshot& snapshot, relief::
 std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, const ComparedView* before,
                                                    const Listener& made, relief::Work& work) {
     ++calls_;
-    auto view = makeFreedAside<ComparedView>();
+    auto view = makeFreedInBackground<ComparedView>();
     const relief::Scenario& scenario = snapshot.scenario;
     const CompareSubject subject = scenario.comparison.subject;
     view->scenario = scenario;
@@ -162,7 +163,7 @@ std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, con
             fill(picture, snapshot, work);
         }
         view->pictures[n] = std::move(picture);
-        if (made && !view->coarse) made(makeFreedAside<ComparedView>(*view));
+        if (made && !view->coarse) made(makeFreedInBackground<ComparedView>(*view));
     }
     if (!snapshot.coarse) {
         const relief::MethodChoice reference = comparedReference(scenario);

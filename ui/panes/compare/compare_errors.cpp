@@ -114,7 +114,7 @@ void Comparer::measure(ComparedView& view, const relief::Frame& reference, relie
 }
 
 std::shared_ptr<const ComparedView> recolored(const ComparedView& view, const ColorRanges& ranges) {
-    auto other = makeFreedAside<ComparedView>(view);
+    auto other = makeFreedInBackground<ComparedView>(view);
     color(*other, ranges);
     return other;
 }

@@ -52,15 +52,17 @@ std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snap
         const bool methods = snapshot->scenario.comparison.subject == relief::CompareSubject::Methods;
         throw EmptyFigure("compare", methods ? relief::MessageId::ExportNoMethods : relief::MessageId::ExportNoOthers);
     }
-    return computedFigure([snapshot, view, shown](const FigurePage& wanted, relief::Work& work) {
+    return computedFigure([snapshot, view, shown](const FigurePage& requested, relief::Work& work) {
         auto measured = view;
         if (!measured) measured = withRates(*Comparer().view(*snapshot, nullptr, {}, work), *snapshot, work);
         CompareSource source = compareSource(*measured, snapshot->scenario, shown);
         source.columns = columnsOf(source);
-        const double height = heightOf(source, wanted);
+        const double height = heightOf(source, requested);
         // Width of a picture in the final layout.
-        const double width = compareLayout(source, roomOf(wanted), height, wanted.style.language).rooms[0].width();
-        const std::vector<QImage> pictures = redrawnPictures(*measured, *snapshot, wanted.picturePixels(width), work);
+        const double width =
+            compareLayout(source, roomOf(requested), height, requested.style.language).rooms[0].width();
+        const std::vector<QImage> pictures =
+            redrawnPictures(*measured, *snapshot, requested.picturePixels(width), work);
         const auto paint = [snapshot, source, pictures](QPainter& painter, const Box& page, const Style& style) {
             paintRedrawn(painter, pictures, comparePage(source, page, style, true), page, style, snapshot->scenario);
         };

@@ -37,7 +37,7 @@ ComparePictures::ComparePictures(Workspace* workspace, QWidget* parent) : Pictur
     });
 }
 
-relief::Scenario ComparePictures::wanted() const {
+relief::Scenario ComparePictures::currentScenario() const {
     relief::Scenario scenario = workspace()->scenario();
     if (dragged_) scenario.comparison.dividers = dividers_;
     return scenario;
@@ -94,7 +94,7 @@ void ComparePictures::relayout() {
         } else if (!pending_.veil && !veil_.isActive()) {
             veil_.start(kVeilMs);
         }
-        CompareSource source = compareSource(*view_, wanted(), shown_, pending_);
+        CompareSource source = compareSource(*view_, currentScenario(), shown_, pending_);
         // Reserves as many text lines as before: the numbers will return to the same place.
         if ((late || view_->coarse) && mode_ == source.mode) source.lines = lines_;
         ComparePage parts = comparePage(source, page, workspace()->style(), false);
@@ -165,7 +165,7 @@ void ComparePictures::paintEvent(QPaintEvent*) {
                          QString::fromStdString(text));
     } else {
         const Box page{0, 0, double(width()), double(height())};
-        paintCompare(painter, *view_, wanted().comparison, {layout_, legend_, room_}, page, style,
+        paintCompare(painter, *view_, currentScenario().comparison, {layout_, legend_, room_}, page, style,
                      workspace()->scenario().pixel, [this](const QRectF& room) { return pictureIn(room); });
     }
     if (!hasFocus()) return;
@@ -180,9 +180,10 @@ void ComparePictures::resizeEvent(QResizeEvent* event) {
 }
 
 std::optional<RangedValues> ComparePictures::errors() const {
-    if (!errors_ || wanted().comparison.mode != relief::CompareMode::Difference) return std::nullopt;
+    if (!errors_ || currentScenario().comparison.mode != relief::CompareMode::Difference) return std::nullopt;
     RangedValues values = *errors_;
-    values.name = relief::sentence(compareErrorName(wanted().comparison.measure), workspace()->style().language);
+    values.name =
+        relief::sentence(compareErrorName(currentScenario().comparison.measure), workspace()->style().language);
     return values;
 }
 
@@ -200,7 +201,7 @@ QRectF ComparePictures::legendBar() const {
 
 void ComparePictures::mousePressEvent(QMouseEvent* event) {
     const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
-    if (plain && legendBar().contains(event->localPos())) return Q_EMIT rangeWanted();
+    if (plain && legendBar().contains(event->localPos())) return Q_EMIT rangeRequested();
     const auto divider = plain ? dividerAt(event->localPos()) : std::nullopt;
     if (!divider) return PictureView::mousePressEvent(event);
     dividers_ = layout_.dividers;
@@ -271,7 +272,8 @@ void ComparePictures::keyPressEvent(QKeyEvent* event) {
     const int number = event->key() - Qt::Key_A;
     const bool letter = event->modifiers() == Qt::NoModifier && number >= 0 && view_ &&
                         number < static_cast<int>(view_->pictures.size());
-    if (!letter || wanted().comparison.mode != relief::CompareMode::Flicker) return PictureView::keyPressEvent(event);
+    if (!letter || currentScenario().comparison.mode != relief::CompareMode::Flicker)
+        return PictureView::keyPressEvent(event);
     Q_EMIT flickerStopped();
     setShown(static_cast<std::size_t>(number));
 }
@@ -286,7 +288,7 @@ QStringList ComparePictures::readouts(relief::PixelChoice pixel) const {
     return lines;
 }
 
-void ComparePictures::tellHover(QPointF at) {
+void ComparePictures::readOutHover(QPointF at) {
     const auto pixel = pixelAt(at);
     Q_EMIT hovered(pixel ? readouts(*pixel).join(QStringLiteral(" · ")) : QString());
 }

@@ -59,7 +59,7 @@ void addFilterRates(ComparedView& view, const Snapshot& snapshot, relief::Work& 
 }  // namespace
 
 std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Snapshot& snapshot, relief::Work& work) {
-    auto timed = makeFreedAside<ComparedView>(view);
+    auto timed = makeFreedInBackground<ComparedView>(view);
     const CompareSubject subject = view.scenario.comparison.subject;
     if (subject == CompareSubject::Methods) addMethodRates(*timed, snapshot, work);
     if (subject == CompareSubject::Filters) addFilterRates(*timed, snapshot, work);

@@ -62,7 +62,7 @@ void CompareView::showSnapshot() {
 }
 
 // Releases the frames of all methods and their renderers.
-void CompareView::letGo() {
+void CompareView::releaseContents() {
     job_->drop();
     ++run_;
     flicker_.stop();
@@ -84,7 +84,7 @@ void CompareView::startView() {
     // Shows the view while it is being made, picture by picture.
     const auto part = [this, show, run = ++run_, parts = parts_.address()](std::shared_ptr<const ComparedView> view) {
         parts.post([this, show, run, view = std::move(view)] {
-            if (run == run_ && inSight()) show(view);
+            if (run == run_ && isOnScreen()) show(view);
         });
     };
     const auto work = [=, comparer = comparer_, before = view_](relief::Work& w) {
@@ -223,11 +223,11 @@ void CompareView::setReference(relief::CompareReference reference) {
 }
 
 void CompareView::tick() {
-    if (outOfSight()) return flicker_.stop();
+    if (markStaleIfHidden()) return flicker_.stop();
     pictures_->setShown(pictures_->shown() + 1);
 }
 
-void CompareView::tell(const QPointF& widget) {
+void CompareView::readOut(const QPointF& widget) {
     menuAt_ = widget.toPoint();
 }
 

@@ -51,7 +51,7 @@ class ComparePictures : public PictureView {
     std::optional<RangedValues> errors() const;
 
   signals:
-    void rangeWanted();  // the colour bar was clicked
+    void rangeRequested();  // the colour bar was clicked
     void hovered(const QString& readout);
     void flickerStopped();
 
@@ -65,11 +65,11 @@ class ComparePictures : public PictureView {
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
     QRectF roomAt(QPointF widget) const override;
-    void tellHover(QPointF at) override;
+    void readOutHover(QPointF at) override;
 
   private:
     // The scenario, with the divider's current position during a drag.
-    relief::Scenario wanted() const;
+    relief::Scenario currentScenario() const;
     void sayPending(relief::Message text);
     double unit() const { return workspace()->style().pixelsPerPoint(); }
     QRectF onScreen(const Box& points) const;
@@ -129,9 +129,9 @@ class CompareView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     void addToMenu(QMenu& menu) override;
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     QWidget* makeMethodBar();

@@ -25,7 +25,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 250;
+constexpr int kBusyDelayMs = 250;
 
 QString number(double value, int decimals) {
     return QString::fromStdString(relief::fixedText(value, decimals));
@@ -56,8 +56,8 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     connect(canvas_, &DrawingCanvas::clicked, this, &DistanceView::choose);
-    connect(canvas_, &DrawingCanvas::asked, this, &DistanceView::askPoint);
-    connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::tell);
+    connect(canvas_, &DrawingCanvas::pointQueried, this, &DistanceView::askPoint);
+    connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &DistanceView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &DistanceView::adopt);
@@ -68,7 +68,7 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
 }
 
 DistanceView::~DistanceView() {
-    patience_.stop();
+    busyDelay_.stop();
 }
 
 void DistanceView::makeMapBar(QHBoxLayout* bar) {
@@ -183,23 +183,23 @@ void DistanceView::makeWaiting() {
     stop_ = new QToolButton(waiting_);
     stop_->setText(tr("Cancel"));
     stop_->setToolTip(tr("Stop building the map (Esc)"));
-    again_ = new QToolButton(waiting_);
-    again_->setText(tr("Build"));
-    again_->setToolTip(tr("Build the map"));
+    retry_ = new QToolButton(waiting_);
+    retry_->setText(tr("Build"));
+    retry_->setToolTip(tr("Build the map"));
     auto* const row = new QHBoxLayout(waiting_);
     row->addWidget(what_, 1);
     row->addWidget(bar_, 1);
     row->addWidget(stop_);
-    row->addWidget(again_);
+    row->addWidget(retry_);
     waiting_->hide();
-    patience_.setSingleShot(true);
-    patience_.setInterval(kPatienceMs);
-    connect(&patience_, &QTimer::timeout, this, [this] {
+    busyDelay_.setSingleShot(true);
+    busyDelay_.setInterval(kBusyDelayMs);
+    connect(&busyDelay_, &QTimer::timeout, this, [this] {
         waiting_->show();
         placeWaiting();
     });
     connect(stop_, &QToolButton::clicked, this, &DistanceView::cancel);
-    connect(again_, &QToolButton::clicked, this, [this] {
+    connect(retry_, &QToolButton::clicked, this, [this] {
         failed_ = {};
         problem_.clear();
         refresh();
@@ -233,7 +233,7 @@ void DistanceView::choose(const ItemId& id) {
     if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
 }
 
-void DistanceView::tell(const QPointF& widget) {
+void DistanceView::readOut(const QPointF& widget) {
     if (!result_) return setReadout({});
     const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
     const DistanceFrame& frame = result_->picture.frame;

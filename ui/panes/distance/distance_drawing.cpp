@@ -210,8 +210,8 @@ void addIsoLines(DistancePicture& picture) {
     };
     // Reduces the number of lines until they are not too dense; no lines if even the coarsest set is.
     for (int coarser = 0; coarser < kIsoTries; ++coarser) {
-        const IsoValues wanted = isoValues(picture.values.scale, coarser);
-        std::vector<IsoLine> lines = isoLines(samples, wanted.values);
+        const IsoValues iso = isoValues(picture.values.scale, coarser);
+        std::vector<IsoLine> lines = isoLines(samples, iso.values);
         for (IsoLine& line : lines) line.points = placed(line);
         std::erase_if(lines, [](const IsoLine& line) { return lengthOf(line.points) < kLeastIsoLength; });
         double length = 0;
@@ -220,8 +220,8 @@ void addIsoLines(DistancePicture& picture) {
         }
         if (length > kMostIsoLength * frame.plot.width() * frame.plot.height()) continue;
         if (!(length > 0) || lines.empty()) return;
-        picture.isoStep = wanted.step;
-        picture.isoPerDecade = wanted.perDecade;
+        picture.isoStep = iso.step;
+        picture.isoPerDecade = iso.perDecade;
         for (const IsoLine& line : lines) addIsoLine(picture, line);
         return;
     }

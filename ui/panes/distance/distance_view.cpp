@@ -92,7 +92,7 @@ void DistanceView::showSnapshot() {
 }
 
 // The maps themselves stay in the cache, within its memory budget.
-void DistanceView::letGo() {
+void DistanceView::releaseContents() {
     job_->drop();
     point_.drop();
     snapshot_.reset();
@@ -102,13 +102,13 @@ void DistanceView::letGo() {
     drawing_.reset();
     legend_.reset();
     result_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
     showWaiting();
 }
 
 void DistanceView::refreshStep() {
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     if (!options_.slice) {
         refresh();
     } else {
@@ -144,7 +144,7 @@ void DistanceView::draw() {
     const int step = workspace_->scenario().step;
     const relief::Language language = workspace_->style().language;
     problem_.clear();
-    auto result = makeFreedAside<Result>();
+    auto result = makeFreedInBackground<Result>();
     result->snapshot = snapshot_;
     result->maps = maps_;
     result->point = point_.known();
@@ -245,14 +245,14 @@ void DistanceView::showControls() {
 
 void DistanceView::showWaiting() {
     const bool busy = job_ && job_->busy() && !building_.names.empty();
-    if (busy && !patience_.isActive() && !waiting_->isVisible()) patience_.start();
-    if (!busy) patience_.stop();
+    if (busy && !busyDelay_.isActive() && !waiting_->isVisible()) busyDelay_.start();
+    if (!busy) busyDelay_.stop();
     const bool problem = !problem_.isEmpty();
     if (!busy || problem) waiting_->setVisible(problem);
     if (problem) what_->setText(problem_);
     bar_->setVisible(!problem);
     stop_->setVisible(!problem);
-    again_->setVisible(problem);
+    retry_->setVisible(problem);
     placeWaiting();
 }
 

@@ -11,7 +11,7 @@
 
 #include "panes/distance/distance_maps.h"
 #include "panes/figure_view.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 #include "workspace/latest_job.h"
 
 class QComboBox;
@@ -52,9 +52,9 @@ class DistanceView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return snapshot_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
-    void letGo() override;
+    void releaseContents() override;
     bool showsPoints() const override { return true; }
     std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
@@ -111,8 +111,8 @@ class DistanceView : public FigureView {
     QLabel* what_ = nullptr;
     QProgressBar* bar_ = nullptr;
     QToolButton* stop_ = nullptr;
-    QToolButton* again_ = nullptr;
-    QTimer patience_;
+    QToolButton* retry_ = nullptr;
+    QTimer busyDelay_;
 
     DistanceOptions options_;
     QString problem_;
@@ -125,7 +125,7 @@ class DistanceView : public FigureView {
     std::shared_ptr<const Drawing> drawing_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<QueryPoint> query_;
-    PointAsker point_{this, [this] { refresh(); }};
+    PointFinder point_{this, [this] { refresh(); }};
     std::unique_ptr<LatestJob> job_;  // last member: its thread ends before the others are destroyed
 };
 

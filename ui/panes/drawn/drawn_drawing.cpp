@@ -77,7 +77,7 @@ std::vector<Point> outline(const DrawnSource& source, const DrawnPicture& pictur
 }
 
 // All rows are equal, so the ray's path in (s, height) contains all information.
-void addRayFromAside(DrawnPicture& picture, const DrawnSource& source) {
+void addRayInProfile(DrawnPicture& picture, const DrawnSource& source) {
     const relief::ViewRay& ray = source.ray;
     const double end = rayEnd(source.hit, nullptr);
     const Box& body = picture.body;
@@ -119,7 +119,7 @@ DrawnPicture profilePicture(const DrawnSource& source, double aspect) {
         chart::text(picture.drawing, {body.x0, body.y1 - height * body.height()},
                     plainText(relief::numberText(height, 2)), Anchor::Right, {-4, 0});
     }
-    if (source.hasRay) addRayFromAside(picture, source);
+    if (source.hasRay) addRayInProfile(picture, source);
     picture.drawing.bounds = body.grown(margin);
     return picture;
 }

@@ -177,7 +177,7 @@ void DrawnGrid::drag(QPointF at) {
 
 void DrawnGrid::mouseMoveEvent(QMouseEvent* event) {
     if (dragging_ && chosen_ && holds(drawn(), *chosen_)) drag(event->localPos());
-    tell(event->localPos());
+    readOut(event->localPos());
 }
 
 void DrawnGrid::mouseReleaseEvent(QMouseEvent* event) {
@@ -188,7 +188,7 @@ void DrawnGrid::mouseReleaseEvent(QMouseEvent* event) {
 
 void DrawnGrid::mouseDoubleClickEvent(QMouseEvent* event) {
     choose(drawnTexelAt(picture_, drawn(), toDrawing(event->localPos())));
-    if (chosen_) Q_EMIT typingWanted(nullptr);
+    if (chosen_) Q_EMIT typingRequested(nullptr);
 }
 
 // Arrow keys choose a neighbouring texel; + and − raise and lower it (Shift: by more).
@@ -244,13 +244,13 @@ void DrawnGrid::keyPressEvent(QKeyEvent* event) {
     if (step(event->key(), (event->modifiers() & Qt::ShiftModifier) != 0)) return;
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (typesHeight(*event) || (chosen_ && enter)) {
-        Q_EMIT typingWanted(enter ? nullptr : event);
+        Q_EMIT typingRequested(enter ? nullptr : event);
         return;
     }
     QWidget::keyPressEvent(event);
 }
 
-void DrawnGrid::tell(QPointF at) {
+void DrawnGrid::readOut(QPointF at) {
     const auto texel = drawnTexelAt(picture_, drawn(), toDrawing(at));
     if (!texel) {
         Q_EMIT hovered({});

@@ -59,7 +59,7 @@ DrawnView::DrawnView(Workspace* workspace, QWidget* parent)
     column->addWidget(grid_, 1);
     connect(grid_, &DrawnGrid::hovered, this, &DrawnView::setReadout);
     connect(grid_, &DrawnGrid::chosenChanged, this, &DrawnView::showControls);
-    connect(grid_, &DrawnGrid::typingWanted, this, [this](const QKeyEvent* first) {
+    connect(grid_, &DrawnGrid::typingRequested, this, [this](const QKeyEvent* first) {
         height_->setFocus(Qt::ShortcutFocusReason);
         height_->selectAll();
         if (first == nullptr) return;

@@ -38,7 +38,7 @@ class DrawnGrid : public QWidget {
   signals:
     void chosenChanged();
     // first: the key that started it, or null
-    void typingWanted(const QKeyEvent* first);
+    void typingRequested(const QKeyEvent* first);
     void hovered(const QString& readout);
 
   protected:
@@ -57,7 +57,7 @@ class DrawnGrid : public QWidget {
     Point toDrawing(QPointF widget) const;
     void setHeights(int first, int last, int row, double height);
     void drag(QPointF at);
-    void tell(QPointF at);
+    void readOut(QPointF at);
     bool step(int key, bool large);
     bool typesHeight(const QKeyEvent& event) const;
 

@@ -85,19 +85,19 @@ void DuelView::showChoosers() {
 }
 
 void DuelView::setRival(int place, const QString& method) {
-    relief::Scenario wanted = workspace_->scenario();
-    const std::vector<relief::MethodChoice> shown = duelRivals(wanted);
-    std::vector<relief::MethodChoice>& others = wanted.comparison.others;
+    relief::Scenario changed = workspace_->scenario();
+    const std::vector<relief::MethodChoice> shown = duelRivals(changed);
+    std::vector<relief::MethodChoice>& others = changed.comparison.others;
     const auto at = static_cast<std::size_t>(place);
     // A compared choice that cannot be a rival, because it finds no hits, keeps its place.
     const auto there = at < shown.size() ? std::find(others.begin(), others.end(), shown[at]) : others.end();
     if (there != others.end() && there->name == method.toStdString()) return;
     if (method.isEmpty()) {
         if (there != others.end()) others.erase(there);
-        workspace_->change(wanted, changeName([] { return tr("Methods of the duel"); }));
+        workspace_->change(changed, changeName([] { return tr("Methods of the duel"); }));
         return showChoosers();
     }
-    relief::Scenario methods = wanted;
+    relief::Scenario methods = changed;
     methods.comparison.subject = relief::CompareSubject::Methods;
     const auto choice = relief::variedOption(methods, method.toStdString());
     if (!choice || (there == others.end() && others.size() + 1 >= relief::kMostCompared)) return showChoosers();
@@ -106,7 +106,7 @@ void DuelView::setRival(int place, const QString& method) {
     } else {
         others.push_back(*choice);
     }
-    workspace_->change(wanted, changeName([] { return tr("Methods of the duel"); }));
+    workspace_->change(changed, changeName([] { return tr("Methods of the duel"); }));
 }
 
 void DuelView::showNearRay(bool on) {
@@ -132,8 +132,8 @@ void DuelView::shareRoom() {
     const int column = kColumnLetters * letters.averageCharWidth();
     table_->horizontalHeader()->setMinimumSectionSize(column);
     const int runs = duel_ ? static_cast<int>(duel_->runs.size()) : 1;
-    const int wanted = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
-    const bool beside = split_->width() - wanted >= kDrawingLines * line;
+    const int needed = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
+    const bool beside = split_->width() - needed >= kDrawingLines * line;
     const bool below = split_->height() >= (kLowDrawingLines + kTableLines) * line;
     // Also available in the menu.
     for (QWidget* const part : {static_cast<QWidget*>(own_), static_cast<QWidget*>(near_)}) {
@@ -143,7 +143,7 @@ void DuelView::shareRoom() {
     if (duel_) showVerdict();
     if (!beside && !below) return;
     split_->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
-    const int table = beside ? wanted : std::max(kTableLines * line, split_->height() / 4);
+    const int table = beside ? needed : std::max(kTableLines * line, split_->height() / 4);
     const int all = beside ? split_->width() : split_->height();
     split_->setSizes({all - table, table});
 }

@@ -89,7 +89,7 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     });
     connect(canvas_, &DrawingCanvas::resized, this, &DuelView::redraw);
     connect(canvas_, &DrawingCanvas::moved, this, &DuelView::redraw);
-    connect(canvas_, &DrawingCanvas::pointed, this, &DuelView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &DuelView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(workspace_, &Workspace::scenarioChanged, this, &DuelView::showChoosers);
     connect(workspace_, &Workspace::stepChanged, this, &DuelView::followStep);
@@ -114,7 +114,7 @@ void DuelView::addToMenu(QMenu& menu) {
     near->setChecked(options_.nearRay);
 }
 
-void DuelView::tell(const QPointF& widget) {
+void DuelView::readOut(const QPointF& widget) {
     if (!duel_ || !relief_) return setReadout({});
     const ProfileReading at = profileReading(source_.profile, frame_, canvas_->toDrawing(widget));
     const ItemId id = canvas_->itemAt(widget);
@@ -151,7 +151,7 @@ void DuelView::showSnapshot() {
     job_->start({work, [this, made] { adopt(*made); }});
 }
 
-void DuelView::letGo() {
+void DuelView::releaseContents() {
     job_->drop();
     duel_.reset();
     source_ = {};
@@ -160,7 +160,7 @@ void DuelView::letGo() {
     relief_.reset();
     axes_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
@@ -249,7 +249,7 @@ void DuelView::showLegend() {
 
 void DuelView::redraw() {
     const PauseLog::Part part("duel: drawing");
-    if (!duel_ || !inSight()) return;
+    if (!duel_ || !isOnScreen()) return;
     const bool home = canvas_->atHome();
     if (home) {
         showLegend();
@@ -288,7 +288,7 @@ void DuelView::goTo(std::size_t moment) {
 }
 
 void DuelView::followStep(int step) {
-    if (following_ || !duel_ || !inSight()) return;
+    if (following_ || !duel_ || !isOnScreen()) return;
     const bool other = duel_->snapshot->trace.fromFile;
     const std::size_t run = other ? duel_->runs.size() - 1 : 0;
     moment_ = duel_->steps.momentOf(run, static_cast<std::size_t>(std::max(step, 0)));

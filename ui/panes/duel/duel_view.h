@@ -55,8 +55,8 @@ class DuelView : public FigureView {
     bool outdated() const override { return duel_ && duel_->snapshot != workspace_->snapshot(); }
     void resizeEvent(QResizeEvent* event) override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
     void addToMenu(QMenu& menu) override;
 
   private:

@@ -52,7 +52,7 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     both_->addWidget(weights_, 2);
     column->addLayout(both_, 1);
     connect(weights_, &DrawingCanvas::resized, this, &FootprintView::drawWeights);
-    connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::readOut);
     connect(weights_, &DrawingCanvas::hovered, this, [this](const ItemId& id) {
         const bool texel = footprint_ && id.kind == ItemKind::Texel;
         point(texel ? std::optional(static_cast<std::size_t>(id.i)) : std::nullopt);
@@ -175,7 +175,7 @@ void FootprintView::makeRoom() {
 void FootprintView::drawWeights() {
     if (!footprint_ || !hasWeights(*footprint_) || weights_->isHidden()) {
         plots_.reset();
-        return weights_->letGo();
+        return weights_->releaseContents();
     }
     const double unit = workspace_->style().pixelsPerPoint();
     const Drawing legend =
@@ -204,9 +204,9 @@ void FootprintView::point(std::optional<std::size_t> texel) {
     workspace_->pointAtTexel(texel);
 }
 
-void FootprintView::letGo() {
+void FootprintView::releaseContents() {
     point({});
-    weights_->letGo();
+    weights_->releaseContents();
     plots_.reset();
     plotsLegend_.reset();
     shown_.reset();
@@ -214,13 +214,13 @@ void FootprintView::letGo() {
     texture_.reset();
     marks_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void FootprintView::redraw() {
     const PauseLog::Part part("footprint: marks");
-    if (!footprint_ || !texture_ || !inSight()) return;
+    if (!footprint_ || !texture_ || !isOnScreen()) return;
     FootprintMarks marks = footprintMarks(*footprint_, options_, canvas_->visible(), canvas_->zoom(), chosen_);
     marks_ = std::make_shared<const Drawing>(std::move(marks.drawing));
     const bool legend = legend_ && !legend_->bounds.empty();
@@ -240,7 +240,7 @@ void FootprintView::showEmpty(relief::MessageId why) {
     canvas_->showText(why);
 }
 
-void FootprintView::tell(const QPointF& widget) {
+void FootprintView::readOut(const QPointF& widget) {
     if (!footprint_) return setReadout({});
     const PixelFootprint& f = *footprint_;
     const QStringList behind = coefficientLines(f.behind);

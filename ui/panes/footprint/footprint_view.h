@@ -37,8 +37,8 @@ class FootprintView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
 
   private:
     void makeBar(QHBoxLayout* bar);

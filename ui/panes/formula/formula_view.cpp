@@ -91,7 +91,7 @@ FormulaView::FormulaView(Workspace* workspace, QWidget* parent)
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(face_);
-    connect(face_, &FormulaFace::pointed, this, &FormulaView::tell);
+    connect(face_, &FormulaFace::pointed, this, &FormulaView::readOut);
     connect(face_, &FormulaFace::left, this, [this] { setReadout({}); });
     connect(workspace_, &Workspace::stepChanged, this, &FormulaView::refresh);
     connect(workspace_, &Workspace::texelChanged, this, &FormulaView::refresh);
@@ -110,12 +110,12 @@ void FormulaView::showSnapshot() {
                      formulasMissing(*shown), style);
 }
 
-void FormulaView::letGo() {
+void FormulaView::releaseContents() {
     face_->setGroups({}, relief::MessageId::DrawNoPicture, workspace_->style());
     setReadout({});
 }
 
-void FormulaView::tell(const QPointF& at) {
+void FormulaView::readOut(const QPointF& at) {
     setReadout(face_->rowAt(at));
 }
 

@@ -51,8 +51,8 @@ class FormulaView : public FigureView {
   protected:
     void showSnapshot() override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& at) override;
-    void letGo() override;
+    void readOut(const QPointF& at) override;
+    void releaseContents() override;
 
   private:
     FormulaFace* face_;

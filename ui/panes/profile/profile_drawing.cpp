@@ -81,12 +81,12 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
     std::vector<int> levels = profileLevels(source, options);
     // Drawn from coarse to fine, so that fine levels are on top.
     std::reverse(levels.begin(), levels.end());
-    for (const bool wanted : {false, true}) {
+    for (const bool knownPass : {false, true}) {
         for (const int level : levels) {
             for (const Plateau& plateau : plateausAlong(walk, source.ray, level, range)) {
                 const relief::Step& s = plateau.texel;
                 const bool known = !plateau.joined && visited.count(nameOf(s)) > 0;
-                if (known != wanted || s.value < frame.low || !(s.lambdaIn < frame.lambdaEnd)) continue;
+                if (known != knownPass || s.value < frame.low || !(s.lambdaIn < frame.lambdaEnd)) continue;
                 drawing.add({ItemKind::Texel, s.level, s.i, s.j}, Role::Plateau,
                             Polyline{{frame.at(s.lambdaIn, s.value),
                                       frame.at(std::min(s.lambdaOut, frame.lambdaEnd), s.value)}},

@@ -208,10 +208,10 @@ class Marks {
         static const auto kShifts = [] {
             constexpr int kUp = 9;
             constexpr int kDown = 4;
-            constexpr int kAside = 3;
+            constexpr int kSideways = 3;
             std::vector<std::pair<double, std::pair<int, int>>> all;
             for (int row = -kUp; row <= kDown; ++row) {
-                for (int column = -kAside; column <= kAside; ++column) {
+                for (int column = -kSideways; column <= kSideways; ++column) {
                     const double upwards = row > 0 ? 6.0 * row : -row;
                     all.push_back({upwards + (column < 0 ? -5.6 : 5.5) * column, {row, column}});
                 }

@@ -33,8 +33,8 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
         if (options_.guessing && ready()) guessAt(frame_.lambdaAt(canvas_->toDrawing(at).x));
     });
     connect(workspace_, &Workspace::guessingChanged, this, &ProfileView::showGuessing);
-    connect(canvas_, &DrawingCanvas::asked, this, &ProfileView::askPoint);
-    connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
+    connect(canvas_, &DrawingCanvas::pointQueried, this, &ProfileView::askPoint);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
@@ -150,19 +150,19 @@ void ProfileView::showSnapshot() {
     redraw();
 }
 
-void ProfileView::letGo() {
+void ProfileView::releaseContents() {
     point_.drop();
     shown_.reset();
     relief_.reset();
     axes_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void ProfileView::redraw() {
     const PauseLog::Part part("profile: relief");
-    if (!ready() || !inSight()) return;
+    if (!ready() || !isOnScreen()) return;
     frame_.visible = canvas_->atHome() ? frame_.whole : canvas_->visible();
     frame_.zoom = canvas_->atHome() ? 1 : canvas_->zoom();
     const ProfileSource from = source();
@@ -173,7 +173,7 @@ void ProfileView::redraw() {
 
 void ProfileView::refreshStep() {
     const PauseLog::Part part("profile: marks");
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     if (!ready() || !relief_) return;
     auto marks = std::make_shared<const Drawing>(profileMarks(source(), options_, frame_, workspace_->scenario().step));
     canvas_->setLayers({relief_, axes_, std::move(marks)}, legend_);
@@ -221,7 +221,7 @@ void ProfileView::choose(const ItemId& id) {
     }
 }
 
-void ProfileView::tell(const QPointF& widget) {
+void ProfileView::readOut(const QPointF& widget) {
     if (!ready() || !relief_) return setReadout({});
     const ProfileReading at = profileReading(source(), frame_, canvas_->toDrawing(widget));
     if (!at.inside) return setReadout({});

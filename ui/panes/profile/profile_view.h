@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "panes/figure_view.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 #include "panes/profile/profile_drawing.h"
 #include "panes/profile/profile_state.h"
 
@@ -39,8 +39,8 @@ class ProfileView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
     bool showsPoints() const override { return true; }
     std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
@@ -77,7 +77,7 @@ class ProfileView : public FigureView {
     std::shared_ptr<const Drawing> axes_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<QueryPoint> query_;
-    PointAsker point_{this, [this] { refresh(); }};  // last member: its thread ends before the others are destroyed
+    PointFinder point_{this, [this] { refresh(); }};  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

@@ -8,8 +8,8 @@
 #include <vtkSmartPointer.h>
 #include <QWidget>
 
+#include "panes/deferred_call.h"
 #include "panes/pyramid/slab_scene.h"
-#include "panes/soon.h"
 
 class QMouseEvent;
 class QVTKOpenGLNativeWidget;
@@ -27,7 +27,7 @@ class PyramidStack : public QWidget {
     void show(const PyramidParts& parts, const Style& style);
     // Shows the marks up to this step.
     void showStep(int step);
-    void letGo();
+    void releaseContents();
     void fit();
     const Turntable& camera() const { return scene_.camera; }
 
@@ -59,7 +59,7 @@ class PyramidStack : public QWidget {
     QPointF last_;
     // Size of the view, and ground and number of levels, for which the camera was placed.
     std::pair<QSize, std::array<double, 3>> placedFor_;
-    Soon renderSoon_{this, [this] { render(); }};
+    DeferredCall deferredRender_{this, [this] { render(); }};
 };
 
 }  // namespace reliefui

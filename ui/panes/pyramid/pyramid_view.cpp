@@ -33,10 +33,10 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     faces_->addWidget(stack_);
 
     connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
-    connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
-    connect(stack_, &PyramidStack::resized, this, [this] { refreshSoon_.start(); });
+    connect(stack_, &PyramidStack::resized, this, [this] { deferredRefresh_.start(); });
     connect(stack_, &PyramidStack::clickedAt, this, &PyramidView::chooseAt);
     connect(stack_, &PyramidStack::hoveredAt, this, [this](const Point& at) { setReadout(reading(at)); });
     connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
@@ -127,7 +127,7 @@ void PyramidView::resetZoom() {
     pane_.stacked ? stack_->fit() : canvas_->resetZoom();
 }
 
-void PyramidView::tell(const QPointF& widget) {
+void PyramidView::readOut(const QPointF& widget) {
     setReadout(reading(canvas_->toDrawing(widget)));
 }
 
@@ -168,23 +168,23 @@ void PyramidView::showSnapshot() {
     range_->refresh();
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
     // The slabs hold references to the parts, so they are updated as well.
-    pane_.stacked ? stack_->show(parts_, workspace_->style()) : stack_->letGo();
+    pane_.stacked ? stack_->show(parts_, workspace_->style()) : stack_->releaseContents();
     refreshStep();
 }
 
-void PyramidView::letGo() {
+void PyramidView::releaseContents() {
     shown_.reset();
     parts_ = {};
     levels_.reset();
     legend_.reset();
-    canvas_->letGo();
-    stack_->letGo();
+    canvas_->releaseContents();
+    stack_->releaseContents();
     setReadout({});
 }
 
 void PyramidView::refreshStep() {
     const PauseLog::Part part("pyramid: marks");
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     if (!shown_ || !levels_) return;
     if (pane_.stacked) return stack_->showStep(workspace_->scenario().step);
     // The step may belong to a newer ray whose snapshot is still to come.
@@ -200,7 +200,7 @@ void PyramidView::refreshStep() {
 
 void PyramidView::showEmpty(relief::MessageId why) {
     levels_.reset();
-    stack_->letGo();
+    stack_->releaseContents();
     parts_ = {};
     range_->refresh();
     canvas_->showText(why);

@@ -6,10 +6,10 @@
 #include <memory>
 #include <type_traits>
 
+#include "panes/deferred_call.h"
 #include "panes/figure_view.h"
 #include "panes/pyramid/pyramid_drawing.h"
 #include "panes/pyramid/pyramid_parts.h"
-#include "panes/soon.h"
 
 class QHBoxLayout;
 class QStackedLayout;
@@ -48,10 +48,10 @@ class PyramidView : public FigureView {
 
   protected:
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     void refreshStep();  // draws the marks of another step
@@ -90,7 +90,7 @@ class PyramidView : public FigureView {
     bool wasCramped_ = false;  // value at the last drawing
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
-    Soon refreshSoon_{this, [this] { refresh(); }};
+    DeferredCall deferredRefresh_{this, [this] { refresh(); }};
 };
 
 }  // namespace reliefui

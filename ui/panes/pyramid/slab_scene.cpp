@@ -133,7 +133,7 @@ void SlabScene::show(const PyramidParts& parts, const Style& style) {
     addTitles();
 }
 
-void SlabScene::letGo() {
+void SlabScene::releaseContents() {
     renderer_->RemoveAllViewProps();
     marks_.clear();
     tower_ = {};
@@ -221,15 +221,15 @@ Point SlabScene::nearCorner(std::size_t part) const {
     return firstCorner(tower_.domain(part), tower_.seenAlong());
 }
 
-vtkSmartPointer<vtkTextActor> SlabScene::words(const std::string& said) const {
+vtkSmartPointer<vtkTextActor> SlabScene::words(const std::string& content) const {
     auto text = vtkSmartPointer<vtkTextActor>::New();
-    text->SetInput(said.c_str());
+    text->SetInput(content.c_str());
     setText(text->GetTextProperty(), style_.text(), style_.textPixels(kTitleSize));
     return text;
 }
 
-void SlabScene::addWords(const std::string& said, const Place& at, bool beside) {
-    const std::string spaced = beside ? said + "  " : said;
+void SlabScene::addWords(const std::string& content, const Place& at, bool beside) {
+    const std::string spaced = beside ? content + "  " : content;
     auto text = words(spaced);
     text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
     text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);

@@ -40,7 +40,7 @@ class SlabScene {
     void show(const PyramidParts& parts, const Style& style);
     // Shows the marks up to this step.
     void showStep(int step);
-    void letGo();
+    void releaseContents();
     // Moves the camera so that all slabs and titles are visible in a view of this size in pixels, without rotating it.
     void showAll(double width, double height);
     // Sets the initial direction: from above, with the ray from left to right.
@@ -67,9 +67,9 @@ class SlabScene {
     // Corners of a pyramid's ground that are leftmost, and nearest, in the initial view.
     Point leftCorner(std::size_t part) const;
     Point nearCorner(std::size_t part) const;
-    vtkSmartPointer<vtkTextActor> words(const std::string& said) const;
+    vtkSmartPointer<vtkTextActor> words(const std::string& content) const;
     // Adds text next to a place: left of it (`beside`), or below it.
-    void addWords(const std::string& said, const Turntable::Place& at, bool beside);
+    void addWords(const std::string& content, const Turntable::Place& at, bool beside);
     vtkSmartPointer<vtkActor> addLines(const std::vector<Line>& lines, Rgba color, double width, bool before = false);
     void addMarks(std::size_t part, std::size_t chosen);
     void addWay(std::size_t part, std::size_t chosen);

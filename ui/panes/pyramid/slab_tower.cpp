@@ -20,12 +20,12 @@ constexpr int kMostSlabs = 128;        // per side of a level
 constexpr std::size_t kMostWay = 400;  // number of steps before and after the chosen one
 constexpr double kHighest = 0.15;      // largest height range, relative to the longer side of the ground
 // smallest distance between the bottoms of two levels, relative to the height range
-constexpr double kAir = 1.15;
+constexpr double kClearance = 1.15;
 constexpr double kBeside = 0.25;  // distance between pyramids, relative to their width
 // Share of each level that is visible below the next one: if only some slabs are drawn, and if all are.
 constexpr double kSeenOfFew = 0.6;
 constexpr double kSeenOfAll = 0.9;
-constexpr double kAside = 0.3;  // in radians: angle by which the ray points away from the viewer
+constexpr double kTurnedAway = 0.3;  // in radians: angle by which the ray points away from the viewer
 
 bool covers(const std::vector<Box>& boxes, Point point) {
     return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(point); });
@@ -46,7 +46,7 @@ SlabTower::SlabTower(const PyramidParts& parts) : parts_(&parts) {
     const double widest = std::max(domain(0).width(), domain(0).height());
     while (top_ + 1 < levels_ && std::ldexp(4.0, top_) <= widest) ++top_;
     if (source.hasRay && std::hypot(source.ray.a, source.ray.b) > 0) {
-        const double turn = std::atan2(-source.ray.b, source.ray.a) + std::numbers::pi / 2 + kAside;
+        const double turn = std::atan2(-source.ray.b, source.ray.a) + std::numbers::pi / 2 + kTurnedAway;
         seenAlong_ = {std::cos(turn), std::sin(turn)};
     }
     // The pyramids are arranged from left to right on the screen: right of the direction (x, y) is (y, -x).
@@ -137,7 +137,7 @@ void SlabTower::chooseScale(bool few) {
     // elevation.
     const double deep = std::abs(seenAlong_.x) * domain(0).width() + std::abs(seenAlong_.y) * domain(0).height();
     const double shown = (few ? kSeenOfFew : kSeenOfAll) * deep * std::tan(Turntable::kElevation);
-    apart_ = rounded(std::max(shown, kAir * range * factor_));
+    apart_ = rounded(std::max(shown, kClearance * range * factor_));
 }
 
 std::vector<Box> SlabTower::boxesOf(std::size_t n, const relief::Step& step) const {

@@ -65,8 +65,8 @@ void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, c
 }  // namespace
 
 std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return computedFigure([snapshot](const FigurePage& wanted, relief::Work& work) {
-        const int pixels = wanted.picturePixels(wanted.widthMm / kMmPerPoint);
+    return computedFigure([snapshot](const FigurePage& requested, relief::Work& work) {
+        const int pixels = requested.picturePixels(requested.widthMm / kMmPerPoint);
         auto drawn = std::make_shared<Snapshot>(*resized(snapshot, pixels, work));
         colorLayer(drawn->layer, snapshot->layer.range);
         const auto paint = [drawn](QPainter& painter, const Box& page, const Style& style) {

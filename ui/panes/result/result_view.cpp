@@ -108,7 +108,7 @@ void ResultView::mousePressEvent(QMouseEvent* event) {
     }
 }
 
-void ResultView::tellHover(QPointF at) {
+void ResultView::readOutHover(QPointF at) {
     const auto snapshot = workspace()->snapshot();
     const auto pixel = pixelAt(at);
     Q_EMIT hovered(snapshot && pixel ? pixelReadout(*snapshot, *pixel, true).join(QStringLiteral("   ")) : QString());

@@ -31,7 +31,7 @@ class ResultView : public PictureView {
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
     QRectF roomAt(QPointF) const override { return rect(); }
-    void tellHover(QPointF at) override;
+    void readOutHover(QPointF at) override;
 
   private:
     double scale() const { return scaleIn(rect()); }

@@ -53,7 +53,7 @@ RowsView::RowsView(Workspace* workspace, QWidget* parent)
     listener.progress = [](const QString&, double) {};
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     canvas_->installEventFilter(this);
-    connect(canvas_, &DrawingCanvas::pointed, this, &RowsView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &RowsView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &RowsView::draw);
     connect(workspace_, &Workspace::panesChanged, this, &RowsView::adopt);

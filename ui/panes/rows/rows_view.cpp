@@ -82,21 +82,21 @@ void RowsView::showSnapshot() {
     job_->start({work, done});
 }
 
-void RowsView::letGo() {
+void RowsView::releaseContents() {
     job_->drop();
     data_.reset();
     snapshot_.reset();
     axes_.reset();
     plots_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void RowsView::draw() {
     const PauseLog::Part part("rows: drawing");
     if (!data_) return;
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
     // The legend is laid out first; the plots get the remaining room. A legend that would take too much is shortened,
@@ -204,7 +204,7 @@ void RowsView::choosePixel(const QPointF& widget) {
     workspace_->choosePixel(x, data_->place.line);
 }
 
-void RowsView::tell(const QPointF& widget) {
+void RowsView::readOut(const QPointF& widget) {
     if (!data_) return setReadout({});
     const RowsReading at = rowsReading(*data_, frame_, canvas_->toDrawing(widget));
     if (!at.inside) return setReadout({});

@@ -46,8 +46,8 @@ class RowsView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return snapshot_ && snapshot_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
   private:

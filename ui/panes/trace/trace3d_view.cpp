@@ -61,7 +61,7 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
 }
 
 Trace3dView::~Trace3dView() {
-    renderSoon_.stop();
+    deferredRender_.stop();
 }
 
 vtkRenderer* Trace3dView::renderer() const {
@@ -120,7 +120,7 @@ void Trace3dView::showSnapshot() {
     const auto& shown = picture_.shown();
     const bool same = shown && snapshot && shown->version == snapshot->version && shown->coarse == snapshot->coarse &&
                       shown->trace.hidden == snapshot->trace.hidden;
-    if (same && cameIntoSight()) showStep(workspace_->scenario().step);
+    if (same && becameVisible()) showStep(workspace_->scenario().step);
     if (same) return;
     note_->setToolTip({});
     fitNote();
@@ -133,7 +133,7 @@ void Trace3dView::showSnapshot() {
     showStep(workspace_->scenario().step);
 }
 
-void Trace3dView::letGo() {
+void Trace3dView::releaseContents() {
     picture_.show(nullptr, deviceStyle(), pane_.heights);
     note_->setToolTip({});
     fitNote();
@@ -141,7 +141,7 @@ void Trace3dView::letGo() {
 
 void Trace3dView::showStep(int step) {
     const PauseLog::Part part("trace 3-D: step");
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     picture_.showStep(step);
     if (const TraceScene* const scene = picture_.scene()) {
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
@@ -296,7 +296,7 @@ void Trace3dView::renderNow() {
 
 void Trace3dView::render() {
     picture_.place();
-    renderSoon_.start();
+    deferredRender_.start();
 }
 
 std::shared_ptr<const Figure> Trace3dView::figure() const {

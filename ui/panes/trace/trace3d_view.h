@@ -8,8 +8,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include "panes/deferred_call.h"
 #include "panes/figure_view.h"
-#include "panes/soon.h"
 #include "panes/trace/trace3d_picture.h"
 #include "panes/trace/trace_state.h"
 
@@ -44,7 +44,7 @@ class Trace3dView : public FigureView {
     std::shared_ptr<const Figure> figure() const override;
     void showSnapshot() override;
     bool outdated() const override;
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     void makeBar(QHBoxLayout* bar);
@@ -74,7 +74,7 @@ class Trace3dView : public FigureView {
     TracePicture picture_;
     QPointF pressed_;
     QPointF last_;
-    Soon renderSoon_{this, [this] { renderNow(); }};
+    DeferredCall deferredRender_{this, [this] { renderNow(); }};
     bool dragged_ = false;
     bool placed_ = false;  // the camera has been placed
     TracePane pane_;

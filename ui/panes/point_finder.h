@@ -18,11 +18,11 @@ double servedFlattest(const relief::MethodChoice& method);
 std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::optional<QueryPoint>& point,
                                           relief::Work& work);
 
-class PointAsker {
+class PointFinder {
   public:
     // Must be constructed on the receiver's thread. found: called there when the value of known() has changed
     // asynchronously.
-    PointAsker(const QObject* receiver, std::function<void()> found);
+    PointFinder(const QObject* receiver, std::function<void()> found);
 
     // Starts computing the distances unless they are known or being computed; clears them if there is no point.
     void ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point);
@@ -44,7 +44,7 @@ class PointAsker {
     };
 
     std::function<void()> found_;
-    std::optional<Question> asked_;
+    std::optional<Question> pending_;
     std::shared_ptr<const PointQuery> known_;
     LatestJob job_;  // last member: its thread ends before the others are destroyed
 };

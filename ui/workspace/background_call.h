@@ -7,6 +7,6 @@
 namespace reliefui {
 
 // Queues the call for another thread and returns at once. Thread safe.
-void runAside(std::function<void()> call);
+void runInBackground(std::function<void()> call);
 
 }  // namespace reliefui

@@ -1,4 +1,4 @@
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 
 #include <deque>
 #include <mutex>
@@ -34,7 +34,7 @@ void runNext() {
 
 }  // namespace
 
-void runAside(std::function<void()> call) {
+void runInBackground(std::function<void()> call) {
     {
         const std::lock_guard lock(waiting().mutex);
         waiting().calls.push_back(std::move(call));

@@ -10,29 +10,29 @@
 
 namespace reliefui {
 
-class Soon {
+class DeferredCall {
   public:
-    Soon(QObject* receiver, std::function<void()> call) : receiver_(receiver), call_(std::move(call)) {}
+    DeferredCall(QObject* receiver, std::function<void()> call) : receiver_(receiver), call_(std::move(call)) {}
 
     void start() {
-        if (wanted_) return;
-        wanted_ = true;
+        if (pending_) return;
+        pending_ = true;
         QMetaObject::invokeMethod(
             receiver_,
             [this] {
-                const bool run = wanted_;
-                wanted_ = false;
+                const bool run = pending_;
+                pending_ = false;
                 if (run) call_();
             },
             Qt::QueuedConnection);
     }
     // Withdraws the request.
-    void stop() { wanted_ = false; }
+    void stop() { pending_ = false; }
 
   private:
     QObject* receiver_;  // must outlive this object
     std::function<void()> call_;
-    bool wanted_ = false;
+    bool pending_ = false;
 };
 
 }  // namespace reliefui
