@@ -137,7 +137,7 @@ class MainWindow : public QMainWindow {
     void adaptToView();
     void restoreKept();
     void restorePanes(const QByteArray& state);
-    void takeType(const Style& style);
+    void applyType(const Style& style);
     void fitScreen();
     void focusWhole(QWidget* whole);
     void focusPane(std::size_t number);

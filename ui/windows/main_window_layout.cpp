@@ -239,14 +239,14 @@ void MainWindow::setProjector(bool on) {
     Style style = workspace_->style();
     style.projector = on;
     style.projectorScale = projectorScale(on ? screen()->geometry().height() : height());
-    takeType(style);
+    applyType(style);
     projector_->setChecked(on);
     on ? arrange() : restorePanes(kept_[on]);
     if (view != View::All) showView(view, filled);
 }
 
 // Sets fonts and style for the window's mode and size.
-void MainWindow::takeType(const Style& style) {
+void MainWindow::applyType(const Style& style) {
     QApplication::setFont(windowFont(style.scale()));
     // The status bar is for the lecturer and would not fit in large type.
     status_->setFont(windowFont(1));
@@ -260,7 +260,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
     if (!style.projector) return;
     style.projectorScale = projectorScale(height());
-    if (!(style == workspace_->style())) takeType(style);
+    if (!(style == workspace_->style())) applyType(style);
 }
 
 bool MainWindow::event(QEvent* event) {

@@ -134,7 +134,7 @@ void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief
             PixelCircle circle;
             circle.jacobian = scaled(query->jacobian, perField);
             circle.centre = query->place * perField;
-            circle.beside = dx == 0 || dy == 0;
+            circle.sharesSide = dx == 0 || dy == 0;
             if (frame.filter && frame.filter->description().ellipse && out.listed) {
                 relief::FootprintLog log;
                 relief::FootprintCounts counts;

@@ -36,7 +36,7 @@ struct PixelCircle {
     relief::Jacobian jacobian;
     glm::dvec2 centre{0};
     double radius = 1;
-    bool beside = false;  // the neighbour shares a side with the pixel, not only a corner
+    bool sharesSide = false;  // the neighbour shares a side with the pixel, not only a corner
 };
 
 // Hit of one of the pixel's rays, in texels of the footprint's level, and its share of the pixel's weight.

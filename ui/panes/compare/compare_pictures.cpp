@@ -55,17 +55,17 @@ void ComparePictures::setProgress(double fraction) {
     const bool part = fraction > 0 && fraction < 1;
     constexpr double kHundred = 100;
     pending_.stopped = false;
-    sayPending(part ? relief::Message(relief::MessageId::DrawComparePendingPart,
-                                      {{"percent", static_cast<int>(fraction * kHundred)}})
-                    : relief::Message(relief::MessageId::DrawComparePending));
+    setPendingText(part ? relief::Message(relief::MessageId::DrawComparePendingPart,
+                                          {{"percent", static_cast<int>(fraction * kHundred)}})
+                        : relief::Message(relief::MessageId::DrawComparePending));
 }
 
 void ComparePictures::setStopped() {
     pending_.stopped = true;
-    sayPending(relief::Message(relief::MessageId::DrawCompareStopped));
+    setPendingText(relief::Message(relief::MessageId::DrawCompareStopped));
 }
 
-void ComparePictures::sayPending(relief::Message text) {
+void ComparePictures::setPendingText(relief::Message text) {
     pending_.text = std::move(text);
     relayout();
 }

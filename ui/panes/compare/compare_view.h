@@ -70,7 +70,7 @@ class ComparePictures : public PictureView {
   private:
     // The scenario, with the divider's current position during a drag.
     relief::Scenario currentScenario() const;
-    void sayPending(relief::Message text);
+    void setPendingText(relief::Message text);
     double unit() const { return workspace()->style().pixelsPerPoint(); }
     QRectF onScreen(const Box& points) const;
     std::optional<std::size_t> dividerAt(QPointF widget) const;

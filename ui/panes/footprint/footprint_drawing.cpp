@@ -148,7 +148,7 @@ class Marks {
         if (options_.neighbours == 0) return;
         const double shrink = std::ldexp(1.0, -f_.level());
         for (const PixelCircle& circle : f_.neighbours) {
-            if (options_.neighbours == 4 && !circle.beside) continue;
+            if (options_.neighbours == 4 && !circle.sharesSide) continue;
             const relief::Jacobian& j = circle.jacobian;
             Point at{circle.centre.x * shrink, circle.centre.y * shrink};
             if (f_.across.address == relief::Address::Repeat) {

@@ -159,7 +159,7 @@ class GroupSheet {
             x += cells_[c];
         }
         y_ += kLine;
-        // The heading's line shows the source that the equations below have in common.
+        // Omitted if there is no room: the equations that use these values state their source as well.
         if (x + sources_ <= width_) source(row, y_ - kLine / 2, 0, 0);
     }
 

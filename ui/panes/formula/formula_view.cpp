@@ -28,11 +28,11 @@ void FormulaFace::setGroups(std::vector<FormulaGroup> groups, relief::MessageId 
     groups_ = std::move(groups);
     missing_ = missing;
     style_ = style;
-    lay();
+    layOut();
 }
 
 // The width always allows for the scroll bar, because its appearance must not change the height that it depends on.
-void FormulaFace::lay() {
+void FormulaFace::layOut() {
     const double unit = style_.pixelsPerPoint();
     const int bar = verticalScrollBar()->sizeHint().width();
     const double width = std::max((this->width() - bar - 2 * margin()) / unit, 1.0);
@@ -63,7 +63,7 @@ void FormulaFace::paintEvent(QPaintEvent*) {
 
 void FormulaFace::resizeEvent(QResizeEvent* event) {
     QAbstractScrollArea::resizeEvent(event);
-    lay();
+    layOut();
 }
 
 void FormulaFace::mouseMoveEvent(QMouseEvent* event) {

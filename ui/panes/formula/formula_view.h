@@ -32,7 +32,7 @@ class FormulaFace : public QAbstractScrollArea {
     bool viewportEvent(QEvent* event) override;
 
   private:
-    void lay();
+    void layOut();
     double margin() const;  // in pixels
 
     std::vector<FormulaGroup> groups_;

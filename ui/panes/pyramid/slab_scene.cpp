@@ -114,7 +114,7 @@ void SlabScene::takeFrom(vtkRenderWindow* window) const {
 }
 
 void SlabScene::lookFromHome() {
-    camera.lookAlong(tower_.seenAlong().x, tower_.seenAlong().y);
+    camera.lookAlong(tower_.viewDirection().x, tower_.viewDirection().y);
 }
 
 void SlabScene::show(const PyramidParts& parts, const Style& style) {
@@ -214,11 +214,11 @@ Point firstCorner(const Box& d, Point direction) {
 
 // Viewed along (x, y), the right-hand direction is (y, -x).
 Point SlabScene::leftCorner(std::size_t part) const {
-    return firstCorner(tower_.domain(part), {tower_.seenAlong().y, -tower_.seenAlong().x});
+    return firstCorner(tower_.domain(part), {tower_.viewDirection().y, -tower_.viewDirection().x});
 }
 
 Point SlabScene::nearCorner(std::size_t part) const {
-    return firstCorner(tower_.domain(part), tower_.seenAlong());
+    return firstCorner(tower_.domain(part), tower_.viewDirection());
 }
 
 vtkSmartPointer<vtkTextActor> SlabScene::words(const std::string& content) const {
@@ -315,9 +315,9 @@ void SlabScene::addMarks(std::size_t part, std::size_t chosen) {
     }
 }
 
-void SlabScene::addWay(std::size_t part, std::size_t chosen) {
+void SlabScene::addRayPath(std::size_t part, std::size_t chosen) {
     std::vector<std::pair<SlabStretch, std::vector<Line>>> kinds;
-    for (const SlabStretch& stretch : tower_.way(part, chosen)) {
+    for (const SlabStretch& stretch : tower_.rayPath(part, chosen)) {
         const auto same = [&](const auto& kind) {
             return kind.first.role == stretch.role && kind.first.later == stretch.later;
         };
@@ -363,7 +363,7 @@ void SlabScene::showStep(int step) {
         if (!source.hasRay || source.steps == nullptr || source.steps->empty()) continue;
         const auto chosen = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(source.steps->size()) - 1));
         addMarks(n, chosen);
-        addWay(n, chosen);
+        addRayPath(n, chosen);
     }
 }
 
@@ -389,7 +389,7 @@ std::optional<Point> SlabScene::drawingAt(double x, double y) const {
         renderer_->GetWorldPoint(world);
         ends[k] = {world[0] / world[3], world[1] / world[3], world[2] / world[3]};
     }
-    const SlabTower::Meeting met = tower_.meeting(ends[0], ends[1]);
+    const SlabTower::Intersection met = tower_.intersect(ends[0], ends[1]);
     if (met.slab == nullptr) return std::nullopt;
     const std::vector<LevelBlock>& blocks = parts_->parts[met.slab->part].picture.blocks;
     return blocks[static_cast<std::size_t>(met.slab->level)].toDrawing(met.texel);

@@ -72,7 +72,7 @@ class SlabScene {
     void addWords(const std::string& content, const Turntable::Place& at, bool beside);
     vtkSmartPointer<vtkActor> addLines(const std::vector<Line>& lines, Rgba color, double width, bool before = false);
     void addMarks(std::size_t part, std::size_t chosen);
-    void addWay(std::size_t part, std::size_t chosen);
+    void addRayPath(std::size_t part, std::size_t chosen);
     // Registers a mark, which the next step removes.
     void keep(const vtkSmartPointer<vtkActor>& mark);
     std::vector<Line> rim(std::size_t part, const Box& ground, double z) const;

@@ -16,9 +16,9 @@ namespace {
 
 using Place = Turntable::Place;
 
-constexpr int kMostSlabs = 128;        // per side of a level
-constexpr std::size_t kMostWay = 400;  // number of steps before and after the chosen one
-constexpr double kHighest = 0.15;      // largest height range, relative to the longer side of the ground
+constexpr int kMostSlabs = 128;              // per side of a level
+constexpr std::size_t kMostPathSteps = 400;  // number of steps before and after the chosen one
+constexpr double kHighest = 0.15;            // largest height range, relative to the longer side of the ground
 // smallest distance between the bottoms of two levels, relative to the height range
 constexpr double kClearance = 1.15;
 constexpr double kBeside = 0.25;  // distance between pyramids, relative to their width
@@ -47,10 +47,10 @@ SlabTower::SlabTower(const PyramidParts& parts) : parts_(&parts) {
     while (top_ + 1 < levels_ && std::ldexp(4.0, top_) <= widest) ++top_;
     if (source.hasRay && std::hypot(source.ray.a, source.ray.b) > 0) {
         const double turn = std::atan2(-source.ray.b, source.ray.a) + std::numbers::pi / 2 + kTurnedAway;
-        seenAlong_ = {std::cos(turn), std::sin(turn)};
+        viewDirection_ = {std::cos(turn), std::sin(turn)};
     }
     // The pyramids are arranged from left to right on the screen: right of the direction (x, y) is (y, -x).
-    const Point right{seenAlong_.y, -seenAlong_.x};
+    const Point right{viewDirection_.y, -viewDirection_.x};
     double offset = 0;
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
         offsets_.push_back({offset * right.x - domain(n).x0, offset * right.y + domain(n).y0});
@@ -135,7 +135,8 @@ void SlabTower::chooseScale(bool few) {
     while (range * factor_ > most) factor_ /= 2;
     // The levels' distance is such that the visible share of the level below is not covered, seen at the camera's
     // elevation.
-    const double deep = std::abs(seenAlong_.x) * domain(0).width() + std::abs(seenAlong_.y) * domain(0).height();
+    const double deep =
+        std::abs(viewDirection_.x) * domain(0).width() + std::abs(viewDirection_.y) * domain(0).height();
     const double shown = (few ? kSeenOfFew : kSeenOfAll) * deep * std::tan(Turntable::kElevation);
     apart_ = rounded(std::max(shown, kClearance * range * factor_));
 }
@@ -149,9 +150,9 @@ std::vector<SlabMark> SlabTower::marks(std::size_t n, std::size_t chosen) const 
     const PyramidSource& source = part(n).source;
     if (!source.hasRay || !source.overCells || source.steps == nullptr) return marks;
     const std::vector<relief::Step>& steps = *source.steps;
-    const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
+    const std::size_t first = chosen > kMostPathSteps ? chosen - kMostPathSteps : 0;
     std::map<std::tuple<int, double, double>, std::size_t> known;
-    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
+    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostPathSteps); ++k) {
         if (steps[k].level < 0 || steps[k].level > top_) continue;
         for (const Box& box : boxesOf(n, steps[k])) {
             const auto [at, added] = known.try_emplace({steps[k].level, box.x0, box.y0}, marks.size());
@@ -202,10 +203,10 @@ std::vector<Piece> piecesOf(const RayPath& path, double from, double to, const B
 
 }  // namespace
 
-std::vector<SlabStretch> SlabTower::way(std::size_t n, std::size_t chosen) const {
-    std::vector<SlabStretch> way;
+std::vector<SlabStretch> SlabTower::rayPath(std::size_t n, std::size_t chosen) const {
+    std::vector<SlabStretch> rayPath;
     const PyramidSource& source = part(n).source;
-    if (!source.hasRay || source.steps == nullptr) return way;
+    if (!source.hasRay || source.steps == nullptr) return rayPath;
     const std::vector<relief::Step>& steps = *source.steps;
     const RayPath path(*source.field, source.ray);
     const bool wraps = part(n).picture.wraps;
@@ -213,8 +214,8 @@ std::vector<SlabStretch> SlabTower::way(std::size_t n, std::size_t chosen) const
         return at(n, texel, heightOver(level, 1 - lambda));
     };
     const relief::Step* last = nullptr;
-    const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
-    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
+    const std::size_t first = chosen > kMostPathSteps ? chosen - kMostPathSteps : 0;
+    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostPathSteps); ++k) {
         const relief::Step& step = steps[k];
         if (step.level < 0 || step.level >= levels_ || !std::isfinite(step.lambdaIn)) continue;
         const double in = std::clamp(step.lambdaIn, 0.0, 1.0);
@@ -224,18 +225,18 @@ std::vector<SlabStretch> SlabTower::way(std::size_t n, std::size_t chosen) const
             const auto here = piecesOf(path, in, in, domain(n), wraps);
             if (!here.empty()) {
                 const Point texel = here.front().seen.first;
-                way.push_back(
+                rayPath.push_back(
                     {place(texel, in, last->level), place(texel, in, step.level), roleOf(last->decision), k > chosen});
             }
         }
         for (const Piece& piece : piecesOf(path, in, after, domain(n), wraps)) {
-            way.push_back({place(piece.seen.first, piece.from, step.level),
-                           place(piece.seen.second, piece.to, step.level),
-                           k == chosen ? roleOf(step.decision) : Role::Ray, k > chosen});
+            rayPath.push_back({place(piece.seen.first, piece.from, step.level),
+                               place(piece.seen.second, piece.to, step.level),
+                               k == chosen ? roleOf(step.decision) : Role::Ray, k > chosen});
         }
         last = &step;
     }
-    return way;
+    return rayPath;
 }
 
 std::optional<Place> SlabTower::end(std::size_t n) const {
@@ -248,8 +249,8 @@ std::optional<Place> SlabTower::end(std::size_t n) const {
     return at(n, here.front().seen.first, heightOver(0, 1 - lambda));
 }
 
-SlabTower::Meeting SlabTower::meeting(const Place& from, const Place& to) const {
-    Meeting found;
+SlabTower::Intersection SlabTower::intersect(const Place& from, const Place& to) const {
+    Intersection found;
     double nearest = 2;
     for (const Slab& slab : slabs_) {
         const auto [x, y] = offsets_[slab.part];

@@ -58,7 +58,7 @@ class SlabTower {
     double factor() const { return factor_; }  // scale of the heights, at most 1
     // Horizontal viewing direction (unit length) that shows the slabs best: the ray runs from left to right and
     // slightly away from the viewer.
-    Point seenAlong() const { return seenAlong_; }
+    Point viewDirection() const { return viewDirection_; }
     double foot(int level) const { return std::min(level, top_ + 1) * apart_; }
     double heightOver(int level, double height) const { return foot(level) + (height - low_) * thick_ * factor_; }
     Turntable::Place at(std::size_t part, Point texel, double z) const {
@@ -68,16 +68,16 @@ class SlabTower {
 
     // Marks and path up to, and faintly after, the step `chosen`.
     std::vector<SlabMark> marks(std::size_t part, std::size_t chosen) const;
-    std::vector<SlabStretch> way(std::size_t part, std::size_t chosen) const;
+    std::vector<SlabStretch> rayPath(std::size_t part, std::size_t chosen) const;
     // The ray's hit, above level 0.
     std::optional<Turntable::Place> end(std::size_t part) const;
 
     // The first slab that a line from one place to another intersects, and the point on its ground; null: none.
-    struct Meeting {
+    struct Intersection {
         const Slab* slab = nullptr;
         Point texel;
     };
-    Meeting meeting(const Turntable::Place& from, const Turntable::Place& to) const;
+    Intersection intersect(const Turntable::Place& from, const Turntable::Place& to) const;
 
   private:
     const PyramidPart& part(std::size_t n) const { return parts_->parts[n]; }
@@ -94,7 +94,7 @@ class SlabTower {
     int top_ = 0;
     double thick_ = 1;  // thickness of the relief in texels
     double low_ = 0;    // height at the slabs' bottoms
-    Point seenAlong_{-0.3, 0.95};
+    Point viewDirection_{-0.3, 0.95};
     double apart_ = 1;
     double factor_ = 1;
 };

@@ -39,7 +39,7 @@ class Bodies {
     vtkSmartPointer<vtkActor> filled(const StepBody& body) const {
         auto actor = actorOf(body.kind == StepBody::Kind::Sphere ? ball(body) : cone(body));
         paintIn(actor, color_);
-        lightLittle(actor);
+        shadeWeakly(actor);
         actor->GetProperty()->SetOpacity(kOpacity);
         return actor;
     }
@@ -175,7 +175,7 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
         bodies.outline(earlier, body, 0.22);
     }
     auto faint = actorOf(earlier.take());
-    lightLittle(faint);
+    shadeWeakly(faint);
     faint->GetProperty()->SetOpacity(kFaint);
     marks.push_back(faint);
     const StepBody body = stepBody(steps[chosen]);
@@ -184,7 +184,7 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
     Tubes strong;
     bodies.outline(strong, body, 0.6);
     auto edge = actorOf(strong.take());
-    lightLittle(edge);
+    shadeWeakly(edge);
     marks.push_back(edge);
     marks.push_back(bodies.filled(body));
     return marks;

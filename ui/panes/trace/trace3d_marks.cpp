@@ -52,7 +52,7 @@ vtkSmartPointer<vtkActor> TraceMarks::ray() const {
     Tubes tubes;
     tubes.add(scene_.onRay(before), scene_.onRay(scene_.end), radius_, style_.color(Role::Ray));
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
                   paint_.color(step, style_));
     }
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     if (later) actor->GetProperty()->SetOpacity(kLater);
     return actor;
 }
@@ -91,7 +91,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretch(const relief::Step& step) const {
     Tubes tubes;
     tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, paint_.color(step, style_));
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
         edge(right && near, {b.x1, -b.y1, low}, {b.x1, -b.y1, high});
     }
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 

@@ -68,7 +68,7 @@ vtkSmartPointer<vtkActor> rims(const TraceScene& scene, const std::vector<double
         for (std::size_t k = 0; k < rim.size(); ++k) tubes.add(rim[k], rim[(k + 1) % rim.size()], radius, color);
     }
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
@@ -138,7 +138,7 @@ std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, cons
                     style.color(Role::Advanced));
     }
     auto actor = actorOf(stems.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     marks.push_back(actor);
     return marks;
 }

@@ -73,19 +73,19 @@ TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
 // Z of the block's bottom: below the lowest point of the patch, but limited so that the block is not much higher than
 // wide, because a single pit would make everything else small.
 double TraceScene::foot() const {
-    constexpr int kLooks = 64;
+    constexpr int kSamplesPerSide = 64;
     constexpr double kUnder = 0.06;   // relative to the slab
     constexpr double kHighest = 0.5;  // relative to the block's width
     constexpr double kDeep = 0.1;     // relative to the block's width, below the ray's end
     double low = 1;
-    for (int j = 0; j <= kLooks; ++j) {
-        for (int i = 0; i <= kLooks; ++i) {
-            const double s = patch.x0 + patch.width() * i / kLooks;
-            low = std::min(low, field_.at(s, patch.y0 + patch.height() * j / kLooks));
+    for (int j = 0; j <= kSamplesPerSide; ++j) {
+        for (int i = 0; i <= kSamplesPerSide; ++i) {
+            const double s = patch.x0 + patch.width() * i / kSamplesPerSide;
+            low = std::min(low, field_.at(s, patch.y0 + patch.height() * j / kSamplesPerSide));
         }
     }
     double underRay = (1 - end) * scale;
-    for (int k = 0; k <= kLooks; ++k) underRay = std::min(underRay, underRayAt(end * k / kLooks));
+    for (int k = 0; k <= kSamplesPerSide; ++k) underRay = std::min(underRay, underRayAt(end * k / kSamplesPerSide));
     const double width = std::hypot(patch.width(), patch.height());
     return std::max({0.0, (low - kUnder) * scale, std::min(scale - kHighest * width, underRay - kDeep * width)});
 }

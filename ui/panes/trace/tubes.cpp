@@ -94,7 +94,7 @@ void paintIn(vtkActor* actor, Rgba color) {
     actor->GetProperty()->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-void lightLittle(vtkActor* actor) {
+void shadeWeakly(vtkActor* actor) {
     actor->GetProperty()->SetAmbient(0.75);
     actor->GetProperty()->SetDiffuse(0.3);
 }

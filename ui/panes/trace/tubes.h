@@ -39,6 +39,6 @@ class Tubes {
 vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data);
 void paintIn(vtkActor* actor, Rgba color);
 // Weak shading, because colours identify roles and must not change much.
-void lightLittle(vtkActor* actor);
+void shadeWeakly(vtkActor* actor);
 
 }  // namespace reliefui
