@@ -38,7 +38,11 @@ class LegendRows {
     // Adds the marker and name of each decision that is set in `seen`.
     void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
 
+    // For entries composed of several symbols: place() reserves an entry of this width and returns the vertical middle
+    // of its left end; add() adds a symbol and text() the explanation.
+    Point place(double width);
     void add(Role role, Primitive primitive, LevelTint tint = {}, Emphasis emphasis = Emphasis::Normal);
+    void text(Point at, relief::Message message);
     // Starts a new row for the next entry.
     void newRow();
     Drawing take();
@@ -47,10 +51,6 @@ class LegendRows {
     static constexpr double kBetween = 9;
 
   private:
-    // Reserves an entry of this width; returns the vertical middle of its left end.
-    Point place(double width);
-    void text(Point at, relief::Message message);
-
     double width_;
     relief::Language language_;
     double x_ = 0;

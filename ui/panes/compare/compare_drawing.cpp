@@ -114,10 +114,6 @@ void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
                       .plate = tile.veiled});
 }
 
-bool beside(const CompareSource& source) {
-    return source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
-}
-
 // Lines for one of the pictures that share a place: its name and numbers.
 std::vector<std::string> numberLines(const CompareTile& tile, double width, relief::Language language) {
     std::vector<std::string> all{tile.name};
