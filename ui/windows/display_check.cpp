@@ -34,8 +34,8 @@ bool needsDoubleScale() {
     constexpr int kWide = 3200;
     constexpr int kHigh = 2000;
     constexpr double kPlainDpi = 96;
-    for (const char* const problemText : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"}) {
-        const char* const value = std::getenv(problemText);
+    for (const char* const variable : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"}) {
+        const char* const value = std::getenv(variable);
         if (value != nullptr && *value != '\0') return false;
     }
     Display* const display = XOpenDisplay(nullptr);
