@@ -247,7 +247,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         const auto chart = paretoChart(arguments);
         reliefui::prepareFigures();
         QApplication application(count, values);
-        reliefui::dressApplication(application);
+        reliefui::setUpApplication(application);
         Work work;
         reliefui::writeFigure(*chart, page, arguments.output, work);
         return 0;
@@ -257,7 +257,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     takeArguments(start.scenario, arguments);
     reliefui::prepareFigures();
     QApplication application(count, values);
-    reliefui::dressApplication(application);
+    reliefui::setUpApplication(application);
     reliefui::SnapshotMaker maker(std::move(start.pictures));
     reliefui::SnapshotOrder order;
     order.scenario = start.scenario;
@@ -321,8 +321,8 @@ int run(int count, char** values, const Arguments& arguments) {
 
     reliefui::prepareWindows();
     reliefui::Application application(count, values);
-    reliefui::dressApplication(application);
-    if (!shot) reliefui::speak(reliefui::chosenLanguage());
+    reliefui::setUpApplication(application);
+    if (!shot) reliefui::installTranslations(reliefui::chosenLanguage());
     QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
     reliefui::Workspace workspace(std::make_shared<const reliefui::StateReaders>(reliefui::stateReaders()));
     // Reads and draws while the window is being made.
@@ -359,7 +359,7 @@ int run(int count, char** values, const Arguments& arguments) {
         }
         shown = nullptr;
         if (status == kOtherLanguage) {
-            reliefui::speak(reliefui::chosenLanguage());
+            reliefui::installTranslations(reliefui::chosenLanguage());
             reliefui::Style style = workspace.style();
             style.language = reliefui::uiLanguage();
             workspace.setStyle(style);

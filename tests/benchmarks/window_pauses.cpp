@@ -54,10 +54,10 @@ class Session {
         action();
         wait();
         const PauseLog& log = PauseLog::instance();
-        std::printf("%-34s ours %6.1f ms, pause %7.1f ms (%.1f drawing)\n", name, log.longestOurs().ours(),
+        std::printf("%-34s ours %6.1f ms, pause %7.1f ms (%.1f drawing)\n", name, log.longestComputation().computed(),
                     log.longestGap().ms, log.longestGap().drawing);
         for (const PauseLog::Pause& pause : log.worst(kListed)) {
-            std::printf("      %6.1f of %6.1f ms x %d  %s\n", pause.ours(), pause.ms, pause.times,
+            std::printf("      %6.1f of %6.1f ms x %d  %s\n", pause.computed(), pause.ms, pause.times,
                         pause.what.toUtf8().constData());
         }
         std::fflush(stdout);
@@ -263,7 +263,7 @@ int main(int count, char** values) {
     }
     reliefui::prepareWindows();
     reliefui::Application application(count, values);
-    reliefui::dressApplication(application);
+    reliefui::setUpApplication(application);
     reliefui::Workspace workspace;
     workspace.start(scenario);
     reliefui::MainWindow window(&workspace, QString());

@@ -91,7 +91,7 @@ class NumbersView : public FigureView {
         const auto state = stateOf<NumbersState>(workspace_->scenario());
         canvas_->setLayers({std::make_shared<const Drawing>(numbersDrawing(*shown, state))}, nullptr);
     }
-    void letGo() override { canvas_->letGo(); }
+    void releaseContents() override { canvas_->releaseContents(); }
 
   private:
     DrawingCanvas* canvas_;

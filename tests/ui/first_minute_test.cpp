@@ -193,14 +193,14 @@ TEST_F(FirstMinute, TheLanguageIsChosenInTheMenu) {
     const relief::Scenario before = scenario();
     const QVariantMap layout = window_->layoutNow();
     window_.reset();
-    speak(QStringLiteral("uk"));
+    installTranslations(QStringLiteral("uk"));
     window_ = std::make_unique<MainWindow>(workspace_.get(), QString());
     window_->takeLayout(layout);
     window_->show();
     EXPECT_NE(window_->menuBar()->actions().front()->text(), english);
     EXPECT_EQ(scenario(), before);
     EXPECT_FALSE(window_->findChild<QLabel*>(QStringLiteral("status-pixel"))->text().isEmpty());
-    speak({});
+    installTranslations({});
 }
 
 TEST_F(FirstMinute, HoverDoesNotLookLikeChecked) {

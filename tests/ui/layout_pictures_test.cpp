@@ -40,7 +40,7 @@ class LayoutPictures : public WindowTest {
   protected:
     void TearDown() override {
         WindowTest::TearDown();
-        if (haveDisplay()) speak({});
+        if (haveDisplay()) installTranslations({});
     }
     QDockWidget* dock(const char* name) const { return window_->findChild<QDockWidget*>(QLatin1String(name)); }
     void fill(const char* name) { Q_EMIT qobject_cast<PaneTitle*>(dock(name)->titleBarWidget())->fillRequested(); }
@@ -73,7 +73,7 @@ class LayoutPictures : public WindowTest {
     }
 
     void openAt720(const QString& language, bool light) {
-        speak(language);
+        installTranslations(language);
         openWindow(deepRay());
         // Where tests before this one left the pointer something would be lit.
         QTest::mouseMove(window_->windowHandle(), QPoint(900, 10));

@@ -41,7 +41,7 @@ class LayoutTest : public WindowTest {
   protected:
     void TearDown() override {
         WindowTest::TearDown();
-        if (haveDisplay()) speak({});
+        if (haveDisplay()) installTranslations({});
     }
     QDockWidget* dock(const char* name) const { return window_->findChild<QDockWidget*>(QLatin1String(name)); }
     void fill(const char* name) {
@@ -84,7 +84,7 @@ class LayoutTest : public WindowTest {
         window_->setProjector(false);
     }
     void openLessonIn(const QString& language) {
-        speak(language);
+        installTranslations(language);
         openWindow(lessonScenario(QStringLiteral("unsafe_distance")));
         window_->showLesson();
         // The longest sentence: with the answer.

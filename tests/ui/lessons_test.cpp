@@ -7,7 +7,7 @@
 #include "lessons/lessons.h"
 #include "panes/distance/distance_state.h"
 #include "panes/duel/duel_data.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
 #include "windows/pane_list.h"

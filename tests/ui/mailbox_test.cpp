@@ -1,4 +1,4 @@
-// Calls between threads: mailbox.h and aside.h.
+// Calls between threads: mailbox.h and background_call.h.
 #include "workspace/mailbox.h"
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <QThreadPool>
 
 #include "window_fixture.h"
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 
 namespace reliefui {
 
@@ -58,7 +58,7 @@ TEST_F(WindowTest, WorkAsideRunsElsewhereOnce) {
     const auto here = std::this_thread::get_id();
     std::array<std::atomic<int>, 50> times{};
     for (std::atomic<int>& of : times) {
-        runAside([&of, here] { of += std::this_thread::get_id() == here ? 100 : 1; });
+        runInBackground([&of, here] { of += std::this_thread::get_id() == here ? 100 : 1; });
     }
     QThreadPool::globalInstance()->waitForDone();
     for (const std::atomic<int>& of : times) EXPECT_EQ(of, 1);

@@ -28,7 +28,7 @@ int main(int count, char** values) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     reliefui::prepareWindows();
     reliefui::Application application(count, values);
-    reliefui::dressApplication(application);
+    reliefui::setUpApplication(application);
     reliefui::haveDisplay() = true;
     const int failed = RUN_ALL_TESTS();
 #ifdef __SANITIZE_ADDRESS__

@@ -6,7 +6,7 @@
 
 #include "distance_fixture.h"
 #include "lessons/lessons.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 #include "panes/profile/profile_view.h"
 #include "windows/pane_list.h"
 #include "workspace/pane_store.h"

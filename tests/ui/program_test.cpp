@@ -190,9 +190,9 @@ bool wantedTwiceOn(const QString& screen) {
     EXPECT_TRUE(number.endsWith('\n')) << "no display of " << screen.toStdString();
     const QByteArray before = qgetenv("DISPLAY");
     qputenv("DISPLAY", ":" + number.trimmed());
-    const bool wanted = wantsTwiceTheSize();
+    const bool wanted = needsDoubleScale();
     qputenv("QT_SCALE_FACTOR", "1");
-    EXPECT_FALSE(wantsTwiceTheSize()) << "the user has said how large";
+    EXPECT_FALSE(needsDoubleScale()) << "the user has said how large";
     qunsetenv("QT_SCALE_FACTOR");
     qputenv("DISPLAY", before);
     server.terminate();

@@ -34,7 +34,7 @@ relief::Scenario coarseLayers() {
 
 TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     openWindow(coarseLayers());
-    QSignalSpy said(window_->finder(), &PixelFinder::said);
+    QSignalSpy reported(window_->finder(), &PixelFinder::reported);
     const auto press = [&](Qt::Key key) {
         QTest::keyClick(window_.get(), key, Qt::ShiftModifier);
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->finder()->busy(); }, 20000));
@@ -57,7 +57,7 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     EXPECT_EQ(window_->finder()->found().front().value, static_cast<double>(snapshot()->trace.steps.size()));
     press(Qt::Key_D);
     EXPECT_GT(window_->finder()->found().front().value, 0);
-    EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("exact")));
+    EXPECT_TRUE(reported.last().first().toString().contains(QStringLiteral("exact")));
     // Against another method they are other pixels, of the same picture.
     const auto asExact = window_->finder()->found();
     relief::Scenario rival = scenario();
@@ -65,8 +65,8 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     workspace_->change(rival, QStringLiteral("test"));
     waitForFull();
     press(Qt::Key_D);
-    EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("layers")))
-        << said.last().first().toString().toStdString();
+    EXPECT_TRUE(reported.last().first().toString().contains(QStringLiteral("layers")))
+        << reported.last().first().toString().toStdString();
     EXPECT_NE(window_->finder()->found().front().value, asExact.front().value);
     // Each is a step of undo of its own.
     const auto here = scenario().pixel;
@@ -86,7 +86,7 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     waitForFull();
     press(Qt::Key_D);
     EXPECT_FALSE(window_->finder()->found().empty());
-    EXPECT_TRUE(said.last().first().toString().contains(QStringLiteral("layers")));
+    EXPECT_TRUE(reported.last().first().toString().contains(QStringLiteral("layers")));
 }
 
 TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {

@@ -150,7 +150,7 @@ TEST_F(SessionTest, AnotherLanguageAsksAnew) {
     auto* offer = new RestoreOffer(window_.get(), workspace_.get(), keeper_.get(), SessionFiles::leftBehind());
     ASSERT_TRUE(question()->isVisible());
     EXPECT_TRUE(question()->text().contains(QStringLiteral("Reliefscope ended"))) << question()->text().toStdString();
-    speak(QStringLiteral("uk"));
+    installTranslations(QStringLiteral("uk"));
     auto left = offer->unanswered();
     ASSERT_EQ(left.size(), 1U);
     window_ = std::make_unique<MainWindow>(workspace_.get(), QString());
@@ -169,7 +169,7 @@ TEST_F(SessionTest, AnotherLanguageAsksAnew) {
     // Whoever closed it is not asked again by this run.
     question()->close();
     EXPECT_TRUE(offer->unanswered().empty());
-    speak({});
+    installTranslations({});
 }
 
 TEST_F(SessionTest, ADamagedFileIsNotOffered) {

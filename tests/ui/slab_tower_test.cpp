@@ -133,24 +133,24 @@ TEST(SlabTower, theWayIsConnectedAndPassesAboveWhatIsSkipped) {
     const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, true);
     ASSERT_FALSE(parts.parts[0].picture.wraps);
     const SlabTower tower(parts);
-    const auto way = tower.way(0, steps.size() - 1);
-    ASSERT_GT(way.size(), 5U);
+    const auto rayPath = tower.rayPath(0, steps.size() - 1);
+    ASSERT_GT(rayPath.size(), 5U);
     int upright = 0;
-    for (std::size_t k = 0; k < way.size(); ++k) {
+    for (std::size_t k = 0; k < rayPath.size(); ++k) {
         if (k > 0) {
-            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(way[k].from[c], way[k - 1].to[c], 1e-9) << k;
+            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(rayPath[k].from[c], rayPath[k - 1].to[c], 1e-9) << k;
         }
-        const double along = std::hypot(way[k].to[0] - way[k].from[0], way[k].to[1] - way[k].from[1]);
-        if (std::abs(way[k].to[2] - way[k].from[2]) > tower.apart() / 2) {
+        const double along = std::hypot(rayPath[k].to[0] - rayPath[k].from[0], rayPath[k].to[1] - rayPath[k].from[1]);
+        if (std::abs(rayPath[k].to[2] - rayPath[k].from[2]) > tower.apart() / 2) {
             ++upright;
             EXPECT_NEAR(along, 0, 1e-9);
         } else {
-            EXPECT_LE(way[k].to[2], way[k].from[2] + 1e-9) << "the ray goes down";
+            EXPECT_LE(rayPath[k].to[2], rayPath[k].from[2] + 1e-9) << "the ray goes down";
         }
     }
     EXPECT_GT(upright, 2);
     ASSERT_TRUE(tower.end(0));
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR((*tower.end(0))[c], way.back().to[c], 1e-6);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR((*tower.end(0))[c], rayPath.back().to[c], 1e-6);
     int skipped = 0;
     for (const relief::Step& step : steps) {
         const auto* const texel = step.as<relief::subject::Texel>();
@@ -163,7 +163,7 @@ TEST(SlabTower, theWayIsConnectedAndPassesAboveWhatIsSkipped) {
     }
     EXPECT_GT(skipped, 0);
     // Later steps are told apart.
-    const auto half = tower.way(0, steps.size() / 2);
+    const auto half = tower.rayPath(0, steps.size() / 2);
     EXPECT_FALSE(half.front().later);
     EXPECT_TRUE(half.back().later);
 }
@@ -175,14 +175,14 @@ TEST(SlabTower, aLineFromAboveMeetsTheUppermostSlab) {
     const SlabTower tower(parts);
     for (const Slab& slab : tower.slabs()) {
         const Point middle = slab.ground.center();
-        const auto met = tower.meeting(tower.at(0, middle, 1e4), tower.at(0, middle, -1e4));
+        const auto met = tower.intersect(tower.at(0, middle, 1e4), tower.at(0, middle, -1e4));
         ASSERT_NE(met.slab, nullptr);
         EXPECT_GE(met.slab->level, slab.level);
         EXPECT_TRUE(met.slab->ground.contains(middle));
         EXPECT_NEAR(met.texel.x, middle.x, 1e-6);
         EXPECT_NEAR(met.texel.y, middle.y, 1e-6);
     }
-    EXPECT_EQ(tower.meeting(tower.at(0, {-1e3, -1e3}, 1e4), tower.at(0, {-1e3, -1e3}, -1e4)).slab, nullptr);
+    EXPECT_EQ(tower.intersect(tower.at(0, {-1e3, -1e3}, 1e4), tower.at(0, {-1e3, -1e3}, -1e4)).slab, nullptr);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "scenario/scenario.h"
 
-// Resources of a static library have to be asked for, outside any namespace.
+// Resources of a static library have to be initialised explicitly, outside any namespace.
 static void initLessons() {
     Q_INIT_RESOURCE(lessons);
 }

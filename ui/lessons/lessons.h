@@ -1,5 +1,5 @@
-// Lessons: scenes that show one thing, chosen with one click. Each is a scenario file that comes with the program; what
-// it is said to show, the tests hold it to.
+// Lessons: scenes that each demonstrate one effect and open with one click. Each is a scenario file in the program's
+// resources; the tests check that it shows what its description claims.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@
 namespace reliefui {
 
 struct Lesson {
-    QString name;   // of its file, without the ending
-    QString title;  // in the language of the window
-    QString about;  // what is to be seen, in a sentence or two
-    QString pane;   // the name of the pane that shows it
-    // How the scenario's method goes wrong at the chosen pixel; nothing: it does not.
+    QString name;   // file name without extension
+    QString title;  // in the window's language
+    QString about;  // one or two sentences on what can be seen
+    QString pane;   // name of the pane that shows it
+    // How the method errs at the chosen pixel; std::nullopt if it does not.
     std::optional<relief::Departure> departure;
 };
 
 std::vector<Lesson> lessons();
-// Throws InputError where the program has no such file.
+// Throws InputError if the program has no lesson of this name.
 relief::Scenario lessonScenario(const QString& name);
 
 }  // namespace reliefui

@@ -29,7 +29,7 @@ CellImage cellImage(const Cells& cells, const Style& style, const CellRange& par
     image.height = (part.j1 - part.j0 + step - 1) / step;
     image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
     const ColorScale& scale = cells.scale;
-    // What is no straight line is looked up one by one.
+    // Non-linear scales and marks are mapped value by value, without the table.
     const bool straight = scale.high > scale.low && !scale.logarithmic && !scale.twoSided;
     const auto factor = static_cast<float>((kCodes - 1) / (straight ? scale.high - scale.low : 1));
     const auto low = static_cast<float>(scale.low);
@@ -55,7 +55,7 @@ CellImage cellImage(const Cells& cells, const Style& style, const CellRange& par
 
 namespace {
 
-constexpr double kDigitWidth = 0.64;  // of DejaVu Sans, in ems
+constexpr double kDigitWidth = 0.64;  // width of a DejaVu Sans digit, in ems
 
 }  // namespace
 
@@ -78,13 +78,14 @@ bool textFits(const CellText& text, double width, double height) {
 
 namespace {
 
-// Distances and slopes of one grid all with the same decimals, about three figures of the largest.
+// All cells of a grid of distances or slopes are printed with the same number of decimals, which gives the largest
+// value about three significant figures.
 CellText measuredText(const Cells& cells, double scale, const Style& style) {
     CellText text;
     const double high = cells.scale.high;
     text.digits = high >= 10 ? 2 : 1;
     text.decimals = high >= 10 ? 1 : (high >= 1 ? 2 : 3);
-    // The small values of a logarithmic scale are what it is chosen for.
+    // A logarithmic scale is chosen to show small values, so these get one more decimal.
     if (cells.scale.logarithmic) text.decimals = std::min(text.decimals + 1, 4);
     text.sign = cells.scale.twoSided;
     const double pixels = std::min({cells.cellWidth * scale * 0.84 / (text.characters() * kDigitWidth),
@@ -100,8 +101,9 @@ CellText cellText(const Cells& cells, const CellRange& range, double scale, cons
     if (!cells.print || cells.cellHeight * scale < cells.printFrom * style.pixelsPerPoint()) return {};
     if (cells.map == ColorMap::Distance || cells.map == ColorMap::Difference) return measuredText(cells, scale, style);
     const CellText text = cellText(cells.cellWidth * scale, cells.cellHeight * scale, style);
-    // One decimal alone may be written smaller: fewer digits are easier to read, and figures in a column need it.
-    constexpr double kSmallest = 0.5;  // times the text size: 5 pt in print
+    // Numbers with a single decimal may be set smaller: they have fewer digits to read, and cells in a narrow column
+    // need it.
+    constexpr double kSmallest = 0.5;  // times the text size; this gives 5 pt in print
     CellText single;
     single.decimals = 1;
     const double pixels = std::min({cells.cellWidth * scale * 0.84 / (single.characters() * kDigitWidth),

@@ -1,4 +1,4 @@
-// A grid of values, or a part of one, as a picture of colours, for the painter; big ones are thinned out first.
+// Converts a grid of values, or part of one, to an RGB image for the painter. Large grids are subsampled first.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace reliefui {
 
-// Rows top-down, three bytes a pixel. A pixel stands for `step` x `step` cells and shows the first of them; the first
-// pixel for those from (i0, j0) on.
+// Rows are stored top-down, three bytes per pixel. Each pixel covers `step` x `step` cells and shows the first of them;
+// the first pixel starts at cell (i0, j0).
 struct CellImage {
     int i0 = 0;
     int j0 = 0;
@@ -21,25 +21,26 @@ struct CellImage {
     std::vector<std::uint8_t> rgb;
 };
 
-// No side of the picture is longer than `longest` pixels.
+// Converts the whole grid; the step is chosen so that no side of the image exceeds `longest` pixels.
 CellImage cellImage(const Cells& cells, const Style& style, int longest = 2048);
-// Of these cells only, thinned out `step` times.
+// Converts the cells of `range` only, subsampled by `step`.
 CellImage cellImage(const Cells& cells, const Style& style, const CellRange& range, int step);
 
-// Size (pixels) and decimals with which values are written into cells of this size; pixels = 0: no room.
+// Font size (pixels) and number format for printing values into cells of this size. pixels = 0: the cells are too
+// small.
 struct CellText {
     double pixels = 0;
     int decimals = 2;
-    int digits = 1;  // before the point
+    int digits = 1;  // before the decimal point
     bool sign = false;
     int characters() const { return digits + 1 + decimals + (sign ? 1 : 0); }
 };
 CellText cellText(double cellWidth, double cellHeight, const Style& style);
-// One decimal is enough where all values of the range have no more.
+// As above, but one decimal is used where no value of the range has more.
 CellText cellText(const Cells& cells, const CellRange& range, double scale, const Style& style);
-// In what is seen of a cell.
+// Returns true if the text fits into the visible part of a cell (width x height, pixels).
 bool textFits(const CellText& text, double width, double height);
-// Empty where the value is a mark.
+// Text of a value; empty if the value is a mark.
 std::string cellValueText(const Cells& cells, float value, const CellText& text);
 
 }  // namespace reliefui

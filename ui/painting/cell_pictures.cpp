@@ -12,12 +12,14 @@ bool CellPictures::Picture::serves(const Cells& cells, const Style& style) const
            ((map != ColorMap::Distance && map != ColorMap::Difference) || theme == style.theme);
 }
 
-// With something around what is seen, so that not every move makes it anew; a large part of a large grid alone.
-void CellPictures::Picture::make(const Cells& cells, const Style& style, const CellRange& seen, int cellsAPixel) {
+// Renders the visible cells with a border around them, so that small movements of the view need no new image; of a
+// large grid only this part is rendered.
+void CellPictures::Picture::make(const Cells& cells, const Style& style, const CellRange& seen, int cellsPerPixel) {
     constexpr int kMostAround = 384;  // pixels
-    step = cellsAPixel;
+    step = cellsPerPixel;
     const int around = std::min(kMostAround * step, std::max(seen.i1 - seen.i0, seen.j1 - seen.j0) / 2);
-    // Begins at whole pixels, whatever is seen: a move does not make the picture crawl.
+    // Starts at a multiple of `step` wherever the view is, so that the subsampled image does not shimmer as the view
+    // moves.
     const auto first = [&](int at) { return std::max(0, at - around) / step * step; };
     range = {first(seen.i0), first(seen.j0), std::min(cells.values->width(), seen.i1 + around),
              std::min(cells.values->height(), seen.j1 + around)};
@@ -52,7 +54,7 @@ void CellPictures::draw(QPainter& painter, const Cells& cells, const ViewMap& ma
         picture.scale = cells.scale;
     }
     picture.used = true;
-    // Up to twice as fine as the screen; never more than this.
+    // The step keeps the image between one and two times the screen's resolution, and always below this size.
     constexpr double kMostPixels = double{1 << 22};
     const double side = std::min(cells.cellWidth, cells.cellHeight) * map.scale;
     int step = 1;

@@ -1,4 +1,4 @@
-// Cached images of large grids of values: of the visible part, at the resolution of the screen. An image is made anew
+// Cached images of large grids of values: the visible part, at the resolution of the screen. An image is rendered again
 // when another part comes into view.
 #pragma once
 
@@ -14,9 +14,9 @@ namespace reliefui {
 
 class CellPictures {
   public:
-    // A painting: begin, any number of draw, end, which forgets what was not drawn.
+    // Starts one painting pass: begin(), any number of draw(), then end(), which drops images that were not drawn.
     void begin();
-    // The part of the cells that lies in `screen` (pixels of the painter).
+    // Draws the cells inside `screen` (pixels of the painter).
     void draw(QPainter& painter, const Cells& cells, const ViewMap& map, const Style& style, const Box& screen);
     void end();
 
@@ -27,8 +27,8 @@ class CellPictures {
         HeightColors heights = HeightColors::Grey;
         Theme theme = Theme::Dark;
         ColorScale scale;
-        CellRange range;  // of the cells that the image shows; empty: it was not made yet
-        int step = 1;     // cells a pixel
+        CellRange range;  // cells covered by the image; empty before the first rendering
+        int step = 1;     // cells per pixel
         QImage image;
         bool used = false;
 

@@ -13,16 +13,17 @@ using relief::Message;
 
 constexpr double kGap = 8;          // between numbers in a row
 constexpr double kLine = 11;        // height of a line
-constexpr double kSmallest = 0.65;  // of the charts' size: what is set smaller cannot be read
+constexpr double kSmallest = 0.65;  // times the charts' size; smaller text is illegible
 constexpr double kRounding = 1e-6;
 
-// Least distances between numbers, points: in a long row they stand farther apart than they have to.
+// Preferred minimum distance between the numbers of an axis, in points. It grows with the axis, so that long axes are
+// not crowded.
 double apart(Side side, double length) {
-    constexpr double kNumbers = 8;  // wanted
+    constexpr double kNumbers = 8;  // target count
     return side == Side::Below ? std::clamp(length / kNumbers, 30.0, 52.0) : std::clamp(length / kNumbers, 15.0, 22.0);
 }
 
-// Whether each number is clear of the one before it.
+// Returns true if no number overlaps or touches the one before it.
 bool clear(const std::vector<Tick>& all, Side side, double unit) {
     for (std::size_t n = 1; n < all.size(); ++n) {
         const double between = std::abs(all[n].at - all[n - 1].at) / unit;
@@ -40,7 +41,7 @@ std::vector<Tick> plainTicks(const Scale& scale, double step) {
     return all;
 }
 
-// 1, 2 and 5 times each power of ten, or every so many powers.
+// Ticks at 1, 2 and 5 times each power of ten (every = 0), or at every `every`-th power of ten.
 std::vector<Tick> logarithmicTicks(const Scale& scale, int every) {
     std::vector<Tick> all;
     const double low = scale.low - kRounding, high = scale.high + kRounding;
@@ -169,12 +170,12 @@ void Axes::left(const Scale& scale, bool lines) const {
 
 void Axes::below(const Scale& scale, const std::optional<Message>& title) const {
     const bool low = (room_.y1 - plot_.y1) / unit_ < kBottom - 1;
-    // Around its place, but within the room.
+    // Centred on its tick, but shifted to lie within the room.
     const auto place = [&](double at, double width) {
         const double half = width / 2 * unit_;
         return std::clamp(at, std::min(room_.x0 + half, room_.center().x), std::max(room_.x1 - half, room_.center().x));
     };
-    // Before the numbers: in a row with it, they give way.
+    // In a low drawing the title shares the row with the numbers; it is added first, so that the numbers yield to it.
     if (title) {
         const double room = ((low ? plot_.x1 : room_.x1) - room_.x0) / unit_;
         const double width = std::min(widthOf(*title), room);
@@ -185,7 +186,7 @@ void Axes::below(const Scale& scale, const std::optional<Message>& title) const 
                            .size = fittingSize(widthOf(*title), room),
                            .offset = {0, low ? kTick + 6 : kTick + 12}});
     }
-    double before = room_.x0 - kGap * unit_;  // where the last number ends
+    double before = room_.x0 - kGap * unit_;  // right end of the previous number
     for (const Tick& t : ticks(scale, Side::Below, unit_)) {
         tick({t.at, plot_.y1}, {t.at, plot_.y1 + kTick * unit_});
         const double width = textWidth(t.text);
@@ -220,7 +221,7 @@ void Axes::sides() const {
 }
 
 int title(Drawing& drawing, Message message, const Box& room, Role role) {
-    constexpr double kSmall = 0.9;  // of the charts' size: in two lines rather than smaller
+    constexpr double kSmall = 0.9;  // times the charts' size; a title that would be smaller is split into two lines
     Label label{
         .at = {room.x0, room.y0}, .text = std::move(message), .anchor = Anchor::TopLeft, .size = 1, .offset = {2, 0}};
     const auto size = [&](int part) {

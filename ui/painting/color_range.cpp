@@ -6,10 +6,10 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kDecades = 6;  // of a logarithmic scale, at most
+constexpr double kDecades = 6;  // largest span of a logarithmic scale that is chosen automatically
 constexpr double kOneDecade = 10;
 
-// In a two-sided picture no value but 0 has the colour of 0.
+// Smallest share of a two-sided scale used for values other than 0, so that only 0 has the colour of 0.
 constexpr double kLeastShare = 2e-3;
 
 }  // namespace
@@ -26,17 +26,17 @@ ColorRange standardRange(RangeOf of) {
     ColorRange range;
     range.logarithmic = of == RangeOf::Error || of == RangeOf::Anisotropy || of == RangeOf::Slope;
     if (of == RangeOf::Steps) {
-        // One ray that goes astray takes many times as many steps as all others.
+        // A single outlier ray takes many times as many steps as the others.
         range.ends = RangeEnds::Percentile;
         range.high = 99.9;
     }
     if (of == RangeOf::CompareL1) {
-        // A few pixels at edges differ by far more than all others.
+        // A few pixels at edges differ far more than all others.
         range.ends = RangeEnds::Percentile;
         range.high = 99;
     }
     if (of == RangeOf::Slope) {
-        // A few cones at the deepest points are many times as narrow as all others.
+        // A few cones at the deepest points are many times narrower than the others.
         range.ends = RangeEnds::Percentile;
         range.low = 1;
         range.high = 99.9;
@@ -137,7 +137,7 @@ double ColorScale::value(double place) const {
     const double from = twoSided && !logarithmic ? 0 : low;
     const double share = twoSided ? std::abs(2 * place - 1) : place;
     double size = logarithmic ? from * std::pow(high / from, share) : from + share * (high - from);
-    // The middle is 0 whatever is told apart from it.
+    // The middle of the scale is exactly 0, although a logarithmic scale starts at `low`.
     if (twoSided && share == 0) size = 0;
     return twoSided && place < 0.5 ? -size : size;
 }
@@ -158,7 +158,8 @@ ColorScale colorScale(const ColorRange& range, const ValueSpread& spread, const 
             const double share = range.high / kPercent;
             scale.high = ends.twoSided ? spread.magnitudeQuantile(share) : spread.quantile(share);
         }
-        // Nearly all values are the same: the others still differ.
+        // Nearly all values are equal: the percentiles coincide, so the full range is used to show the values that
+        // differ.
         if (!(scale.high > scale.low)) scale.high = ends.high;
     }
     if (!range.logarithmic) return scale;
@@ -167,7 +168,7 @@ ColorScale colorScale(const ColorRange& range, const ValueSpread& spread, const 
         scale.low =
             ends.least > 0 ? ends.least : std::max(spread.leastPositive(), scale.high * std::pow(10, -kDecades));
     }
-    // At least a decade, but where somebody has chosen the ends.
+    // An automatic logarithmic scale spans at least one decade; ends chosen by the user are kept.
     if (range.ends != RangeEnds::Own || !(scale.high > scale.low)) {
         scale.high = std::max(scale.high, kOneDecade * scale.low);
     }

@@ -1,6 +1,6 @@
-// How values become places on a colour map: linear or logarithmic, between all values, percentiles or chosen ends, with
-// a threshold. A plain value that a person chooses (ColorRange), what it comes to for the values of one picture
-// (ColorScale), and these values as far as ranges and histograms need them (ValueSpread).
+// Mapping of values to positions on a colour map: linear or logarithmic, over all values, percentiles or chosen ends,
+// with an optional threshold. ColorRange is the user's choice, ColorScale the mapping that results for one picture's
+// values, ValueSpread the statistics of these values that ranges and histograms need.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace reliefui {
 
-// What has a range of its own: layers of the result, distance maps, cone maps, differences of either, pyramids, errors
-// of compared pictures.
+// Pictures that have a colour range of their own: layers of the result, distance maps, cone maps, differences of
+// either, pyramids, errors of compared pictures.
 enum class RangeOf : std::uint8_t {
     Steps,
     Error,
@@ -31,7 +31,7 @@ enum class RangeOf : std::uint8_t {
     CompareFlip
 };
 inline constexpr std::size_t kRangesOf = 12;
-// In scenarios: "steps", "slope-difference".
+// Name in scenario files, e.g. "steps", "slope-difference".
 const std::string& rangeName(RangeOf of);
 
 enum class RangeEnds : std::uint8_t { All, Percentile, Own };
@@ -39,16 +39,17 @@ enum class RangeEnds : std::uint8_t { All, Percentile, Own };
 struct ColorRange {
     bool logarithmic = false;
     RangeEnds ends = RangeEnds::All;
-    // Percent of the values that are smaller, or values; nothing of all values. Two-sided pictures have `high` alone.
+    // Ends of the range: percentiles (0 to 100) or values, depending on `ends`; unused for RangeEnds::All. Two-sided
+    // pictures use `high` only.
     double low = 0;
     double high = 1;
     std::optional<double> threshold;  // values up to it share one colour
     bool operator==(const ColorRange&) const = default;
 };
-// With which its picture is readable at once.
+// Default range, chosen so that a picture of this kind is readable without adjustment.
 ColorRange standardRange(RangeOf of);
 
-// Of all pictures; those that nobody has changed have the standard.
+// The ranges of all pictures; a picture that the user has not changed has the standard range.
 class ColorRanges {
   public:
     ColorRange of(RangeOf picture) const;
@@ -60,27 +61,27 @@ class ColorRanges {
     std::array<std::optional<ColorRange>, kRangesOf> changed_;
 };
 
-// The numbers of a picture, sorted. With more than `most` of them every second is dropped, and again: what is counted
-// is an estimate then.
+// Sorted sample of a picture's values. When it would exceed `most` values, every second one is dropped, repeatedly;
+// counts and quantiles are then estimates (exact() is false).
 class ValueSpread {
   public:
     static constexpr std::size_t kAll = ~std::size_t{0};
     explicit ValueSpread(std::size_t most = kAll) : most_(most) {}
 
-    void add(float value);  // NaN is none
-    void finish();          // before anything is asked for
+    void add(float value);  // NaN is ignored
+    void finish();          // sorts; must be called before any query below
 
     bool exact() const { return stride_ == 1; }
     bool empty() const { return added_ == 0; }
     std::int64_t count() const { return added_; }
-    double least() const { return least_; }  // of all that were added
+    double least() const { return least_; }  // over all values added, also those dropped from the sample
     double largest() const { return largest_; }
-    double leastPositive() const { return leastPositive_; }  // of the absolute values; 0: all are 0
+    double leastPositive() const { return leastPositive_; }  // smallest absolute value above 0; 0 if all are 0
     double largestMagnitude() const;
-    // The value (absolute value) that this share of them do not exceed.
+    // Value (or absolute value) that is not exceeded by this share, 0 to 1, of the values.
     double quantile(double share) const;
     double magnitudeQuantile(double share) const;
-    // How many are greater; how many lie in [from, to).
+    // Number of values greater than `value`; number of values in [from, to).
     std::int64_t above(double value) const;
     std::int64_t between(double from, double to) const;
 
@@ -97,22 +98,22 @@ class ValueSpread {
 };
 
 struct ColorScale {
-    double low = 0;  // of a two-sided one: absolute values, the smallest that a logarithmic one tells apart from 0
+    double low = 0;  // two-sided: smallest absolute value that a logarithmic scale distinguishes from 0
     double high = 1;
     bool logarithmic = false;
-    bool twoSided = false;  // around 0, which lies in the middle
+    bool twoSided = false;  // symmetric around 0, which lies in the middle
     std::optional<double> threshold;
     bool operator==(const ColorScale&) const = default;
 
-    // On the colour map: 0 to 1 between the ends, less and more beyond them.
+    // Position on the colour map: 0 to 1 between the ends, below 0 or above 1 outside them.
     double place(double value) const;
     double value(double place) const;
-    // Not above the threshold: has the colour of these.
+    // Returns true if the value is not above the threshold and so has the threshold's common colour.
     bool under(double value) const { return threshold && (twoSided ? std::max(value, -value) : value) <= *threshold; }
 };
 
-// What "all values" means of a picture, and below what values nothing is told apart by a logarithmic scale; 0: the
-// least that is not 0.
+// Range that RangeEnds::All stands for in a picture. least: smallest magnitude that a logarithmic scale distinguishes
+// from 0; 0: the smallest positive magnitude present.
 struct ScaleEnds {
     double low = 0;
     double high = 1;

@@ -1,6 +1,6 @@
-// A two-dimensional picture as plain data: a display list that the painter puts on a screen, into an SVG or a PDF.
-// No Qt, no VTK: items have stable ids (for picking), roles instead of colours, message ids with values instead of
-// text. Lengths are in drawing units, y downwards; what must stay readable at any zoom is in points.
+// A two-dimensional drawing as plain data: a display list that the painter renders to the screen, an SVG or a PDF. It
+// uses neither Qt nor VTK: items have stable ids (for picking), roles instead of colours, and message ids with values
+// instead of text. Lengths are in drawing units, y downwards; sizes that must stay legible at any zoom are in points.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
-// Empty where x1 < x0.
+// Axis-aligned box; empty if x1 < x0.
 struct Box {
     double x0 = 0;
     double y0 = 0;
@@ -50,25 +50,25 @@ struct Box {
     bool operator==(const Box&) const = default;
 };
 
-// What an item stands for, the same from one build of the drawing to the next.
+// The object that an item represents. Ids are stable from one build of the drawing to the next.
 enum class ItemKind : std::uint8_t { None, Level, Texel, Step, Ray, Hit, Legend, Surface, Layer, IsoLine, ColorBar };
 struct ItemId {
     ItemKind kind = ItemKind::None;
     int level = 0;
-    std::int64_t i = 0;  // of a texel; the number of a step or a layer, from 0
+    std::int64_t i = 0;  // column of a texel, or zero-based number of a step or layer
     std::int64_t j = 0;
 
     explicit operator bool() const { return kind != ItemKind::None; }
     auto operator<=>(const ItemId&) const = default;
 };
-// "texel/3/1/0", "step/7"; also the id in an SVG.
+// Text form, e.g. "texel/3/1/0" or "step/7"; used as the id in SVG files.
 std::string idText(const ItemId& id);
-// Of a step of a run.
+// Id of a step of a run.
 inline ItemId stepId(std::size_t step, int run = 0) {
     return {ItemKind::Step, run, static_cast<std::int64_t>(step), 0};
 }
 
-// What a thing is; the style turns it into a colour, a width, a dash and a shape (style.h).
+// What an item depicts; the style maps it to a colour, line width, dash pattern and shape (style.h).
 enum class Role : std::uint8_t {
     Ray,
     Start,
@@ -78,18 +78,18 @@ enum class Role : std::uint8_t {
     Advanced,
     Tested,
     Refined,
-    Searched,  // whatever was decided: the phase between start and refinement
+    Searched,  // search phase, between start and refinement, whatever its decision
     Limit,
     Hit,
     Miss,
     Overshoot,
-    Footprint,    // of a pixel: all that counts
-    PixelCircle,  // of radius 1 pixel
-    Neighbour,    // footprints beside it
+    Footprint,    // all texels that contribute to a pixel
+    PixelCircle,  // circle of radius 1 pixel, on the texture
+    Neighbour,    // footprints of neighbouring pixels
     Weight,
     Hidden,
     Blocker,
-    Empty,  // promised by a map: spheres and cones
+    Empty,  // space that a map guarantees to be empty: spheres and cones
     IsoLine,
     Surface,
     Plateau,
@@ -103,17 +103,17 @@ enum class Role : std::uint8_t {
     Title,
     Legend,
     Highlight,
-    Series,        // one of several things compared; which one, its tint says
-    SeriesDashed,  // another quantity of the same
-    Stream,        // of pixels computed in turn; which one, its tint says
+    Series,        // one of several compared objects; the tint gives its number
+    SeriesDashed,  // another quantity of the same object
+    Stream,        // one of several streams of pixels computed in turn; the tint gives its number
     Count
 };
 Role roleOf(relief::Decision decision);
 
-// Drawn less (what comes later), as it is, or more (what is chosen).
+// Faint: items that come later. Strong: chosen items.
 enum class Emphasis : std::uint8_t { Faint, Normal, Strong };
 
-// Colour is never alone: each decision has a shape, too.
+// Marker shapes. Each decision has a shape as well as a colour, so that colour is never the only cue.
 enum class Shape : std::uint8_t {
     Dot,
     Bar,
@@ -128,13 +128,14 @@ enum class Shape : std::uint8_t {
 };
 Shape shapeOf(relief::Decision decision);
 
-// Distance: values from 0; marks below 0 (surface voxels) and NaN (in the relief) have colours of their own.
-// Difference: around 0, which is white. Signed: around 0, which is dark: a colour for each sign, lighter with the size.
-// Picture: the values are colours, 65536 red + 256 green + blue (whole numbers that a float holds exactly).
+// Distance: values from 0; marks below 0 (surface voxels) and NaN (inside the relief) have colours of their own.
+// Difference: diverging around 0, which is white. Signed: diverging around 0, which is dark; lightness grows with
+// magnitude.
+// Picture: the values are colours, 65536 red + 256 green + blue (whole numbers, exact in float).
 enum class ColorMap : std::uint8_t { Height, Level, Count, Distance, Difference, Signed, Picture };
 
-// Outline or fill of a box. inset: points by which the outline lies inside it; minSide: points below which it is not
-// drawn smaller, so that single texels of a big map can still be seen.
+// Outline or fill of a box. inset: distance in points by which the outline lies inside the box. minSide: smallest side
+// in points; smaller boxes are enlarged, so that single texels of a large map stay visible.
 struct Rectangle {
     Box box;
     bool fill = false;
@@ -142,8 +143,8 @@ struct Rectangle {
     double minSide = 0;
 };
 
-// A grid of values in colours. The grid starts at (x, y); only what lies in `clip` is seen. Values are printed into
-// cells that are large enough on the screen.
+// A grid of values shown in colours. The grid starts at (x, y); only the part inside `clip` is visible. If `print` is
+// set, values are printed into cells that are large enough on the screen.
 struct Cells {
     std::shared_ptr<const relief::FloatImage> values{};
     double x = 0;
@@ -154,12 +155,12 @@ struct Cells {
     ColorMap map = ColorMap::Height;
     ColorScale scale{};
     bool print = false;
-    double printFrom = 0;     // points: the values of lower cells are not printed
-    std::int64_t firstI = 0;  // names of the first column and row, for picking
+    double printFrom = 0;     // cell height in points below which values are not printed
+    std::int64_t firstI = 0;  // column and row numbers of the first cell, for picking
     std::int64_t firstJ = 0;
 };
 
-// What lies between a line (x ascending) and the horizontal at `base`.
+// Filled area between a line (x ascending) and the horizontal at `base`.
 struct Area {
     std::vector<Point> line;
     double base = 0;
@@ -167,18 +168,18 @@ struct Area {
 
 struct Polyline {
     std::vector<Point> points;
-    bool arrow = false;  // at its end
+    bool arrow = false;  // at the last point
 };
 
-// A disc of drawing units.
+// Circle or disc; the radius is in drawing units.
 struct Circle {
     Point center;
     double radius = 0;
     bool fill = false;
-    bool rim = false;  // a dark one, which sets it off from any ground
+    bool rim = false;  // adds a dark outline, visible on any background
 };
 
-// A ring of `radius` points with a halo: seen on any ground.
+// Ring with a halo, visible on any background; the radius is in points.
 struct Ring {
     Point center;
     double radius = 5;
@@ -195,30 +196,31 @@ struct Hatch {
 };
 
 enum class Anchor : std::uint8_t { TopLeft, Left, BottomLeft, Center, Top, Bottom, Right };
-// Text of `size` times the style's size. yields: left out where it would cover text placed before it (in the order of
-// the items, strong ones first).
+// Text; `size` is relative to the style's text size. yields: the label is left out if it would cover text placed before
+// it (in the order of the items, strong ones first).
 struct Label {
     Point at{};
     relief::Message text{};
     Anchor anchor = Anchor::Left;
     double size = 1;
     Point offset{};      // points
-    bool plate = false;  // on a plate of its role's colour
+    bool plate = false;  // on a background plate in its role's colour
     bool yields = false;
-    Box room{};            // drawn only if it fits in here (drawing units); empty: always
-    bool evades = false;   // drawn beside the room where it does not fit
+    Box room{};            // if not empty (drawing units), the label is drawn only if it fits into this box
+    bool evades = false;   // drawn next to `room` instead if it does not fit
     int part = -1;         // of what stands between " · " in the text this one alone, from 0; -1: all
-    bool formula = false;  // set as one: formula_text.h
+    bool formula = false;  // typeset as a formula, see formula_text.h
 };
 
-// What stands between " · ".
+// Splits a text at " · ".
 std::vector<std::string> textParts(const std::string& text);
-// Its words in a language.
+// The label's text in a language.
 std::string labelText(const Label& label, relief::Language language);
 
 using Primitive = std::variant<Rectangle, Cells, Area, Polyline, Circle, Ring, Marker, Hatch, Label>;
 
-// Plateau: the pyramid's level. Series, streams: their number. IsoLine: for a ground that is (kLightLine, kDarkLine).
+// Number that selects the colour within a role. Plateau: pyramid level. Series and Stream: their number. IsoLine:
+// brightness of the background (kLightLine, kDarkLine).
 struct LevelTint {
     int level = 0;
     int levels = 1;
@@ -239,15 +241,15 @@ struct Drawing {
     void add(ItemId id, Role role, Primitive primitive, Emphasis emphasis = Emphasis::Normal, LevelTint tint = {}) {
         items.push_back({id, role, emphasis, std::move(primitive), tint});
     }
-    // All that another one shows; the bounds hold both.
+    // Appends all items of another drawing and extends the bounds to enclose both.
     void append(Drawing other);
 };
 
-// A bar of all colours of a map, from the left to the right.
+// Colour bar: all colours of a map, from left to right.
 Cells colorBar(const Box& box, ColorMap map, const ColorScale& scale = {});
 
 relief::Message plainText(std::string text);
-// Nothing but these words, in the middle: what would fill the drawing, and how.
+// Drawing that consists of one centred message, such as an explanation of why there is nothing to show yet.
 Drawing messageDrawing(relief::MessageId message);
 
 }  // namespace reliefui

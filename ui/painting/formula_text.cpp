@@ -9,7 +9,7 @@ namespace reliefui {
 
 namespace {
 
-// Bytes of the sign that begins with this one.
+// Number of bytes of the UTF-8 character that begins with this byte.
 std::size_t signBytes(char first) {
     const auto byte = static_cast<unsigned char>(first);
     return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;

@@ -9,7 +9,7 @@ namespace reliefui {
 
 namespace {
 
-// Between sample (i, j) and its neighbour to the right (0) or below (1).
+// Index of the grid edge between sample (i, j) and its neighbour to the right (0) or below (1).
 using Edge = std::int64_t;
 
 class Tracer {
@@ -20,7 +20,7 @@ class Tracer {
         for (int j = 0; j + 1 < samples_.height(); ++j) {
             for (int i = 0; i + 1 < samples_.width(); ++i) square(i, j);
         }
-        // Those with an end first: what is left are rings.
+        // Open lines are extracted first; the links that remain unused form closed rings.
         for (const bool rings : {false, true}) {
             for (auto& [edge, link] : links_) {
                 if (link.used || (!rings && link.next[1] >= 0)) continue;
@@ -56,7 +56,7 @@ class Tracer {
         int below;
     };
     void join(const Side& a, const Side& b) {
-        // A reference would not outlive the second one's making.
+        // Looked up twice, because inserting the second link may invalidate a reference to the first.
         link(a.i, a.j, a.below);
         Link& second = link(b.i, b.j, b.below);
         Link& first = links_[edge(a.i, a.j, a.below)];
@@ -79,7 +79,7 @@ class Tracer {
         if (count == 2) join(side(crossed[0]), side(crossed[1]));
         if (count != 4) return;
         const bool low = v[0] < value_;
-        const bool apart = (sum / 4 < value_) != low;  // corners 0 and 2 are not joined through the middle
+        const bool apart = (sum / 4 < value_) != low;  // saddle: corners 0 and 2 are not connected through the centre
         join(side(0), side(apart ? 3 : 1));
         join(side(2), side(apart ? 1 : 3));
     }

@@ -1,4 +1,4 @@
-// Lines of equal value through a grid of samples, which lie in the middles of its cells.
+// Iso-lines (contours) of a grid of samples, which lie at the centres of its cells.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace reliefui {
 
-// Tints of a line (LevelTint::level), by the ground that it lies on: a map's colour, dark or light in every theme.
+// Tints of a line (LevelTint::level) by the brightness of its background, a height map's colour, which does not depend
+// on the theme.
 inline constexpr int kLightLine = 1, kDarkLine = 2;
 
 struct IsoLine {
@@ -16,8 +17,8 @@ struct IsoLine {
     bool closed = false;
 };
 
-// At each of the values. No line where a sample around is NaN. Lines end at the outermost samples; of two ways through
-// a saddle the one that the mean of the four decides.
+// Iso-lines at each of the values (marching squares). Squares with a NaN corner have no line. Lines end at the
+// outermost samples. A saddle is resolved by the mean of its four corners.
 std::vector<IsoLine> isoLines(const relief::FloatImage& samples, const std::vector<double>& values);
 
 }  // namespace reliefui

@@ -47,7 +47,7 @@ void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis em
     drawing_.add({ItemKind::Legend, 0, 0, 0}, role, std::move(primitive), emphasis, tint);
 }
 
-// What is wider than a row goes on in the next ones, and nothing stands beside its end.
+// An entry wider than a row continues in the next rows; no other entry follows in its last row.
 void LegendRows::text(Point at, Message message) {
     const auto put = [this](Point place, Message words) {
         Label label;

@@ -1,4 +1,4 @@
-// Entries of a legend, one after the other, in as many rows as it takes. Points.
+// Lays out the entries of a legend, one after the other, in as many rows as needed. Lengths are in points.
 #pragma once
 
 #include <array>
@@ -14,34 +14,36 @@ class LegendRows {
   public:
     LegendRows(double width, relief::Language language) : width_(width), language_(language) {}
 
-    // A sign that is given around (0, 0), and what it is. room: of the sign and the gap behind it. Where its middle is.
+    // Adds a symbol, given relative to (0, 0), followed by its explanation. room: width of the symbol and the gap after
+    // it. Returns the position of the symbol's centre.
     Point sign(Role role, Primitive sign, const relief::Message& what, LevelTint tint = {},
                Emphasis emphasis = Emphasis::Normal, double room = kSign);
-    // Words alone; in several lines where they are wider than the legend.
+    // Adds text without a symbol, broken into several lines if it is wider than the legend.
     void words(const relief::Message& message, double behind = kBetween);
     void wrapped(const relief::Message& message);
-    // About the width of the text.
+    // Approximate width of the text.
     double textRoom(const relief::Message& message) const;
-    // A short line of this role, and what it is.
+    // Adds a short line of this role and its explanation.
     void line(Role role, const relief::Message& what, LevelTint tint = {}, double length = 18);
-    // A patch of its colour, on request hatched, and what it is.
+    // Adds a colour patch, optionally hatched, and its explanation.
     void swatch(Role role, const relief::Message& what, LevelTint tint = {}, bool hatched = false);
-    // The colours of a map, and what they are of.
+    // Adds a colour bar of the map and its explanation.
     void ramp(ColorMap map, const relief::Message& what);
-    // What takes more than one row, before all others.
+    // Adds a drawing of more than one row's height; must precede all other entries.
     void block(Drawing drawing);
-    // What the steps' spheres or cones are, where there are any; and that a promise is broken, where one is that is
-    // `drawn` (all of them, if it is empty). exact: the ray's first hit.
+    // Adds the explanation of the steps' spheres or cones, if there are any, and of violated ones, if at least one that
+    // is `drawn` (an empty function means all) contains the exact hit. exact: the ray's first hit.
     void bodies(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& exact,
                 const std::function<bool(const StepBody&)>& drawn = {});
-    // A mark of a decision, and its name; one entry for each that is `seen`.
+    // Adds the marker and name of each decision that is set in `seen`.
     void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
 
-    // Entries of several signs: the place of an entry of this width at the middle of its row, its signs, and its words.
+    // For entries composed of several symbols: place() reserves an entry of this width and returns the vertical middle
+    // of its left end; add() adds a symbol and text() the explanation.
     Point place(double width);
     void add(Role role, Primitive primitive, LevelTint tint = {}, Emphasis emphasis = Emphasis::Normal);
     void text(Point at, relief::Message message);
-    // What follows begins a row.
+    // Starts a new row for the next entry.
     void newRow();
     Drawing take();
 
@@ -57,7 +59,7 @@ class LegendRows {
     Drawing drawing_;
 };
 
-// Which decisions occur in the steps, and the hit.
+// Flags the decisions that occur in the steps; `hit` adds that of the final hit.
 std::array<bool, relief::kDecisionNames.size()> decisionsSeen(const std::vector<relief::Step>* steps, bool hit);
 
 }  // namespace reliefui

@@ -34,7 +34,7 @@ QPen qpen(const Stroke& stroke) {
     return pen;
 }
 
-// Paints all but labels, which come last.
+// Paints every item except labels, which are painted last.
 struct ItemPainter {
     QPainter& painter;
     const ViewMap& map;
@@ -49,7 +49,7 @@ struct ItemPainter {
                     Qt::MiterJoin);
     }
 
-    // Where pixels are painted, thin lines lie on whole ones.
+    // On raster devices thin lines are aligned to whole pixels.
     bool onPixels() const { return painter.paintEngine()->type() == QPaintEngine::Raster; }
     double middle(double at) const { return onPixels() ? std::round(at) + 0.5 : at; }
 
@@ -60,9 +60,9 @@ struct ItemPainter {
         if (r.fill) painter.fillRect(qrect(box), toColor(style.fill(item)));
         if (r.fill && item.emphasis != Emphasis::Strong) return;
         painter.setBrush(Qt::NoBrush);
-        const double inner = onPixels() ? 1 : 0;  // the last pixel of the box
+        const double inner = onPixels() ? 1 : 0;  // the box ends in this pixel
         const QRectF edge = qrect({middle(box.x0), middle(box.y0), middle(box.x1 - inner), middle(box.y1 - inner)});
-        // What is chosen is seen on any ground.
+        // Selected items are outlined so that they are visible on any background.
         if (item.role == Role::Highlight) {
             painter.setPen(haloPen(stroke().width));
             painter.drawRect(edge);
@@ -96,8 +96,8 @@ struct ItemPainter {
         return map.toScreen(cellBox(cells, i, j)).cut(screen.grown(2));
     }
     void fillCells(const Cells& cells, const CellRange& range) const {
-        // In vectors each cell extends under its neighbours, which are painted later: viewers smooth edges, and the
-        // ground would show as hair lines.
+        // In vector output each cell extends under its neighbours, which are painted later: viewers antialias edges,
+        // and the background would show through as hairlines.
         const double under = onPixels() ? 0 : 0.5;
         const Box all = map.toScreen(cells.clip);
         painter.setRenderHint(QPainter::Antialiasing, false);
@@ -167,7 +167,8 @@ struct ItemPainter {
         if (line.points.size() < 2) return;
         std::vector<Point> points;
         for (const Point& p : line.points) points.push_back(map.toScreen(p));
-        // Far zoomed in, a line is thousands of screens long: clipped, because dashing it all is slow.
+        // When zoomed in far, a line can be thousands of screens long. It is clipped first, because dashing its whole
+        // length is slow.
         std::vector<double> before;
         const std::vector<std::vector<Point>> runs = clippedTo(points, screen.grown(100), &before);
         const Stroke s = stroke();
@@ -255,7 +256,7 @@ struct ItemPainter {
     void operator()(const Label&) const {}
 };
 
-// The words of a label in the fonts that they are set in: a formula's pieces, or all of it as one.
+// The text of a label with its font(s): the runs of a formula, or the whole text as one run.
 class SetText {
   public:
     SetText(const Label& label, const Style& style, bool bold)
@@ -316,7 +317,7 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
     const double height = text.height() * 0.92 + (label.plate ? 0 : 1);
     const Box box = labelBox(label, map, width, height, style.pixelsPerPoint());
     if (box.empty() || !box.overlaps(screen)) return;
-    // What gives way keeps clear of the words beside it.
+    // A label that yields also keeps a distance to the text around it.
     const double air = label.plate ? 0 : 2.5 * style.pixelsPerPoint();
     if (label.yields && !room.free({box.x0 - air, box.y0, box.x1 + air, box.y1})) return;
     room.place(box);
@@ -352,7 +353,7 @@ void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const 
 
 namespace {
 
-// The legend is made in points; it shrinks rather than leave the page.
+// The legend is laid out in points; it is scaled down if it would not fit on the page.
 double legendScale(const Drawing& legend, const Box& page, const Style& style) {
     const double room = page.width() - 2 * kFigureMargin * style.pixelsPerPoint();
     const double scale = style.pixelsPerPoint();

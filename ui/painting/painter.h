@@ -1,4 +1,4 @@
-// The painter of all drawings: on the screen, in pictures, SVG (QSvgGenerator) and PDF (QPdfWriter). Needs no display.
+// Paints all drawings: on the screen, into pictures, SVG (QSvgGenerator) and PDF (QPdfWriter). Needs no display.
 #pragma once
 
 #include <vector>
@@ -13,20 +13,20 @@ inline QColor toColor(const Rgba& c) {
     return {c.r, c.g, c.b, c.a};
 }
 
-// Around drawings, on screen and on pages; points.
+// Margin around drawings on screen and on pages, in points.
 inline constexpr double kFigureMargin = 6;
 
-// Paints what lies within `screen` (pixels of the painter). `kept`: on a screen, the cache of images for repeated
-// painting; null for files.
+// Paints the part of the drawing that lies within `screen` (pixels of the painter). `kept`: on a screen, the cache of
+// images for repeated painting; null for files.
 void paint(QPainter& painter, const Drawing& drawing, const ViewMap& map, const Style& style, const Box& screen,
            CellPictures* kept = nullptr);
 
-// Where the legend of a page lies.
+// Position and scale of the legend on a page.
 ViewMap legendMap(const Drawing& legend, const Box& page, const Style& style);
-// What of the page a figure's drawing gets beside this legend.
+// The part of the page that remains for the figure's drawing.
 Box figureRoom(const Drawing& legend, const Box& page, const Style& style);
 
-// A figure: the layers one over the other, fitted into the page, and the legend below them.
+// Paints a figure: the layers on top of each other, fitted to the page, and the legend below them.
 void paintFigure(QPainter& painter, const std::vector<const Drawing*>& layers, const Drawing& legend, const Box& page,
                  const Style& style);
 

@@ -6,7 +6,7 @@ namespace reliefui {
 
 void addParagraph(Drawing& drawing, Point middle, const relief::Message& words, double room, relief::Language language,
                   double size) {
-    constexpr double kLine = 14;  // points
+    constexpr double kLine = 14;  // line height in points
     const auto lines = wrappedText(relief::sentence(words, language), room,
                                    [size](const std::string& line) { return textWidth(line, size); });
     double y = -kLine * size * (static_cast<double>(lines.size()) - 1) / 2;

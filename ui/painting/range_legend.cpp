@@ -14,19 +14,19 @@ class RangeText {
     Q_DECLARE_TR_FUNCTIONS(reliefui::RangeText)
 };
 
-constexpr double kText = 0.8;      // of the style's text
-constexpr double kLine = 11;       // points
-constexpr double kBarWidth = 150;  // points, with room for half a number on either side
+constexpr double kText = 0.8;      // times the style's text size
+constexpr double kLine = 11;       // line height in points
+constexpr double kBarWidth = 150;  // in points; includes room for half a number at either end
 constexpr double kBriefBar = 72;
 constexpr double kSide = 13;
 constexpr double kHistogram = 13;
 constexpr double kBar = 8;
 constexpr double kTick = 2.5;
 constexpr double kBetween = 10;
-constexpr double kEdge = 3;  // the painter rounds the size of its letters
+constexpr double kEdge = 3;  // allowance in points, because the painter rounds font sizes
 constexpr ItemId kColorBar{ItemKind::ColorBar, 0, 0, 0};
 
-// Three figures, and all before the point.
+// Formats with three significant digits, but keeps all digits before the decimal point.
 std::string numberOf(double value) {
     constexpr int kLeast = 3;
     constexpr int kMost = 7;
@@ -40,7 +40,7 @@ QString number(double value) {
 
 QString counted(const RangedValues& values, std::int64_t count) {
     const QString about = values.spread->exact() ? QString() : QStringLiteral("≈ ");
-    // A number with the same plural form that fits an int; the text has the number itself.
+    // Reduces a count to an int with the same plural form for tr(); the text itself contains the full number.
     constexpr std::int64_t kSmall = 1000000;
     const auto form = static_cast<int>(count < kSmall ? count : kSmall + count % kSmall);
     const auto words = [&] {
@@ -62,7 +62,7 @@ QString withUnit(const RangedValues& values, double value) {
     return values.unit.empty() ? text : text + QStringLiteral(" ") + QString::fromStdString(values.unit);
 }
 
-// How the ends were found, where that is not plain.
+// How the ends of the range were chosen; empty for the plain case.
 QString rangeText(const RangedValues& values) {
     const ColorRange& range = values.range;
     QString text;
@@ -112,7 +112,7 @@ QString thresholdText(const RangedValues& values) {
     return RangeText::tr("more than %1: %2% (%3)").arg(withUnit(values, from), number(share), counted(values, count));
 }
 
-// Values that have a tick below the bar, and a number where there is room.
+// Values of the ticks below the bar; each gets a number if there is room.
 std::vector<double> marksOf(const ColorScale& scale) {
     constexpr double kMostTicks = 4;
     std::vector<double> marks;
@@ -127,7 +127,7 @@ std::vector<double> marksOf(const ColorScale& scale) {
         marks = chart::multiples(from, scale.high, chart::niceStep(scale.high - from, most));
     }
     if (!scale.twoSided) return marks;
-    // 0 first: it has its number whatever the others have. What is not told apart from it has none.
+    // 0 comes first, so that it always gets its number. Values too close to 0 on the scale get no tick.
     std::vector<double> both{0};
     for (auto m = marks.rbegin(); m != marks.rend(); ++m) {
         if (scale.place(*m) > 0.51) both.insert(both.end(), {-*m, *m});
@@ -144,14 +144,14 @@ class Legend {
         drawing_.add(kColorBar, Role::Frame, Rectangle{bar_, false, 0, 0});
     }
 
-    // Above the bar.
+    // Draws the histogram above the bar.
     void histogram() {
         constexpr int kBins = 50;
         std::vector<std::int64_t> counts(kBins);
         std::int64_t most = 0;
         for (int i = 0; i < kBins; ++i) {
             const double from = values_.scale.value(static_cast<double>(i) / kBins);
-            // The last one has its upper end as well.
+            // The last bin includes its upper end.
             const double to =
                 i + 1 < kBins ? values_.scale.value((i + 1.0) / kBins) : std::nextafter(values_.scale.high, HUGE_VAL);
             auto& count = counts[static_cast<std::size_t>(i)];
@@ -181,7 +181,7 @@ class Legend {
         }
     }
 
-    // The numbers at the ends say whether there is more beyond them.
+    // Draws the ticks' numbers. "≤" and "≥" at the ends mark values outside the range.
     void numbers() {
         const ColorScale& scale = values_.scale;
         const ValueSpread& spread = *values_.spread;
@@ -225,10 +225,10 @@ class Legend {
         drawing_.add({ItemKind::Legend, 0, 0, 0}, role, std::move(primitive), emphasis);
     }
 
-    // From where to where it reaches.
+    // Draws a number at this position of the bar (0 to 1); returns the horizontal interval that it covers.
     std::pair<double, double> number(double place, const std::string& words) {
         const double half = textWidth(words, kText) / 2;
-        // In sight, however long it is.
+        // Shifted to the right if it would extend beyond the left edge.
         const double x = std::max(bar_.x0 + place * bar_.width(), half);
         text({x, bar_.y1 + kTick}, words, Anchor::Top);
         return {x - half, x + half};
@@ -239,7 +239,8 @@ class Legend {
     Drawing drawing_;
 };
 
-// What fits into one row, and what it says beside the bar, in further rows.
+// Legend without histogram: the bar, followed by the lines of rangeTexts(), which continue in further rows if
+// necessary.
 Drawing briefLegend(const RangedValues& values, double width) {
     constexpr double kRow = 14;
     const std::string low = Legend::text(values.scale.twoSided ? -values.scale.high : values.scale.low);
@@ -282,7 +283,7 @@ Drawing rangeLegend(const RangedValues& values, double width, bool brief) {
     const std::vector<std::string> lines = rangeTexts(values);
     double widest = 0;
     for (const std::string& line : lines) widest = std::max(widest, textWidth(line, kText));
-    // The words stand beside the bar, or below it where there is no room.
+    // The text stands to the right of the bar, or below it if there is no room.
     const bool beside = kBarWidth + kBetween + widest + kEdge <= width;
     Legend legend(values, {kSide, kHistogram, kBarWidth - kSide, kHistogram + kBar});
     legend.histogram();

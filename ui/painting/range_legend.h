@@ -1,5 +1,5 @@
-// The legend of what is shown in colours by a range: the bar with its ticks, the histogram of the values above it, what
-// lies beyond its ends and above its threshold. The one place where such a legend is made.
+// Legend of a picture whose colours follow a ColorRange: the colour bar with ticks, the histogram of the values above
+// it, and how many values lie beyond its ends and above its threshold. All such legends are made here.
 #pragma once
 
 #include "painting/color_range.h"
@@ -9,23 +9,23 @@ namespace reliefui {
 
 enum class Counted : std::uint8_t { Pixels, Texels, Voxels };
 
-// Values shown in colours.
+// Values shown in colours, and how they are described.
 struct RangedValues {
     RangeOf of = RangeOf::Height;
-    std::string name;  // what they are, with their unit; in the style's language
+    std::string name;  // quantity and unit, in the style's language
     std::string unit;  // "texels"; empty: a plain number
     Counted counted = Counted::Pixels;
     ColorMap map = ColorMap::Height;
     ColorRange range;
     ColorScale scale;
     std::shared_ptr<const ValueSpread> spread;
-    std::int64_t whole = 0;  // what shares are of; 0: the values
+    std::int64_t whole = 0;  // total to which shares refer; 0: the number of values
 };
 
-// In at most `width` points, from (0, 0) on. The bar has the id of ItemKind::ColorBar. brief: one row, without the
-// histogram.
+// Draws the legend at most `width` points wide, with its upper left corner at (0, 0). The bar has the id
+// ItemKind::ColorBar. brief: no histogram, one row if it fits.
 Drawing rangeLegend(const RangedValues& values, double width, bool brief = false);
-// The lines that stand beside the bar: name, range, what is beyond it, what is above the threshold.
+// The lines of text next to the bar: name, range, share beyond it, share up to the threshold.
 std::vector<std::string> rangeTexts(const RangedValues& values);
 
 }  // namespace reliefui

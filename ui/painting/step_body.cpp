@@ -37,7 +37,7 @@ StepBody stepBody(const relief::Step& step) {
     if (const auto* const sphere = step.as<subject::Sphere>()) {
         body = {StepBody::Kind::Sphere, step.lambdaIn, sphere->radius};
     } else if (const auto* const voxel = step.as<subject::Voxel>()) {
-        // It holds for every point of the voxel: the ray goes on from where it leaves it.
+        // The distance is valid for every point of the voxel: the ray continues from where it leaves the voxel.
         body = {StepBody::Kind::Sphere, step.lambdaOut, voxel->distance};
     } else if (const auto* const cone = step.as<subject::Cone>()) {
         body.kind = StepBody::Kind::Cone;

@@ -1,5 +1,5 @@
-// What a step takes as free because a map of distances or cones promises it: a sphere around a point of the ray, or a
-// cone under one. Whether the surface keeps the promise is another matter: bodyRole().
+// The region that a step treats as empty because of a distance or cone map: a sphere around a point of the ray, or a
+// cone below one. bodyRole() tells whether the relief violates this guarantee.
 #pragma once
 
 #include <vector>
@@ -10,33 +10,34 @@
 
 namespace reliefui {
 
-// lambda: of the point of the ray that the sphere is around, or that is over the cone's apex.
+// lambda: ray parameter of the sphere's centre, or of the point above the cone's apex.
 struct StepBody {
     enum class Kind : std::uint8_t { None, Sphere, Cone };
     Kind kind = Kind::None;
     double lambda = 0;
-    double radius = 0;  // sphere: texels, in the metric (x, y, D z)
-    double apex = 0;    // cone: height
-    double slope = 0;   // cone: heights per texel of horizontal distance, away()
-    double from = 0;    // cone: azimuths of (x, y) that it holds for, radians; all of them: 0 to 2 pi
+    double radius = 0;  // sphere: in texels, in the metric (x, y, D z)
+    double apex = 0;    // cone: height of the apex
+    double slope = 0;   // cone: height per texel of horizontal distance, see away()
+    double from = 0;    // cone: range of azimuths of (x, y) in which it is valid, in radians; 0 to 2 pi for all
     double to = 0;
     bool square = false;  // cone
 
     explicit operator bool() const { return kind != Kind::None; }
-    // Whether the cone holds in that direction.
+    // Returns true if the cone is valid in that direction.
     bool holds(double x, double y) const;
     bool whole() const;
-    // From the cone's axis to (x, y): the larger side where it is square.
+    // Horizontal distance of (x, y) from the cone's axis; the maximum norm if the cone is square.
     double away(double x, double y) const;
 };
 StepBody stepBody(const relief::Step& step);
-// Role of the step's sphere or cone: Overshoot where the ray's first hit lies within it (Unset: not known).
+// Role of the step's sphere or cone: Overshoot if the ray's first hit lies inside it. `exact` is Unset if the hit is
+// not known.
 Role bodyRole(const relief::Step& step, const relief::ViewRay& ray, const relief::Hit& exact);
 
-// Whether the record's value is a height, which drawings can show as one; else a distance or a slope.
+// Returns true if the step's value is a height, which drawings can show as such; otherwise it is a distance or a slope.
 bool valueIsHeight(const relief::Step& step);
 
-// Whether the record's place is a voxel; its heights (its sides: stepBox).
+// Returns true if the step's cell is a voxel. voxelHeights() gives its vertical extent, stepBox() its sides.
 bool liesInVoxel(const relief::Step& step);
 struct VoxelHeights {
     double low = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Rgba kBlack{0, 0, 0, 255};
 constexpr Rgba kWhite{255, 255, 255, 255};
-// Okabe and Ito 2008.
+// Colour-blind safe palette (Okabe and Ito 2008).
 constexpr Rgba kOrange{0xE6, 0x9F, 0x00, 255};
 constexpr Rgba kSkyBlue{0x56, 0xB4, 0xE9, 255};
 constexpr Rgba kBlueGreen{0x00, 0x9E, 0x73, 255};
@@ -22,7 +22,7 @@ constexpr Rgba kReddishPurple{0xCC, 0x79, 0xA7, 255};
 constexpr Rgba kBlue{0x00, 0x72, 0xB2, 255};
 constexpr Rgba kMissGrey{0x99, 0x99, 0x99, 255};
 
-// Anchors of cividis (Nunez, Anderton, Renslow 2018), evenly spaced.
+// Sample colours of cividis (Nunez, Anderton, Renslow 2018), uniformly spaced.
 constexpr std::array<Rgba, 10> kCividis{{{0x00, 0x22, 0x4E, 255},
                                          {0x12, 0x35, 0x70, 255},
                                          {0x3B, 0x49, 0x6C, 255},
@@ -34,19 +34,19 @@ constexpr std::array<Rgba, 10> kCividis{{{0x00, 0x22, 0x4E, 255},
                                          {0xE1, 0xCC, 0x55, 255},
                                          {0xFE, 0xE8, 0x38, 255}}};
 constexpr std::array<Rgba, 2> kGrey{{{0x10, 0x10, 0x10, 255}, {0xF8, 0xF8, 0xF8, 255}}};
-// Levels: from fine (light) to coarse (dark blue), one hue; the middle has the mean of the ends' lightness.
+// Pyramid levels: one hue, from fine (light) to coarse (dark blue); the middle has the mean of the ends' lightness.
 constexpr std::array<Rgba, 3> kLevels{{{0xDE, 0xEB, 0xF7, 255}, {0x42, 0x92, 0xC6, 255}, {0x08, 0x30, 0x6B, 255}}};
 
-// Around white, safe for colour-blind eyes.
+// Diverging around white, safe for colour-blind eyes.
 constexpr std::array<Rgba, 5> kAroundZero{
     {{0x7A, 0x43, 0x06, 255}, {0xD9, 0xA4, 0x5B, 255}, kWhite, {0x74, 0xAD, 0xD8, 255}, {0x14, 0x4E, 0x94, 255}}};
 
-// Errors of either sign, from the least to the largest: short of the surface, past it.
+// Signed errors, from the smallest to the largest: short of the surface, past it.
 constexpr std::array<Rgba, 4> kShortOf{
     {{0x0C, 0x35, 0x66, 255}, {0x1B, 0x6C, 0xAB, 255}, {0x4D, 0xA8, 0xE0, 255}, {0xA8, 0xDC, 0xFF, 255}}};
 constexpr std::array<Rgba, 4> kPast{
     {{0x5C, 0x28, 0x06, 255}, {0xA8, 0x4C, 0x08, 255}, {0xE8, 0x8A, 0x1C, 255}, {0xFF, 0xD3, 0x8C, 255}}};
-// What a threshold leaves out: darker than all that the maps of one sign begin with.
+// Colour of values up to a threshold: darker than the first colour of every sequential map.
 constexpr Rgba kUnder{0x14, 0x0C, 0x18, 255};
 
 Rgba between(std::span<const Rgba> anchors, double t) {
@@ -145,7 +145,7 @@ Rgba Style::color(Role role) const {
 }
 
 Stroke Style::stroke(Role role, Emphasis emphasis) const {
-    // A projector gets triple lines: 1.8 by its points, the rest here.
+    // Lines are tripled on a projector: a factor of 1.8 comes from its larger points, the rest from here.
     const double unit = screenPixelsPerPoint * (projector ? 3.0 : 1.0);
     double width = 1.1;
     std::vector<double> dash;
@@ -217,7 +217,7 @@ Stroke Style::stroke(const Item& item) const {
     const std::uint8_t alpha = own.color.a;
     own.color = levelLine(item.tint);
     own.color.a = alpha;
-    // Coarse ones are wider: seen also where a fine one of the same height lies on them.
+    // Coarse levels have wider lines, so that they stay visible under a fine level of the same height.
     constexpr double kWider = 1.0;
     const auto* const patch = std::get_if<Rectangle>(&item.primitive);
     if (patch == nullptr || !patch->fill) own.width *= 1 + kWider * item.tint.level / std::max(item.tint.levels - 1, 1);
@@ -230,7 +230,7 @@ Rgba Style::series(int number) const {
 }
 
 Rgba Style::stream(int number) const {
-    const bool dark = theme == Theme::Dark;  // yellow is hard to see on white, blue on black
+    const bool dark = theme == Theme::Dark;  // yellow has little contrast on white, blue on black
     const std::array<Rgba, 5> colors{kSkyBlue, kOrange, kBlueGreen, dark ? kYellow : kBlue, dark ? kBlue : kYellow};
     return colors[static_cast<std::size_t>(number) % colors.size()];
 }
@@ -239,7 +239,7 @@ Rgba Style::color(const Item& item) const {
     if (item.role == Role::Plateau) return levelLine(item.tint);
     if (item.role == Role::Series || item.role == Role::SeriesDashed) return series(item.tint.level);
     if (item.role == Role::Stream) return stream(item.tint.level);
-    // What it lies on does not change with the theme.
+    // The background of iso-lines, a height map, does not change with the theme.
     if (item.role == Role::IsoLine && item.tint.level == kLightLine) return {0xF4, 0xF4, 0xF4, 255};
     if (item.role == Role::IsoLine && item.tint.level == kDarkLine) return {0x18, 0x18, 0x18, 255};
     return color(item.role);
@@ -252,7 +252,8 @@ Rgba Style::fill(const Item& item) const {
 }
 
 Rgba Style::levelLine(const LevelTint& tint) const {
-    // The ends of the map are nearly white and nearly black.
+    // The ends of the map are nearly white and nearly black; only the part with enough contrast to the background is
+    // used.
     constexpr double kDarkFrom = 0.08;
     constexpr double kDarkTo = 0.62;
     constexpr double kLightFrom = 0.40;

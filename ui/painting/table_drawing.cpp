@@ -8,16 +8,16 @@ namespace reliefui {
 
 namespace {
 
-// Points.
+// Sizes in points.
 constexpr double kLine = 13;
 constexpr double kTextSize = kChartText;
 constexpr double kPad = 5;
 constexpr double kMarkRoom = 12;
 constexpr double kBelowSize = 1.15;
 constexpr double kBelowLine = 16;
-constexpr double kIndent = 8;  // of rows under a heading
+constexpr double kIndent = 8;  // of rows below a heading
 
-// Lines of at most this width, broken between words.
+// Breaks a text between words into lines of at most this width.
 std::vector<std::string> wrapped(const std::string& text, double room, double size, bool bold = false) {
     return wrappedText(text, room, [&](const std::string& line) { return textWidth(line, size, bold); });
 }
@@ -54,7 +54,7 @@ class Table {
         return row;
     }
 
-    // A page narrower than the table shows all of it smaller: what is measured in points, too.
+    // Scales labels and markers, whose sizes are in points, for a page that is narrower than the table.
     void shrink(double by) {
         for (Item& item : drawing_.items) {
             if (auto* const label = std::get_if<Label>(&item.primitive)) label->size *= by;
@@ -62,7 +62,7 @@ class Table {
         }
     }
 
-    // Each column as its longest text wants; the last one gets the rest.
+    // Column widths: each column fits its longest text, the last one gets the remaining width.
     void share() {
         const std::size_t count = source_.titles.size();
         for (std::size_t c = 0; c < count; ++c) {
@@ -138,7 +138,8 @@ class Table {
     void below() {
         if (source_.below.empty()) return;
         y_ += 4;
-        // Letters are whole pixels high: of a small table on a coarse page they are wider than they were measured.
+        // The painter rounds font sizes to whole pixels, so that text of a small table on a coarse page is wider than
+        // measured.
         constexpr double kRoom = 0.92;
         for (const std::string& words : wrapped(source_.below, kRoom * (width_ - 2 * kPad), kBelowSize)) {
             text({kPad, y_ + kBelowLine / 2}, Anchor::Left, words, kBelowSize, Emphasis::Normal);
@@ -148,7 +149,7 @@ class Table {
 
     const TableSource& source_;
     double given_;
-    double width_;  // at full size
+    double width_;  // at full size, before scaling
     std::vector<double> widths_;
     double indent_ = 0;
     double y_ = 0;

@@ -1,4 +1,4 @@
-// A table as a figure: the steps of a ray, the ledger of what was skipped.
+// Draws a table as a figure, such as the steps of a ray or the list of skipped work.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,22 @@
 namespace reliefui {
 
 struct TableRow {
-    std::vector<std::string> cells;  // a heading has one, over all columns
+    std::vector<std::string> cells;  // a heading has one, which spans all columns
     bool heading = false;
     bool chosen = false;
-    std::optional<relief::Decision> mark;  // before the text of TableSource::marked
+    std::optional<relief::Decision> mark;  // drawn before the text of column TableSource::marked
 };
 
-// Texts are in the language of the reader already.
+// Content of a table; texts are already translated.
 struct TableSource {
     std::vector<std::string> titles;
-    std::vector<bool> numbers;  // of each column: at the right
+    std::vector<bool> numbers;  // per column: right-aligned
     int marked = -1;
     std::vector<TableRow> rows;
     std::string below;  // a sentence under the table
 };
 
-// In points, `width` of them wide; the last column's text goes on in the next line where it is too long.
+// Draws the table `width` points wide; the text of the last column is wrapped.
 Drawing tableDrawing(const TableSource& source, double width);
 
 }  // namespace reliefui

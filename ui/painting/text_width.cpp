@@ -10,8 +10,8 @@ namespace reliefui {
 
 double textWidth(const std::string& text, double size, bool bold) {
     const QString words = QString::fromStdString(text);
-    // Without an application, as in tests of what is drawn, there are no fonts.
-    constexpr double kLetter = 6.1;  // points, of the style's size
+    // Without a QApplication, as in tests of drawings, no fonts are available; an average width is used.
+    constexpr double kLetter = 6.1;  // average letter width in points, at the style's text size
     if (QCoreApplication::instance() == nullptr) return static_cast<double>(words.size()) * kLetter * size;
     constexpr int kPixels = 100;
     QFont font(QStringLiteral("DejaVu Sans"));

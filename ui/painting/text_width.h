@@ -1,4 +1,4 @@
-// How wide words are, as the painter sets them.
+// Measures text as the painter sets it.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,13 @@
 
 namespace reliefui {
 
-inline constexpr double kChartText = 0.85;  // times the style's size
+inline constexpr double kChartText = 0.85;  // text size of charts, relative to the style's text size
 
-// Points, of text of `size` times the style's size. Any thread.
+// Width in points; `size` is relative to the style's text size. May be called from any thread.
 double textWidth(const std::string& text, double size = kChartText, bool bold = false);
 
-// Lines of at most `room` points, broken between words; a longer word has a line of its own. width: of a line.
+// Breaks a text between words into lines at most `room` wide; a word that is longer gets a line of its own. width(line)
+// returns a line's width, in the unit of `room`.
 template <class Width>
 std::vector<std::string> wrappedText(const std::string& text, double room, const Width& width) {
     std::vector<std::string> lines{{}};

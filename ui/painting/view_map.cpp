@@ -25,7 +25,7 @@ Box screenBox(const Rectangle& rectangle, const ViewMap& map, double pixelsPerPo
             low -= lack;
             high += lack;
         }
-        // An inset never turns a box inside out.
+        // Limits the inset so that it never inverts a box.
         const double inset = std::min(rectangle.inset * pixelsPerPoint, (high - low) / 3);
         low += inset;
         high -= inset;
@@ -88,7 +88,7 @@ double distanceToSegment(Point p, Point a, Point b) {
 struct Picker {
     const Item& item;
     const ViewMap& map;
-    Point at;  // screen
+    Point at;  // on the screen
     double pixelsPerPoint;
     double tolerance;
 
@@ -145,7 +145,7 @@ Box labelBox(const Label& label, const ViewMap& map, double width, double height
         const Box room = map.toScreen(label.room);
         const bool fits = room.width() >= width + 2 && room.height() >= height + 2;
         if (!fits && !label.evades) return {};
-        // To the upper right of a texel that is too small to hold it.
+        // A label that does not fit into its texel is placed to its upper right.
         if (!fits) {
             const double x = std::max(room.x1, room.center().x + 3 * pixelsPerPoint) + pixelsPerPoint;
             const double y = std::min(room.y0, room.center().y - 3 * pixelsPerPoint) - pixelsPerPoint;
@@ -207,7 +207,7 @@ bool clip(Segment& segment, const Box& box) {
 std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box, std::vector<double>* before) {
     std::vector<std::vector<Point>> runs;
     double length = 0;
-    bool open = false;  // the last run goes on
+    bool open = false;  // the current piece continues with the next segment
     for (std::size_t k = 1; k < line.size(); ++k) {
         const Point a = line[k - 1];
         const Point b = line[k];

@@ -1,4 +1,4 @@
-// How a drawing lies on a screen, what is under the pointer, and which labels have room.
+// The mapping from a drawing to the screen, picking of the item under the pointer, and placement of labels.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace reliefui {
 
-// screen = drawing * scale + (dx, dy); pixels, y downwards.
+// screen = drawing * scale + (dx, dy); screen coordinates are pixels, y downwards.
 struct ViewMap {
     double scale = 1;
     double dx = 0;
@@ -22,19 +22,19 @@ struct ViewMap {
     Box toDrawing(const Box& b) const {
         return {(b.x0 - dx) / scale, (b.y0 - dy) / scale, (b.x1 - dx) / scale, (b.y1 - dy) / scale};
     }
-    // The whole of `bounds`, centred in `screen`.
+    // Shows all of `bounds`, centred in `screen`.
     static ViewMap fitting(const Box& bounds, const Box& screen);
-    // Zoomed by `factor`; the point under `at` (screen) stays.
+    // Zooms by `factor` and keeps the point under `at` (screen) fixed.
     ViewMap zoomed(double factor, Point at) const {
         return {scale * factor, at.x + (dx - at.x) * factor, at.y + (dy - at.y) * factor};
     }
     bool operator==(const ViewMap&) const = default;
 };
 
-// Where a rectangle is really drawn: grown to its smallest side, inset. Screen pixels.
+// Box of a rectangle as drawn, in screen pixels: enlarged to minSide, then inset.
 Box screenBox(const Rectangle& rectangle, const ViewMap& map, double pixelsPerPoint);
 
-// The cells of `cells` that are seen in `visible` (drawing units): [i0, i1) x [j0, j1).
+// Range of cell indices [i0, i1) x [j0, j1).
 struct CellRange {
     int i0 = 0;
     int j0 = 0;
@@ -43,52 +43,54 @@ struct CellRange {
     std::int64_t count() const { return std::int64_t{i1 - i0} * (j1 - j0); }
 };
 CellRange visibleCells(const Cells& cells, const Box& visible);
-// Cell (i, j) cut to the clip.
+// Box of cell (i, j), intersected with the clip box.
 Box cellBox(const Cells& cells, int i, int j);
 
-// The topmost item with an id under the screen point; cells answer with the id of the texel. `tolerance`: pixels.
+// Returns the id of the topmost item that has one under the screen point; for a grid of cells the id of the texel.
+// `tolerance`: pixels.
 ItemId pick(const Drawing& drawing, const ViewMap& map, Point at, double pixelsPerPoint, double tolerance = 4);
 
-// Remembers where text stands.
+// Keeps the boxes of placed labels, to avoid overlaps.
 class LabelRoom {
   public:
     bool free(const Box& box) const;
     void take(const Box& box) { placed_.push_back(box); }
-    // False if the box covers one placed before; else it is placed.
+    // Places the box unless it overlaps one placed before; returns whether it was placed.
     bool place(const Box& box);
 
   private:
     std::vector<Box> placed_;
 };
 
-// The box of a text of this size (pixels) at its anchor; empty: it is not drawn.
+// Screen box of a label whose text measures width x height pixels; empty if it is not drawn.
 Box labelBox(const Label& label, const ViewMap& map, double width, double height, double pixelsPerPoint);
 
 using Segment = std::pair<Point, Point>;
 
-// Cuts the segment to the box; false: nothing of it lies within. An end that lies within keeps its bits.
+// Clips the segment to the box; returns false if no part lies inside. End points inside the box keep their exact
+// values.
 bool clip(Segment& segment, const Box& box);
-// The parts of a line that lie within the box; before: the length of the line up to each of them.
+// The parts of a line that lie inside the box. before: receives the length of the line up to the start of each part.
 std::vector<std::vector<Point>> clippedTo(const std::vector<Point>& line, const Box& box,
                                           std::vector<double>* before = nullptr);
 
-// The ellipse that a and b are half axes of (any two conjugate ones), begun at -a; closed.
+// Closed polyline of the ellipse with the conjugate half axes a and b; starts at centre - a.
 std::vector<Point> ellipseLine(Point centre, Point a, Point b);
 
-// What of a line lies in a plot, drawn.
+// Adds the part of a line that lies inside the plot.
 void addLine(Drawing& drawing, const std::vector<Point>& line, const Box& plot, ItemId id, Role role,
              Emphasis emphasis = Emphasis::Normal, LevelTint tint = {});
-// What lies between a line (x ascending) and the horizontal at y, in a plot.
+// Adds the filled area between a line (x ascending) and the horizontal at y, clipped to the plot.
 void addFill(Drawing& drawing, const std::vector<Point>& line, double y, const Box& plot, Role role);
-// An ellipse with upright axes in a plot; a strong one is filled.
+// Adds an axis-aligned ellipse, clipped to the plot; filled if the emphasis is strong.
 void addEllipse(Drawing& drawing, Point centre, double rx, double ry, const Box& plot, ItemId id, Role role,
                 Emphasis emphasis);
 
-// Outlines of marker shapes, in pixels around the origin, y downwards; closed polygons. Empty for Ring and Dot, which
-// are round, and for Cross, which is two strokes.
+// Outline of a marker shape as a closed polygon, in pixels around the origin, y downwards. Empty for Ring and Dot,
+// which are round, and for Cross, which consists of two strokes.
 std::vector<Point> shapePolygon(Shape shape, double size);
 bool shapeFilled(Shape shape);
-// Whether a line is set off from what lies under it.
+// Returns true if the item is drawn with a halo, which separates it from the items below.
 bool hasHalo(const Item& item);
 
 }  // namespace reliefui

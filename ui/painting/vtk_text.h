@@ -1,4 +1,4 @@
-// Text in VTK pictures. VTK's own font drops Cyrillic silently, so every text property is made here.
+// Text in VTK renderings. VTK's built-in font silently omits Cyrillic letters, so every text property is set up here.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace reliefui {
 
-// DejaVuSans.ttf where the system keeps it; empty if it is not installed.
+// Path of DejaVuSans.ttf on this system; empty if it is not installed.
 const std::string& fontFile();
 
-// pixels: size of the text; the render window's dots per inch are taken to be VTK's 72.
+// Sets font, colour and size. pixels: text size; the render window's resolution is taken to be VTK's default, 72 dpi.
 void setText(vtkTextProperty* property, Rgba color, double pixels);
 vtkSmartPointer<vtkTextProperty> makeText(Rgba color, double pixels);
 

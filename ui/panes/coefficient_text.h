@@ -1,4 +1,4 @@
-// The numbers behind a pixel in words of a read-out: as the papers call them, four figures each.
+// The mapping coefficients of a pixel as text, named as in the papers, with four significant digits.
 #pragma once
 
 #include <QStringList>
@@ -7,7 +7,7 @@
 
 namespace reliefui {
 
-// A to I; q; the derivatives; M, N, O, P; the ellipse: a line each.
+// One line each: A to I; q; the derivatives; M, N, O, P; the ellipse.
 QStringList coefficientLines(const relief::PixelCoefficients& pixel);
 
 }  // namespace reliefui

@@ -27,7 +27,7 @@ QString controlTitle(const std::string& name) {
 
 QString optionTitle(const std::string& key) {
     const std::string name = key.substr(key.rfind('.') + 1);
-    // Without a translation of its own it has the word's.
+    // Without a translation as an option, the general translation of the word is used.
     return QCoreApplication::translate("core", capitalised(name).c_str(), "option");
 }
 
@@ -35,7 +35,7 @@ QString unitSuffix(const std::string& unit) {
     if (unit.empty()) return {};
     if (unit == "degrees") return QStringLiteral("°");
     if (unit == "pixels") return QStringLiteral(" px");
-    return {};  // stands in the tool tip: the box would be as wide as the panel
+    return {};  // shown in the tool tip only, because it would make the box as wide as the panel
 }
 
 }  // namespace reliefui

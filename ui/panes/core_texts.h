@@ -1,5 +1,5 @@
-// Names and helps that the algorithms describe themselves with, for people: in the language of the window where it
-// knows them, as they are where it does not (a method added later).
+// Names and help texts from the algorithms' descriptions, translated if the window has a translation, otherwise
+// unchanged (methods added later).
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace reliefui {
 
-// "relief-depth": "Relief depth".
+// Title of a control: "relief-depth" gives "Relief depth".
 QString controlTitle(const std::string& name);
-// Of a method's or filter's option, where the word means something else than elsewhere ("floor"); of an inner method's
-// ("inner.layers") without what stands before its name.
+// Title of an option of a method or filter, with a translation of its own where the word has a special meaning
+// ("floor"). Prefixes of inner methods ("inner.layers") are removed.
 QString optionTitle(const std::string& key);
-// A help text or a unit.
+// Translates a help text or a unit.
 QString coreText(const std::string& english);
-// "degrees": "°"; others with a space before them.
+// Unit as a suffix: "degrees" gives "°"; other units are preceded by a space.
 QString unitSuffix(const std::string& unit);
 
 }  // namespace reliefui

@@ -15,9 +15,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kNear = 20000;    // most times the home scale
-constexpr double kFar = 0.5;       // least
-constexpr double kClickReach = 4;  // pixels that a click may move
+constexpr double kNear = 20000;    // largest zoom, relative to the home scale
+constexpr double kFar = 0.5;       // smallest zoom
+constexpr double kClickReach = 4;  // largest movement of a click, in pixels
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void DrawingCanvas::showText(relief::MessageId why) {
     setLayers({std::move(words)}, nullptr);
 }
 
-void DrawingCanvas::letGo() {
+void DrawingCanvas::releaseContents() {
     layers_.clear();
     legend_.reset();
     cells_ = {};
@@ -114,7 +114,7 @@ double DrawingCanvas::zoom() const {
     return map_.scale / deviceStyle().pixelsPerPoint();
 }
 
-// It stands at the lower edge.
+// The legend stands at the lower edge.
 ViewMap DrawingCanvas::legendMap() const {
     const double unit = deviceStyle().pixelsPerPoint();
     return {unit, kFigureMargin * unit, height() * devicePixelRatioF() - legendHeight() - kFigureMargin * unit / 2};
@@ -149,7 +149,7 @@ void DrawingCanvas::zoomTo(const Box& drawing) {
     setMap(ViewMap::fitting(drawing, room.grown(-kAround * std::min(room.width(), room.height()))));
 }
 
-// Neither lost beyond the edge nor beyond all measure.
+// Limits the map, so that the drawing cannot be moved out of view or zoomed beyond the limits.
 void DrawingCanvas::setMap(const ViewMap& map) {
     const Box room = screenRoom();
     const double homeScale = ViewMap::fitting(bounds(), room).scale;
@@ -210,7 +210,7 @@ void DrawingCanvas::mouseMoveEvent(QMouseEvent* event) {
 void DrawingCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && !dragging_) {
         if ((event->modifiers() & Qt::ControlModifier) != 0) {
-            Q_EMIT asked(event->localPos());
+            Q_EMIT pointQueried(event->localPos());
         } else {
             Q_EMIT clickedAt(event->localPos());
             Q_EMIT clicked(itemAt(event->localPos()));
@@ -236,7 +236,7 @@ void DrawingCanvas::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_R && event->modifiers() == Qt::NoModifier) {
         resetZoom();
     } else {
-        event->ignore();  // the window's shortcuts
+        event->ignore();  // left for the window's shortcuts
     }
 }
 

@@ -1,5 +1,5 @@
-// A pane that shows drawings, with the grammar of all panes: wheel zooms at the pointer, drag moves, R shows all again,
-// click chooses, Ctrl+click asks about a point, hover reads values out.
+// A widget that shows drawings, with the controls common to all panes: the wheel zooms at the pointer, a drag moves, R
+// resets the view, a click chooses, Ctrl+click queries a point, hovering reads out values.
 #pragma once
 
 #include <memory>
@@ -16,23 +16,23 @@ class DrawingCanvas : public QWidget {
   public:
     explicit DrawingCanvas(QWidget* parent = nullptr);
 
-    // From the lowest to the topmost. The legend stands at the lower edge, whatever the zoom.
+    // Layers from the lowest to the topmost. The legend stands at the lower edge, whatever the zoom.
     void setLayers(std::vector<std::shared_ptr<const Drawing>> layers, std::shared_ptr<const Drawing> legend);
     void setStyle(const Style& style);
-    // Shows the legend alone, so that room() is what it leaves; an empty one where it would take more than this part of
-    // the height.
+    // Shows only the legend, so that room() returns what it leaves. Returns the legend, or an empty drawing if it would
+    // take more than this share of the height.
     std::shared_ptr<const Drawing> showLegend(Drawing legend, double most);
-    double legendWidth() const;  // at most, points
-    // Nothing to show but what would fill the pane, and how.
+    double legendWidth() const;  // largest width, in points
+    // Shows only a message that explains how to fill the pane.
     void showText(relief::MessageId why);
-    // Holds nothing any more; where it was zoomed to stays.
-    void letGo();
+    // Releases the drawings; the zoom is kept.
+    void releaseContents();
 
     // Room for the drawing at its home zoom, in points.
     QSizeF room() const;
     QPointF toWidget(Point drawing) const;
     Point toDrawing(QPointF widget) const;
-    // The part of the drawing that is seen, and points of the screen a unit of it.
+    // The visible part of the drawing; the scale is in points of the screen per unit.
     Box visible() const;
     double zoom() const;
     ItemId itemAt(QPointF widget) const;
@@ -45,13 +45,13 @@ class DrawingCanvas : public QWidget {
 
   signals:
     void clicked(const reliefui::ItemId& id);
-    void clickedAt(const QPointF& widget);     // before it, whatever is there
-    void asked(const QPointF& widget);         // Ctrl+click, instead of both: about this point
-    void hovered(const reliefui::ItemId& id);  // none: nothing is under the pointer
+    void clickedAt(const QPointF& widget);     // emitted before the item's signal, whatever is at this point
+    void pointQueried(const QPointF& widget);  // Ctrl+click, emitted instead of the two others: query this point
+    void hovered(const reliefui::ItemId& id);  // id of the item under the pointer; ItemKind::None: no item
     void resized();
-    void moved();                         // zoomed or moved: another part is seen
-    void pointed(const QPointF& widget);  // the pointer is there
-    void left();                          // and now it is gone
+    void moved();                         // zoomed or moved, so that another part is visible
+    void pointed(const QPointF& widget);  // the pointer moved to this point
+    void left();                          // the pointer left the widget
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -64,17 +64,17 @@ class DrawingCanvas : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    Box screenRoom() const;  // physical pixels
+    Box screenRoom() const;  // in physical pixels
     double legendHeight() const;
     ViewMap legendMap() const;
     Box bounds() const;
     void setMap(const ViewMap& map);
-    Style deviceStyle() const;  // in physical pixels
+    Style deviceStyle() const;  // scaled to physical pixels
 
     Style style_;
     std::vector<std::shared_ptr<const Drawing>> layers_;
     std::shared_ptr<const Drawing> legend_;
-    ViewMap map_;  // to physical pixels
+    ViewMap map_;  // from drawing units to physical pixels
     bool home_ = true;
     bool dragging_ = false;
     QPointF pressed_;

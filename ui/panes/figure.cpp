@@ -21,11 +21,11 @@ using relief::InputError;
 using relief::Message;
 using relief::MessageId;
 
-// Units of a page of vectors: fine enough for text, whose sizes are whole numbers of them.
+// Resolution of vector pages: fine enough for text, whose sizes are whole numbers of these units.
 constexpr double kVectorDpi = 576;
 constexpr double kLeastDpi = 20;
 constexpr double kMostDpi = 2400;
-constexpr double kMostPixels = 30000;  // a side
+constexpr double kMostPixels = 30000;  // per side
 
 std::string endingOf(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -41,16 +41,16 @@ Style pageStyle(const FigurePage& page, double unitsPerPoint) {
     return style;
 }
 
-// Where the caption stands below a figure; its font and height.
+// Layout of the caption below a figure: its font and height.
 struct Caption {
     static constexpr double kPoints = 7;
 
     QString text;
     QFont font{QStringLiteral("DejaVu Sans")};
-    QRectF room;        // of the words
-    double height = 0;  // with what is left free around them; 0: there is none
+    QRectF room;        // box of the text
+    double height = 0;  // including the margins; 0: there is no caption
 
-    // In units of which so many are a point; the page is `width` of them wide.
+    // width and unitsPerPoint: width of the page in its units, and units per point.
     Caption(const Figure& figure, const FigurePage& page, double width, double unitsPerPoint) {
         if (page.caption) text = QString::fromStdString(figure.caption(page.style.language));
         if (text.isEmpty()) return;
@@ -66,7 +66,7 @@ struct Caption {
         painter.fillRect(all, toColor(style.background()));
         painter.setFont(font);
         painter.setPen(toColor(style.text()));
-        // Letters may be a little wider in the file than they were measured.
+        // Letters may be slightly wider in the file than measured, so the box leaves some room.
         const QRectF words(room.x(), top + room.y(), width - 2 * room.x(), height);
         painter.drawText(words, Qt::TextWordWrap, text);
     }
@@ -85,7 +85,7 @@ void paintPage(QPainter& painter, const Figure& figure, const FigurePage& page, 
     caption.paint(painter, below, size.width(), style);
 }
 
-// Millimetres.
+// Page size in millimetres.
 QSizeF pageSize(const Figure& figure, const FigurePage& page) {
     constexpr double kUnits = kVectorDpi / kPointsPerInch;
     const double width = page.widthMm / kMmPerPoint * kUnits;
@@ -93,7 +93,7 @@ QSizeF pageSize(const Figure& figure, const FigurePage& page) {
     return {page.widthMm, page.widthMm * figure.aspect(page) + caption.height / kUnits * kMmPerPoint};
 }
 
-// A file that takes nothing any more when it is not wanted: packing a large picture ends there.
+// A file that refuses further writes after cancellation, which also ends the compression of a large picture.
 class StoppedFile : public QFile {
   public:
     StoppedFile(const std::string& path, const relief::Work& work) : QFile(QString::fromStdString(path)), work_(work) {}
@@ -215,7 +215,7 @@ int FigurePage::pixels() const {
 }
 
 int FigurePage::picturePixels(double points) const {
-    constexpr double kRounding = 1e-6;  // of a width that is a whole number of pixels
+    constexpr double kRounding = 1e-6;  // tolerance, for widths that are a whole number of pixels
     const double own = points * pixels() / (widthMm / kMmPerPoint);
     return std::clamp(static_cast<int>(std::floor(own + kRounding)), 1, kMostRenderedPixels);
 }
@@ -235,11 +235,11 @@ void checkPage(const FigurePage& page, const std::string& path, bool vectors) {
 
 namespace {
 
-// Of a figure that is prepared for the page.
+// Renders a figure that is already prepared for the page.
 QImage preparedImage(const Figure& figure, const FigurePage& page) {
     const int width = page.pixels();
     const int height = std::max(1, static_cast<int>(std::lround(width * figure.aspect(page))));
-    constexpr std::uint64_t kTwo = 8;  // bytes a pixel: the figure, and the page with its caption
+    constexpr std::uint64_t kTwo = 8;  // bytes per pixel: the figure, and the page with its caption
     relief::requireMemory(
         relief::byteProduct({kTwo, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)}),
         std::to_string(width) + "x" + std::to_string(height), relief::MemoryHint::SmallerPicture);
@@ -258,18 +258,18 @@ QImage preparedImage(const Figure& figure, const FigurePage& page) {
 
 }  // namespace
 
-QImage figureImage(const Figure& figure, const FigurePage& wanted, int width, relief::Work& work) {
-    FigurePage page = wanted;
+QImage figureImage(const Figure& figure, const FigurePage& requested, int width, relief::Work& work) {
+    FigurePage page = requested;
     page.widthPixels = width;
     const auto prepared = figure.prepared(page, work);
     work.throwIfStopped();
     return preparedImage(prepared ? *prepared : figure, page);
 }
 
-void writeFigure(const Figure& wanted, const FigurePage& page, const std::string& path, relief::Work& work) {
-    checkPage(page, path, wanted.vectors());
-    const auto prepared = wanted.prepared(page, work);
-    const Figure& figure = prepared ? *prepared : wanted;
+void writeFigure(const Figure& requested, const FigurePage& page, const std::string& path, relief::Work& work) {
+    checkPage(page, path, requested.vectors());
+    const auto prepared = requested.prepared(page, work);
+    const Figure& figure = prepared ? *prepared : requested;
     work.throwIfStopped();
     relief::AtomicFile target(path);
     StoppedFile file(target.temporaryPath(), work);
@@ -287,7 +287,7 @@ void writeFigure(const Figure& wanted, const FigurePage& page, const std::string
     }
     file.close();
     work.throwIfStopped();
-    // Qt says nothing about a full disk; an empty file is no figure.
+    // Qt does not report a full disk; an empty file counts as an error.
     if (!done || file.error() != QFileDevice::NoError || file.size() == 0) {
         throw relief::WorkError(path, Message(MessageId::DiskFull));
     }

@@ -12,7 +12,7 @@ namespace {
 using relief::Message;
 using relief::MessageId;
 
-// The file and its folder: every shipped picture is a height.png.
+// File name with its folder, because all shipped pictures are called height.png.
 std::string heightsOf(const relief::Pictures& pictures) {
     const std::string name = relief::heightsName(pictures);
     if (pictures.height.empty() || !pictures.drawn.empty()) return name;
@@ -38,7 +38,7 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
                                        {"depth", relief::numberText(s.reliefDepth, 3)},
                                        {"surface", std::string(relief::surfaceName(s.surface))}});
         std::string text = say(heights);
-        // Of another tracer's ray neither method nor view are the scenario's.
+        // For a ray of another program's tracer, the scenario's method and view do not apply.
         if (trace.fromFile) {
             const std::string file = std::filesystem::path(s.other.steps).filename().string();
             text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray + 1}, {"file", file}}));

@@ -1,4 +1,4 @@
-// What a figure says of itself below its drawing: the pictures, the method, the view, the pixel and the step.
+// The caption below a figure: the pictures, the method, the view, the pixel and the step.
 #pragma once
 
 #include <memory>
@@ -9,14 +9,15 @@
 
 namespace reliefui {
 
-// methods, filters: of a comparison; empty: the scenario's own. step: of the ray that is drawn, from 0; none: no ray
-// is. Of the pixel where one is chosen.
+// methods, filters: those of a comparison; empty: the scenario's own. step: zero-based step of the ray drawn;
+// std::nullopt: the figure shows no ray. Names the pixel if one is chosen.
 FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optional<int> step = {},
                             const std::string& methods = {}, const std::string& filters = {});
 
-// The same of what is rendered anew for the figure: counts and errors are those of its own picture.
+// The caption for a figure that is rendered again: it states that counts and errors are those of the figure's own
+// picture.
 FigureCaption redrawnCaption(FigureCaption caption);
-// Throws InputError where no pixel is chosen, or one that shows no relief.
+// Throws InputError if no pixel is chosen, or one without relief.
 void requireRay(const char* figure, const Snapshot& snapshot);
 
 }  // namespace reliefui

@@ -16,14 +16,14 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kStandardWidth = 1600;  // pixels
+constexpr int kStandardWidth = 1600;  // in pixels
 constexpr int kLeastWidth = 160;
 
 QString settingOf(const char* option) {
     return QStringLiteral("figures/") + QString::fromLatin1(option);
 }
 
-// Changes file to what is chosen; false: it was called off.
+// Dialog for the export options. Updates `file`; returns false if the user cancelled.
 bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFile& file) {
     QSettings settings;
     QDialog dialog(parent);
@@ -86,7 +86,7 @@ std::function<void()> saveFigureFile(const Figure& figure, FigurePage page, cons
     if (!file.dark) page.style.theme = Theme::Light;
     page.widthMm = file.widthMm;
     page.caption = file.caption;
-    // So many pixels of the same page: text grows with the picture.
+    // The same page with this many pixels, so text is scaled with the picture.
     page.widthPixels = file.pixels;
     QString problem;
     try {

@@ -1,4 +1,4 @@
-// How a figure gets from a pane into a file: the question where to, the writing, and what is said if it fails.
+// Export of a figure from a pane to a file: the dialogs, writing, and error messages.
 #pragma once
 
 #include <functional>
@@ -16,18 +16,19 @@ class Workspace;
 
 struct FigureFile {
     QString path;
-    int pixels = 0;        // the width of a PNG; 0: the standard
-    double widthMm = 160;  // on the page; letters and lines have the same size on any
-    bool dark = false;     // as in the window; else as in print
+    int pixels = 0;        // width of a PNG; 0: the default
+    double widthMm = 160;  // width of the page; text and lines have the same absolute size at any width
+    bool dark = false;     // dark theme as in the window; otherwise the light theme for print
     bool caption = true;
 };
 
-// Where to, then how; what was chosen is offered again the next time. name: of the view and of the file. vectors: SVG
-// and PDF, too. Nothing: it was called off.
+// Asks for the file name, then for the options; the choices are remembered for the next time. name: name of the view
+// and proposed file name. vectors: offer SVG and PDF. Returns std::nullopt if the user cancelled.
 std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, const QString& name, bool vectors);
 
-// Writes it, on any thread. What is returned says what came of it, on the window's thread: calls `saved`, or says on
-// the workspace why not, or that it was cancelled and nothing is written.
+// Writes the figure; may be called on any thread. The returned function must be called on the window's thread and
+// reports the outcome: it calls `saved`, or sends a message through the workspace if the export failed or was
+// cancelled, in which case nothing was written.
 std::function<void()> saveFigureFile(const Figure& figure, FigurePage page, const FigureFile& file,
                                      Workspace* workspace, std::function<void()> saved, relief::Work& work);
 

@@ -18,7 +18,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kCopiedWidth = 1600;  // pixels
+constexpr int kCopiedWidth = 1600;  // in pixels
 
 }  // namespace
 
@@ -43,14 +43,14 @@ void FigureView::setReadout(const QString& text) {
 }
 
 void FigureView::refresh() {
-    cameIntoSight_ = std::exchange(stale_, !inSight());
+    becameVisible_ = std::exchange(stale_, !isOnScreen());
     if (!stale_) return showSnapshot();
-    if (outdated()) letGo();
+    if (outdated()) releaseContents();
 }
 
-bool FigureView::outOfSight() {
-    if (!inSight()) stale_ = true;
-    return !inSight();
+bool FigureView::markStaleIfHidden() {
+    if (!isOnScreen()) stale_ = true;
+    return !isOnScreen();
 }
 
 void FigureView::paintEvent(QPaintEvent* event) {
@@ -58,9 +58,9 @@ void FigureView::paintEvent(QPaintEvent* event) {
     if (stale_) QTimer::singleShot(0, this, &FigureView::refresh);
 }
 
-void FigureView::giveBack() {
+void FigureView::releaseClosed() {
     if (isVisible()) return;
-    letGo();
+    releaseContents();
     stale_ = true;
     for (QVTKOpenGLNativeWidget* const widget : findChildren<QVTKOpenGLNativeWidget*>()) releaseGl(*widget);
 }
@@ -80,7 +80,7 @@ QImage FigureView::image(int width) const {
 
 void FigureView::openMenu(const QPoint& at) {
     QMenu menu(this);
-    tell(at);
+    readOut(at);
     const QString value = readout_;
     addToMenu(menu);
     if (showsPoints()) addPointToMenu(menu, at);
@@ -105,13 +105,13 @@ void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
 }
 
 void FigureView::setPoint(const std::optional<QueryPoint>& point) {
-    workspace_->change(withState(workspace_->scenario(), PointState{point}), changeName([asked = point.has_value()] {
-                           return asked ? tr("Distances at a point") : tr("Forget the point");
+    workspace_->change(withState(workspace_->scenario(), PointState{point}), changeName([hasPoint = point.has_value()] {
+                           return hasPoint ? tr("Distances at a point") : tr("Forget the point");
                        }));
 }
 
 void FigureView::askPoint(const QPointF& widget) {
-    constexpr double kSame = 5;  // pixels
+    constexpr double kSame = 5;  // in pixels
     const std::optional<QPointF> mark = pointPlace();
     const bool same = mark && std::abs(mark->x() - widget.x()) <= kSame && std::abs(mark->y() - widget.y()) <= kSame;
     const std::optional<QueryPoint> point = pointAt(widget);
@@ -127,7 +127,7 @@ void FigureView::askFigure() {
 void FigureView::saveFigure(const FigureFile& file) {
     const auto shown = figure();
     if (!shown) return;
-    drawAside(*shown, [this, shown, page = page(), file, workspace = workspace_](relief::Work& work) {
+    drawInBackground(*shown, [this, shown, page = page(), file, workspace = workspace_](relief::Work& work) {
         return saveFigureFile(
             *shown, page, file, workspace, [this, path = file.path] { Q_EMIT saved(path); }, work);
     });
@@ -136,7 +136,7 @@ void FigureView::saveFigure(const FigureFile& file) {
 void FigureView::copyPicture() {
     const auto shown = figure();
     if (!shown) return;
-    drawAside(*shown, [this, shown, page = page()](relief::Work& work) -> std::function<void()> {
+    drawInBackground(*shown, [this, shown, page = page()](relief::Work& work) -> std::function<void()> {
         QImage picture;
         try {
             picture = figureImage(*shown, page, kCopiedWidth, work);
@@ -149,9 +149,9 @@ void FigureView::copyPicture() {
     });
 }
 
-// draw: on another thread; what it returns is called on the window's, if the pane is still there. VTK draws on the
-// window's alone.
-void FigureView::drawAside(const Figure& figure, BackgroundTasks::Task draw) {
+// Runs `draw` on another thread; the function it returns is called on the window's thread if the pane still exists.
+// Figures rendered with VTK are drawn on the window's thread instead.
+void FigureView::drawInBackground(const Figure& figure, BackgroundTasks::Task draw) {
     if (!figure.vectors()) {
         const DrawingTime drawing("figure");
         relief::Work work;
@@ -159,9 +159,9 @@ void FigureView::drawAside(const Figure& figure, BackgroundTasks::Task draw) {
     }
     ++saving_;
     workspace_->tasks().start(this, [this, draw = std::move(draw)](relief::Work& work) {
-        return [this, told = draw(work)] {
+        return [this, finish = draw(work)] {
             --saving_;
-            told();
+            finish();
         };
     });
 }

@@ -1,5 +1,5 @@
-// What all panes that can be exported have in common: the menu (copy value, copy picture, export), the export dialog,
-// the readout of what is under the pointer, and that nothing is drawn out of sight.
+// Base class of all panes that can be exported: the context menu (copy value, copy picture, export), the export dialog,
+// the readout of the item under the pointer. Panes that are not on screen are not drawn.
 #pragma once
 
 #include <functional>
@@ -20,24 +20,25 @@ namespace reliefui {
 class FigureView : public QWidget {
     Q_OBJECT
   public:
-    // What is under the pointer; empty: nothing.
+    // Text for the item under the pointer; empty if there is none.
     QString readout() const { return readout_; }
-    // The pane as a picture, as it is exported, with the options of the screen; null where there is nothing.
+    // Renders the pane as it is exported, with the options used on screen; null if it shows nothing.
     QImage image(int width) const;
-    // Figures that are being drawn.
+    // Returns true while figures are being written.
     bool saving() const { return saving_ > 0; }
-    // Closed: lets go of all that it holds to be seen; made again when it is.
-    void giveBack();
+    // The pane was closed: releases everything needed only for display. It is created again when the pane is shown.
+    void releaseClosed();
 
   public slots:
-    // SVG, PDF or PNG, by the ending; drawn aside, and said when it is done, or why not.
+    // Writes an SVG, PDF or PNG, depending on the extension. Drawn in the background; completion or failure is
+    // reported.
     void saveFigure(const reliefui::FigureFile& file);
-    // Drawn aside as well.
+    // Also drawn in the background.
     void copyPicture();
-    // Asks where to first.
+    // Asks for a file name, then saves.
     void askFigure();
 
-    // What it computes; its figures: Workspace::cancel().
+    // Cancels the pane's computations; figures are cancelled by Workspace::cancel().
     virtual void cancel() {}
 
   signals:
@@ -45,42 +46,42 @@ class FigureView : public QWidget {
     void hovered(const QString& readout);
 
   protected:
-    // name: of the figure and of the file; dialog: the title of its dialog, "Export the profile".
+    // name: of the figure and the file; dialog: title of the export dialog, "Export the profile".
     FigureView(Workspace* workspace, const QString& title, const QString& name, const QString& dialog, QWidget* parent);
 
-    // The part of the pane that has the menu.
+    // Sets the part of the pane that has the context menu.
     void setFace(QWidget* face);
     void setReadout(const QString& text);
-    // Draws what the workspace holds; called in sight alone.
+    // Draws the workspace's snapshot. Called only while the pane is on screen.
     virtual void showSnapshot() = 0;
-    // Whether it holds something that is not wanted any more, to be let go while it is out of sight.
+    // Returns true if the pane holds data that is no longer needed and can be released while it is not on screen.
     virtual bool outdated() const { return false; }
-    // For another snapshot, style or choice: at once, or when it comes into sight.
+    // Call this after a change of snapshot, style or choice: draws now, or when the pane is next on screen.
     void refresh();
-    // Remembers that something has changed; true where it is not drawn now.
-    bool outOfSight();
+    // Records a change; returns true if the pane is not on screen, so that it is not drawn now.
+    bool markStaleIfHidden();
     bool stale() const { return stale_; }
-    // In showSnapshot(): whether it was out of sight until now.
-    bool cameIntoSight() const { return cameIntoSight_; }
+    // For use in showSnapshot(): returns true if the pane was not on screen until now.
+    bool becameVisible() const { return becameVisible_; }
     void paintEvent(QPaintEvent* event) override;
-    // A pane behind another tab counts as visible for Qt; it only lies outside the window.
-    bool inSight() const { return isVisible() && !visibleRegion().isEmpty(); }
+    // Returns true if the pane is on screen. A pane behind another tab lies outside the window, but is visible to Qt.
+    bool isOnScreen() const { return isVisible() && !visibleRegion().isEmpty(); }
 
-    // What it shows; null: there is nothing to be exported.
+    // The figure that the pane shows; null if there is nothing to export.
     virtual std::shared_ptr<const Figure> figure() const = 0;
-    // Reads out what lies under this point of the face.
-    virtual void tell(const QPointF&) {}
-    // Lets go of what it shows; showSnapshot() makes it again.
-    virtual void letGo() {}
-    // More entries, above the common ones.
+    // Reads out the item at this point of the face.
+    virtual void readOut(const QPointF&) {}
+    // Releases what the pane shows; showSnapshot() creates it again.
+    virtual void releaseContents() {}
+    // Adds entries above the common ones of the menu.
     virtual void addToMenu(QMenu&) {}
-    // Of a pane that shows a point's distances: the point of the slab under this point of the face; none: there is
-    // none.
+    // For panes that show a point's distances. pointAt(): the point of the slab at this point of the face; std::nullopt
+    // if there is none.
     virtual bool showsPoints() const { return false; }
     virtual std::optional<QueryPoint> pointAt(const QPointF&) const { return std::nullopt; }
-    // Where the point is drawn whose distances are shown; none: it is not seen.
+    // Widget coordinates of the point whose distances are shown; std::nullopt if it is not visible.
     virtual std::optional<QPointF> pointPlace() const { return std::nullopt; }
-    // Makes the point there the one whose distances are shown; if it is that already, shows none.
+    // Shows the distances of the point there; if they are shown already, hides them.
     void askPoint(const QPointF& widget);
     void openMenu(const QPoint& at);
 
@@ -90,15 +91,15 @@ class FigureView : public QWidget {
     FigurePage page() const;
     void setPoint(const std::optional<QueryPoint>& point);
     void addPointToMenu(QMenu& menu, const QPoint& at);
-    void drawAside(const Figure& figure, BackgroundTasks::Task draw);
+    void drawInBackground(const Figure& figure, BackgroundTasks::Task draw);
 
     QString name_;
     QString dialog_;
     QWidget* face_ = nullptr;
     QString readout_;
     int saving_ = 0;
-    bool stale_ = true;  // changed while it was out of sight
-    bool cameIntoSight_ = false;
+    bool stale_ = true;  // changed while it was not on screen
+    bool becameVisible_ = false;
 };
 
 }  // namespace reliefui

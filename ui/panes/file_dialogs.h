@@ -1,4 +1,4 @@
-// Dialogs for files that open in the folder in which the last file of that kind was chosen, also in another session.
+// File dialogs that open in the folder of the last file of the same kind, also across sessions.
 #pragma once
 
 #include <QString>
@@ -7,14 +7,14 @@ class QWidget;
 
 namespace reliefui {
 
-// kind: what is opened, as a word of the settings ("pictures"). folder: where the first such dialog opens. Empty:
-// nothing was chosen.
+// kind: what is opened, used as a key of the settings ("pictures"). folder: where the first such dialog opens. Returns
+// an empty string if the user cancelled.
 QString askOpenFile(QWidget* parent, const QString& kind, const QString& title, const QString& filter,
                     const QString& folder = {});
-// name: the file name that is offered.
+// name: proposed file name.
 QString askSaveFile(QWidget* parent, const QString& kind, const QString& title, const QString& name,
                     const QString& filter);
-// The folder of a kind; `otherwise` where no file of it was chosen or the folder is gone.
+// Last folder used for a kind; `otherwise` if there is none or it no longer exists.
 QString lastFolder(const QString& kind, const QString& otherwise = {});
 void keepFolder(const QString& kind, const QString& file);
 

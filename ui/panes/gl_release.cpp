@@ -11,11 +11,12 @@ namespace {
 
 constexpr QSize kLittle(8, 8);
 
-// Shown without any room, as while many panes are laid out, a widget of OpenGL would begin anew only when it has some.
-// But Qt composes the window before that, and asks a context that is still to come. So it begins at once.
-class BeginAtOnce : public QObject {
+// Qt recreates the OpenGL context of a widget only when it has a non-empty size, but while many panes are laid out it
+// may be shown without one. Qt would then compose the window with a context that does not exist yet. Giving the widget
+// a size for a moment creates the context at once.
+class RecreateContextOnShow : public QObject {
   public:
-    explicit BeginAtOnce(QVTKOpenGLNativeWidget& widget) : QObject(&widget), widget_(widget) {
+    explicit RecreateContextOnShow(QVTKOpenGLNativeWidget& widget) : QObject(&widget), widget_(widget) {
         widget.installEventFilter(this);
     }
     bool eventFilter(QObject*, QEvent* event) override {
@@ -36,25 +37,25 @@ class BeginAtOnce : public QObject {
 
 void releaseGl(QVTKOpenGLNativeWidget& widget) {
     if (widget.isVisible() || !widget.isValid()) return;
-    // While the context is there and current: told of its end by Qt alone, VTK leaves buffers and textures of text with
-    // those that share it, as long as the window lives.
+    // Must be called while the context exists and is current: if only Qt reports the end of the context, VTK leaves
+    // buffers and text textures in the shared contexts for as long as the window lives.
     widget.makeCurrent();
     widget.renderWindow()->ReleaseGraphicsResources(widget.renderWindow());
     widget.doneCurrent();
     const QSize before = widget.size();
-    // Out of sight Qt would keep this to itself until the widget is shown.
+    // Qt would delay the resize event of a hidden widget until it is shown, so it is sent explicitly.
     widget.resize(kLittle);
     QResizeEvent event(kLittle, before);
     QCoreApplication::sendEvent(&widget, &event);
-    // What Qt itself tells a widget of OpenGL that comes into another window. Hidden for this moment by itself: it
-    // would begin anew at once.
-    const bool wanted = !widget.isHidden();
+    // The event that Qt sends to an OpenGL widget that moves to another window; the widget releases its context. It is
+    // hidden meanwhile, because it would otherwise recreate the context at once.
+    const bool shown = !widget.isHidden();
     widget.hide();
     QEvent other(QEvent::WindowChangeInternal);
     QCoreApplication::sendEvent(&widget, &other);
-    new BeginAtOnce(widget);
-    if (wanted) widget.show();
-    // The layout is to make it as large as it was.
+    new RecreateContextOnShow(widget);
+    if (shown) widget.show();
+    // Makes the layout restore the original size.
     widget.updateGeometry();
 }
 

@@ -1,4 +1,5 @@
-// A list as wide as the name that it shows, not as the longest: nothing of it is cut, and panes may be narrow.
+// A combo box as wide as its current entry, not as the longest one: the entry is never cut off, and panes may be
+// narrow.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,7 @@ class NameBox : public QComboBox {
     }
 
   private:
-    static constexpr int kRoom = 4;  // so that nobody's rounding cuts the last letter
+    static constexpr int kRoom = 4;  // allowance in pixels, so that rounding never cuts off the last letter
 };
 
 }  // namespace reliefui

@@ -20,7 +20,7 @@ NarrowBar::NarrowBar(QWidget* parent) : QScrollArea(parent) {
     row_ = new QHBoxLayout(inner);
     row_->setContentsMargins(4, 2, 6, 2);
     setWidget(inner);
-    // The pane shines through: it is told that it is seen by being painted.
+    // Transparent: the pane is painted, and thereby detects that it is visible, only if nothing opaque covers it.
     inner->setAutoFillBackground(false);
     viewport()->setAutoFillBackground(false);
     setWidgetResizable(true);
@@ -28,7 +28,7 @@ NarrowBar::NarrowBar(QWidget* parent) : QScrollArea(parent) {
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    // Its controls are reached by themselves, and come into sight.
+    // The focus goes to the controls themselves, which are then scrolled into view.
     setFocusPolicy(Qt::NoFocus);
     back_ = addEnd(Qt::LeftArrow, tr("The controls further left"));
     on_ = addEnd(Qt::RightArrow, tr("The controls further right"));
@@ -59,7 +59,7 @@ QSize NarrowBar::minimumSizeHint() const {
 
 bool NarrowBar::event(QEvent* event) {
     if (event->type() == QEvent::Polish || event->type() == QEvent::StyleChange) fitHeight();
-    // When the controls know what they need in sight.
+    // Delayed until the visible controls know their size.
     if (event->type() == QEvent::Show) QTimer::singleShot(0, this, [this] { fitHeight(); });
     return QScrollArea::event(event);
 }
@@ -82,11 +82,11 @@ bool NarrowBar::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void NarrowBar::fitHeight() {
-    const int wanted = minimumSizeHint().height();
-    if (minimumHeight() != wanted || maximumHeight() != wanted) setFixedHeight(wanted);
+    const int needed = minimumSizeHint().height();
+    if (minimumHeight() != needed || maximumHeight() != needed) setFixedHeight(needed);
 }
 
-// Over the controls at the ends, where there are more beyond them.
+// Places the buttons over the controls at the ends, if more controls lie beyond them.
 void NarrowBar::placeEnds() {
     const QScrollBar* const along = horizontalScrollBar();
     back_->setGeometry(0, 0, kEndWidth, height());

@@ -1,5 +1,5 @@
-// A row of controls that does not ask for its whole width: where the pane is narrower, a button at either end goes
-// along it. It is as high whether it has them or not, so that what lies below stays where it is.
+// A row of controls that does not require its full width: in a narrower pane, buttons at both ends scroll it. Its
+// height is the same with and without the buttons, so that the widgets below do not move.
 #pragma once
 
 #include <QHBoxLayout>
@@ -13,7 +13,7 @@ class NarrowBar : public QScrollArea {
     Q_DECLARE_TR_FUNCTIONS(reliefui::NarrowBar)
   public:
     explicit NarrowBar(QWidget* parent);
-    // The controls go here.
+    // The layout to which the controls are added.
     QHBoxLayout* row() const { return row_; }
 
     QSize sizeHint() const override { return minimumSizeHint(); }

@@ -14,7 +14,7 @@ namespace reliefui {
 
 namespace {
 
-// Steps from one end to the other, beyond which a straight slider cannot be set any more.
+// Number of steps above which a linear slider cannot be set precisely.
 constexpr double kManySteps = 500;
 
 int decimalsOf(const relief::OptionDescription& description) {
@@ -31,7 +31,7 @@ SliderScale::SliderScale(const relief::OptionDescription& description)
         low_ = -180;
         high_ = 180;
     }
-    // Pictures larger than this are typed, not slid to.
+    // The slider ends here; larger pictures can be entered in the box.
     if (description.unit == "pixels") {
         low_ = std::max(low_, 32.0);
         high_ = std::min(high_, 4096.0);
@@ -122,7 +122,7 @@ void NumberControl::changeEvent(QEvent* event) {
 void NumberControl::setValue(double value) {
     const QSignalBlocker quietBox(box_);
     const QSignalBlocker quietSlider(slider_);
-    // A box in which somebody is typing is left alone.
+    // Not while the user is typing into the box.
     if (std::abs(box_->value() - value) > 1e-12) box_->setValue(value);
     if (!slider_->isSliderDown()) slider_->setValue(scale_.position(value));
 }

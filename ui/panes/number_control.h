@@ -1,4 +1,4 @@
-// A number that is turned: slider and box beside each other, made from its description.
+// A control for a number: a slider and a box side by side, generated from its description.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -9,7 +9,7 @@
 
 namespace reliefui {
 
-// How far along the slider a value lies. Wide ranges are bent, so that the useful part is not a hair's breadth.
+// Mapping of values to slider positions. Wide ranges are mapped non-linearly, so that the useful part is not too short.
 class SliderScale {
   public:
     explicit SliderScale(const relief::OptionDescription& description);
@@ -31,7 +31,7 @@ class NumberControl : public QWidget {
   public:
     explicit NumberControl(const relief::OptionDescription& description, QWidget* parent = nullptr);
 
-    // Without a signal.
+    // Emits no signal.
     void setValue(double value);
     double value() const { return box_->value(); }
     QSlider* slider() { return slider_; }
@@ -53,7 +53,7 @@ class NumberControl : public QWidget {
     QDoubleSpinBox* box_;
 };
 
-// What a tool tip says of it: help, unit, range.
+// Tool tip of an option: help text, unit, range.
 QString optionToolTip(const relief::OptionDescription& description);
 
 }  // namespace reliefui

@@ -15,7 +15,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kMajor = 3;  // of OpenGL's core profile
+constexpr int kMajor = 3;  // version of OpenGL's core profile
 constexpr int kMinor = 2;
 
 struct Texts {
@@ -53,10 +53,10 @@ struct OffscreenGl::ByEgl {
     ByEgl() : display(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)) {
         if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) fail();
         eglBindAPI(EGL_OPENGL_API);
-        const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+        const EGLint attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        eglChooseConfig(display, wanted, &config, 1, &count);
+        eglChooseConfig(display, attributes, &config, 1, &count);
         const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
                                   kMajor,
                                   EGL_CONTEXT_MINOR_VERSION,
@@ -85,7 +85,7 @@ struct OffscreenGl::ByEgl {
 };
 
 OffscreenGl::OffscreenGl() {
-    // Qt's platform without a display knows no OpenGL there.
+    // Qt's offscreen platform does not support OpenGL.
     if (QGuiApplication::platformName() == QLatin1String("xcb")) {
         qt_ = std::make_unique<ByQt>();
     } else {

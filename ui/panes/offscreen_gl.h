@@ -1,11 +1,12 @@
-// OpenGL without a window: through Qt where there is a display, through EGL where there is none.
+// OpenGL without a window: through Qt if there is a display, otherwise through EGL.
 #pragma once
 
 #include <memory>
 
 namespace reliefui {
 
-// Current from its making to its end; what was current before is so again then. Throws WorkError where there is none.
+// The context is current during the object's lifetime; afterwards the previous one is restored. The constructor throws
+// WorkError if OpenGL is not available.
 class OffscreenGl {
   public:
     OffscreenGl();

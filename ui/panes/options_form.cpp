@@ -90,13 +90,14 @@ void OptionsForm::addControl(const Control& control) {
     for (const std::string& text : control.option.choices) choices->addItem(QString::fromStdString(text));
     label->setBuddy(choices);
     form_->addRow(label, choices);
-    // Queued: another method inside makes other controls, while this one is still telling of the click.
+    // Queued, because choosing another nested method recreates the controls while this one is still emitting its
+    // signal.
     connect(
         choices, qOverload<int>(&QComboBox::activated), this,
         [this, name, choices](int) { Q_EMIT changed(name, choices->currentText(), false); }, Qt::QueuedConnection);
 }
 
-// A box for each word that may stand instead of the number; without a check the number counts.
+// Adds a check box for each word that may replace the number; if none is checked, the number applies.
 void OptionsForm::addWords(const Control& control, NumberControl* number) {
     const QString name = QString::fromStdString(control.key);
     for (const std::string& word : control.option.choices) {

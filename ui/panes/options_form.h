@@ -1,5 +1,5 @@
-// The options of a method as controls, made from their descriptions: any method's, also one added later. Where a method
-// has another one inside it, that one's options stand indented below the chooser.
+// Controls for the options of a method, generated from their descriptions, also for methods added later. If a method
+// contains another one, the inner method's options are indented below the chooser.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ class OptionsForm : public QWidget {
   public:
     explicit OptionsForm(QWidget* parent = nullptr);
 
-    // The controls of `method`, holding the values of `choice` where it gives them.
+    // Shows the options of `method` with the values of `choice`, or their defaults.
     void show(const relief::MethodDescription& method, const relief::MethodChoice& choice);
 
   signals:
@@ -28,7 +28,7 @@ class OptionsForm : public QWidget {
     void settled();
 
   private:
-    // An option as the choice names it ("inner.layers"), and its default.
+    // An option's key in the choice ("inner.layers"), and its default.
     struct Control {
         std::string key;
         relief::OptionDescription option;
@@ -44,7 +44,7 @@ class OptionsForm : public QWidget {
     void setText(const Control& control, const std::string& text);
 
     QFormLayout* form_;
-    std::string shown_;  // which method, and which inside it
+    std::string shown_;  // identifies the method shown, including nested ones
 };
 
 }  // namespace reliefui

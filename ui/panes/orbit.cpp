@@ -12,9 +12,9 @@ namespace reliefui {
 
 namespace {
 
-// At the poles the azimuth would turn the picture on the spot.
+// Largest elevation in degrees: at the poles, a change of azimuth would rotate the picture in place.
 constexpr double kHighest = 89.0;
-// Degrees from the middle of what is in front of a plane.
+// Largest angle, in degrees, from the middle of the visible side of a plane.
 constexpr double kPlane = 90.0;
 
 double rounded(double value, double unit) {

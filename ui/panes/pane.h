@@ -1,4 +1,5 @@
-// What a pane is to the window, its menus and layouts, and to `reliefscope --export`: an entry of the list of panes.
+// Description of a pane for the window, its menus and layouts, and for `reliefscope --export`: an entry of the list of
+// panes.
 #pragma once
 
 #include <cstdint>
@@ -18,40 +19,42 @@ namespace reliefui {
 
 class Workspace;
 
-// Where a pane stands at first: in the middle (the result alone), right of it above or below, under it, left of it. The
-// first pane of a place stands in front, the others behind it in tabs.
+// Initial place of a pane: the centre (only the result), the upper or lower right, the bottom, or the left. The first
+// pane of a place is in front, the others are tabs behind it.
 enum class DockPlace : std::uint8_t { Center, UpperRight, LowerRight, Bottom, Left };
 
 struct FigureKind {
     std::string name;
     bool vectors = true;
-    // At the scenario's step of the ray, as its panes' states say; may take seconds, of what a pane measures. Throws
-    // InputError. Empty: not of a snapshot ("pareto", of a table of measurements).
+    // Creates the figure for the scenario's step, with the options in the panes' states. May take seconds if the pane
+    // measures. Throws InputError. Empty for figures that do not show a snapshot ("pareto" shows a table of
+    // measurements).
     std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const relief::Scenario&)> make;
 };
 
 struct PaneKind {
     QString name;   // "profile": its dock is "profile-pane"
-    QString title;  // in the pane
-    QString tab;    // shorter, where there are many; empty: the title
-    QString help;   // what it shows, in a line
+    QString title;  // title bar of the pane
+    QString tab;    // shorter title for tabs; empty: the title
+    QString help;   // one line on what the pane shows
     DockPlace place = DockPlace::LowerRight;
     std::function<QWidget*(Workspace* workspace, QWidget* parent)> make;
-    // The part of it that gets the keyboard; empty: its focus proxy, as FigureView::setFace() sets it, or all of it.
+    // Returns the widget of the pane that gets the keyboard focus. Empty: the pane's focus proxy, as set by
+    // FigureView::setFace(), or the pane itself.
     std::function<QWidget*(QWidget* pane)> focus{};
     std::vector<FigureKind> figures{};
-    // Of what it keeps in scenarios.
+    // Readers of the states that the pane stores in scenarios.
     StateReaders states{};
-    bool open = true;  // at first
+    bool open = true;  // initially
 };
 
-// As PaneKind::make.
+// For PaneKind::make.
 template <class View>
 QWidget* makePane(Workspace* workspace, QWidget* parent) {
     return new View(workspace, parent);
 }
 
-// As FigureKind::make, of panes without a state that figures show.
+// For FigureKind::make of panes whose figures do not depend on a state.
 template <std::shared_ptr<const Figure> (*make)(std::shared_ptr<const Snapshot>)>
 std::shared_ptr<const Figure> plainFigure(std::shared_ptr<const Snapshot> snapshot, const relief::Scenario&) {
     return make(std::move(snapshot));

@@ -1,4 +1,4 @@
-// The controls in the bars of panes. Their help is their tool tip, and what screen readers call them.
+// Controls for the bars of panes. The help text becomes tool tip and accessible name.
 #pragma once
 
 #include <QString>
@@ -10,7 +10,7 @@ class QToolButton;
 namespace reliefui {
 
 QToolButton* addToolButton(QLayout* bar, const QString& text, const QString& help, bool checkable = false);
-// name: of the object.
+// name: object name.
 QComboBox* addChooser(QLayout* bar, const char* name, const QString& help);
 
 }  // namespace reliefui

@@ -16,7 +16,7 @@ namespace reliefui {
 namespace {
 
 constexpr double kDegreesPerPixel = 0.3;
-constexpr double kWheelFactor = 1.12;  // a notch
+constexpr double kWheelFactor = 1.12;  // per notch of the wheel
 constexpr double kLargestZoom = 256;
 constexpr int kWheelRestMs = 150;
 constexpr int kFarPixels = 10;
@@ -116,7 +116,7 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
         last_ = at;
         update();
     } else if (drag_ == Drag::None) {
-        tellHover(at);
+        readOutHover(at);
     }
 }
 
@@ -127,7 +127,7 @@ void PictureView::mouseReleaseEvent(QMouseEvent* event) {
     if (ended != Drag::Pressed) return;
     const auto pixel = pixelAt(event->localPos());
     if (!pixel) return;
-    workspace_->settle();  // each click is a step of undo by itself
+    workspace_->settle();  // each click is a separate step of undo
     workspace_->choosePixel(pixel->x, pixel->y);
 }
 
@@ -188,7 +188,7 @@ void PictureView::keyPressEvent(QKeyEvent* event) {
     if ((event->modifiers() & Qt::ControlModifier) != 0 &&
         (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal || event->key() == Qt::Key_Minus)) {
         const double factor = kWheelFactor * kWheelFactor;
-        // Where nothing lies in the middle: in the first picture.
+        // If there is no picture in the middle, the first picture is used.
         const QPointF middle = rect().center();
         zoom(event->key() == Qt::Key_Minus ? 1 / factor : factor, roomAt(middle).isEmpty() ? QPointF(1, 1) : middle);
         return;

@@ -1,7 +1,7 @@
-// The grammar of panes that show the rendered picture, once or several times.
+// Common controls of panes that show the rendered picture, once or several times.
 //
-// Click chooses the pixel, drag turns the camera, wheel changes its distance; Ctrl with drag or wheel pans and zooms
-// the picture, R shows all of it again; arrows move the pixel (Shift: by ten).
+// A click chooses the pixel, a drag rotates the camera, the wheel changes its distance; Ctrl with drag or wheel pans
+// and zooms the picture, R shows all of it; arrow keys move the pixel (Shift: by ten).
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ class PictureView : public QWidget {
   public:
     explicit PictureView(Workspace* workspace, QWidget* parent = nullptr);
 
-    // The pixel under a point of this widget.
+    // The pixel at a point of this widget.
     std::optional<relief::PixelChoice> pixelAt(QPointF widget) const;
 
   public slots:
-    // The whole picture again.
+    // Shows the whole picture.
     void resetZoom();
 
   protected:
@@ -32,17 +32,18 @@ class PictureView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
-    // The part of this widget that holds the picture under the point; empty: none does.
+    // The rectangle of this widget with the picture at this point; empty if there is none.
     virtual QRectF roomAt(QPointF widget) const = 0;
-    virtual void tellHover(QPointF at) = 0;
+    virtual void readOutHover(QPointF at) = 0;
 
     Workspace* workspace() const { return workspace_; }
     QSize pictureSize() const;
-    // The point of the full-size picture (pixel (i, j) is [i, i+1) x [j, j+1)) in a room, and back.
+    // Maps a point of the full-size picture (pixel (i, j) covers [i, i+1) x [j, j+1)) to a room's widget coordinates,
+    // and back.
     QPointF inRoom(QPointF picture, const QRectF& room) const;
     QPointF fromRoom(QPointF widget, const QRectF& room) const;
-    double scaleIn(const QRectF& room) const;  // screen pixels a pixel of the picture
-    // Where the whole picture lies, also what of it is outside the room.
+    double scaleIn(const QRectF& room) const;  // screen pixels per pixel of the picture
+    // Rectangle of the whole picture, including the part outside the room.
     QRectF pictureIn(const QRectF& room) const;
 
   private:
@@ -54,7 +55,7 @@ class PictureView : public QWidget {
 
     Workspace* workspace_;
     double zoom_ = 1;
-    QPointF center_{0.5, 0.5};  // of the view, in parts of the picture's size
+    QPointF center_{0.5, 0.5};  // centre of the view, as a share of the picture's size
     Drag drag_ = Drag::None;
     QPointF pressed_;
     QPointF last_;

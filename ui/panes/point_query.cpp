@@ -16,25 +16,26 @@ using relief::Message;
 using relief::MessageId;
 
 constexpr int kDecimals = 3;
-constexpr double kBesidePlane =
-    0.5;  // texels: a point as near as that to the plane is drawn, however small its spheres
+constexpr double kNearPlane =
+    0.5;  // texels: a point at most this far from the plane is drawn, even if its spheres are smaller
 constexpr LevelTint kEuclidean{0, 4};
 constexpr LevelTint kRefined{1, 4};
 
-// The rays through C, as figures 5 to 8 of the paper call them: V1 the hidden one, if there is one.
+// Label of the ray that decides the refined distance, as in figures 5 to 8 of the paper: V1, or V2 if the blocked ray
+// is V1.
 const char* decidingName(bool hidden) {
     return hidden ? "V2" : "V1";
 }
 
-// Whether the plane cuts or nearly touches what is to be shown of the point.
+// Returns true if the plane intersects the point's spheres, or passes very close to the point.
 bool touches(const PointPlane& view, const relief::PointDistances& found) {
     const double radius = std::max(found.euclidean, found.reached ? found.refined : 0);
-    return !view.spheres || std::abs(view.off) <= std::max(radius, kBesidePlane);
+    return !view.spheres || std::abs(view.off) <= std::max(radius, kNearPlane);
 }
 
-// Whether the nearest surface point does not count for any ray from above.
+// Returns true if the nearest surface point is not visible from above through C, and so does not count.
 bool hides(const PointQuery& query) {
-    constexpr double kSame = 1e-3;  // of the distance: directions 0.02 rad apart lengthen it by up to 1e-4
+    constexpr double kSame = 1e-3;  // relative tolerance: directions 0.02 rad apart lengthen the distance by up to 1e-4
     const relief::PointDistances& found = query.distances;
     return found.blocked > 0 && found.refined > found.euclidean * (1 + kSame);
 }
@@ -60,7 +61,7 @@ class PointMarks {
     }
 
   private:
-    // A place relative to the first copy's point, in the copy that is drawn; z: height.
+    // Converts a place relative to the point's first copy to the copy that is drawn; z is a height.
     Place3 placed(double s, double t, double z) const {
         return {view_.center[0] + s - query_.within.s, view_.center[1] + t - query_.within.t, z * view_.slab};
     }
@@ -74,13 +75,13 @@ class PointMarks {
         number(from, to, found.euclidean, Role::Series, kEuclidean);
     }
 
-    // Where a ray through C is.
+    // Position on a ray through C.
     Point onRay(const relief::ViewRay& ray, double lambda) const {
         const double along = lambda - (1 - query_.within.z);
         return view_.at(placed(query_.within.s + along * ray.a, query_.within.t + along * ray.b, 1 - lambda));
     }
 
-    // From where it enters the slab to C, crossed out where it hits something on its way.
+    // The blocked ray from its entry into the slab to C, crossed out if it hits the surface before C.
     void hidden() {
         const relief::PointDistances& found = query_.distances;
         const Point hit = onRay(found.blockedRay, found.blockedHit.lambda);
@@ -90,7 +91,7 @@ class PointMarks {
         if (view_.plot.grown(1).contains(hit)) put(Role::Hidden, Marker{hit, Shape::Cross, 9}, {});
     }
 
-    // From where the ray enters the slab, through C, to its hit.
+    // The ray from its entry into the slab, through C, to its hit.
     void refined() {
         const relief::PointDistances& found = query_.distances;
         sphere(found.refined, Role::SeriesDashed, kRefined);
@@ -115,7 +116,7 @@ class PointMarks {
         }
     }
 
-    // Beside the first point of the line that can be seen.
+    // Labels a line next to its first visible point.
     void name(const char* text, Point from, Point to, Role role, const LevelTint& tint) {
         const auto runs = clippedTo({from, to}, view_.plot);
         if (runs.empty()) return;
@@ -129,7 +130,7 @@ class PointMarks {
             tint);
     }
 
-    // In the middle between two points, where it can be seen.
+    // Adds a number in the middle of the visible part of a line.
     void number(Point from, Point to, double value, Role role, const LevelTint& tint) {
         const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
         if (!view_.plot.contains(middle)) return;

@@ -1,7 +1,7 @@
-// A point C of the slab with its two distances, as the distance map and the profile draw it: the sphere of the
-// Euclidean distance and the vector to the surface point that decides it, and the sphere of the refined distance with
-// the ray from above that decides it; and a ray through C towards the nearest surface point that hits something before
-// C, which is why that point does not count. [DIST17] figs. 5 to 8.
+// A point C of the slab with its two distances, as drawn in the distance map and the profile: the sphere of the
+// Euclidean distance with the vector to the nearest surface point; the sphere of the refined distance with the ray from
+// above that decides it; and, if the nearest surface point does not count, a ray through C towards it that hits the
+// surface before C. [DIST17] figs. 5 to 8.
 #pragma once
 
 #include <functional>
@@ -16,38 +16,38 @@
 namespace reliefui {
 
 struct PointQuery {
-    QueryPoint point;   // as it was set; where the picture repeats, in any of its copies
-    QueryPoint within;  // the same in the first copy, which the distances are of
+    QueryPoint point;   // as set; if the picture repeats, possibly in another copy
+    QueryPoint within;  // the same point in the first copy, to which the distances refer
     relief::PointDistances distances;
 };
 
-// Whether the point has distances: it lies over the picture, or the picture repeats.
+// Returns true if the point has distances: it lies over the picture, or the picture repeats.
 bool overPicture(const relief::HeightField& field, const QueryPoint& point);
-// Null where the point does not lie over the picture. flattest: degrees below which rays are not served. Traces some
-// ten thousand rays; throws Cancelled.
+// Returns null if the point does not lie over the picture. flattest: elevation in degrees below which rays are ignored.
+// Traces some ten thousand rays. Throws Cancelled.
 std::shared_ptr<const PointQuery> pointQuery(const relief::HeightField& field, const QueryPoint& point, double flattest,
                                              relief::MapCache& cache, relief::Work& work);
 
-// The same place in the period that brings it nearest to `near`.
+// The periodic copy of a place that is nearest to `near`.
 double nearestCopy(double place, double near, double period);
 
-// The plane that is drawn, as the marks need it.
+// The drawn plane, as needed for the marks.
 struct PointPlane {
     Box plot;
-    std::function<Point(const Place3&)> at;  // where a place lies on the drawing, seen along the plane's normal
-    Place3 center{};                         // C, in the copy of the picture that is drawn: nearest to what is shown
-    double off = 0;                          // texels from C to the plane
-    double scaleX = 1;                       // points a texel
+    std::function<Point(const Place3&)> at;  // maps a place, projected along the plane's normal, to the drawing
+    Place3 center{};                         // C, in the periodic copy nearest to the visible part
+    double off = 0;                          // distance of C from the plane, in texels
+    double scaleX = 1;                       // points per texel
     double scaleY = 1;
-    double slab = 0;      // D
-    bool spheres = true;  // maps seen from above have no plane that could cut them
+    double slab = 0;      // thickness D of the slab
+    bool spheres = true;  // false for maps drawn from above, which have no plane that could intersect spheres
 };
 
-// Adds the point, the spheres where the plane cuts them, and the rays.
+// Adds the point, the cross-sections of its spheres with the plane, and the rays.
 void addPointMarks(Drawing& drawing, const PointQuery& query, const PointPlane& plane);
-// Where they draw the point itself; none: it is not seen.
+// Position of the point's mark; std::nullopt if it is not visible.
 std::optional<Point> pointMarkAt(const PointPlane& plane, const PointQuery& query);
-// Names the lines, with the distances and the ray.
+// Adds the names of the lines, with the distances and the ray.
 void addPointLegend(LegendRows& rows, const PointQuery& query);
 
 }  // namespace reliefui

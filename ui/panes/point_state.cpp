@@ -4,7 +4,7 @@
 
 namespace reliefui {
 
-// All three: a point that a file gives in part is a mistake.
+// All three members are required: a point given only in part is an error.
 void PointState::read(relief::JsonReader reader) {
     QueryPoint& at = point.emplace();
     const auto number = [&](const char* key, double& value) {
@@ -18,7 +18,7 @@ void PointState::read(relief::JsonReader reader) {
 }
 
 void PointState::check(const std::string& subject) const {
-    constexpr double kFarthest = 1 << 26;  // texels
+    constexpr double kFarthest = 1 << 26;  // in texels
     if (!point) return;
     checkWithin(subject, "s", point->s, -kFarthest, kFarthest);
     checkWithin(subject, "t", point->t, -kFarthest, kFarthest);

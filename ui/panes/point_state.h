@@ -7,7 +7,7 @@
 
 namespace reliefui {
 
-// Texels, and a height from 0 to 1. Where the picture repeats, s and t may lie in any of its copies.
+// s, t in texels; height from 0 to 1. If the picture repeats, s and t may lie in any of its copies.
 struct QueryPoint {
     double s = 0;
     double t = 0;

@@ -22,9 +22,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kLegendWidth = 400;  // points
+constexpr double kLegendWidth = 400;  // in points
 constexpr double kLegendHeight = 52;
-constexpr double kErrorThreshold = 0.5;  // texels: a neighbour's colour
+constexpr double kErrorThreshold = 0.5;  // in texels: results within half a texel of the exact hit
 constexpr double kManyPercent = 99;
 
 }  // namespace
@@ -110,7 +110,7 @@ QDoubleSpinBox* RangeBox::addNumber(const char* name, const QString& help, doubl
     return box;
 }
 
-// With ends that show about what is on the screen.
+// Switches the kind of ends, with initial values that correspond to what is visible.
 void RangeBox::chooseEnds(int ends) {
     ColorRange range = values_->range;
     range.ends = static_cast<RangeEnds>(ends);
@@ -127,7 +127,7 @@ void RangeBox::chooseEnds(int ends) {
 void RangeBox::chooseThreshold(bool on) {
     ColorRange range = values_->range;
     range.threshold.reset();
-    constexpr double kPlace = 0.75;  // of a two-sided scale: half of one side
+    constexpr double kPlace = 0.75;  // position on a two-sided scale: half of one side
     if (on) {
         range.threshold = values_->of == RangeOf::Error ? kErrorThreshold
                                                         : values_->scale.value(values_->scale.twoSided ? kPlace : 0.5);
@@ -142,7 +142,7 @@ void RangeBox::set(const ColorRange& range, const char* drag) {
                        QString::fromLatin1(drag));
 }
 
-// As fine as the values on the screen ask for.
+// Sets the decimals and steps of the boxes according to the values shown.
 void RangeBox::fitNumbers(const RangedValues& values) {
     constexpr double kMost = 1e9;
     constexpr double kSteps = 100;
@@ -163,7 +163,7 @@ void RangeBox::refresh() {
     auto now = shown_();
     if (!now) return;
     values_ = std::move(now);
-    // What has been chosen a moment ago may not have been drawn yet.
+    // A choice made just now may not have been drawn yet.
     values_->range = rangesOf(workspace_->scenario()).of(values_->of);
     const ColorRange& range = values_->range;
     const QSignalBlocker quiet[] = {QSignalBlocker(low_), QSignalBlocker(high_), QSignalBlocker(threshold_)};

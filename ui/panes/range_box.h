@@ -1,5 +1,5 @@
-// The window in which a colour range is chosen. It shows what is on the screen: after undo, or when another picture is
-// shown, that one's range.
+// The dialog for a colour range. It always applies to the picture on the screen: after undo, or when another picture is
+// shown, it shows that picture's range.
 #pragma once
 
 #include <QFrame>

@@ -12,7 +12,7 @@ namespace reliefui {
 
 namespace {
 
-// A bar of colours: what the button is about, and what opens the same on the legend.
+// Icon with a colour bar: clicking the bar in a legend opens the same dialog.
 QIcon barIcon() {
     constexpr int kWide = 32;
     constexpr int kHigh = 32;

@@ -1,5 +1,5 @@
-// A button that opens the choice of a colour range: linear or logarithmic, all values, percentiles or own ends, a
-// threshold, above them the legend with the histogram. What is chosen goes into the scenario, as all choices of panes.
+// A button that opens the dialog for a colour range: linear or logarithmic, all values, percentiles or own ends, a
+// threshold, and above them the legend with the histogram. The choice is stored in the scenario, as for all panes.
 #pragma once
 
 #include <functional>
@@ -18,13 +18,13 @@ class RangeBox;
 class RangeButton : public QToolButton {
     Q_OBJECT
   public:
-    // What is shown in colours now; none: nothing that has a range.
+    // Returns the values currently shown in colours; std::nullopt if nothing shown has a range.
     using Shown = std::function<std::optional<RangedValues>()>;
     RangeButton(Workspace* workspace, Shown shown, QWidget* parent);
 
-    // At the button, wherever the click came from.
+    // Opens the dialog at the button, even if a click on the legend triggered it.
     void open();
-    // Enabled where there is a range to be chosen; to be called when something else is shown.
+    // Enables the button if there is a range to choose; call it when something else is shown.
     void refresh();
 
   private:

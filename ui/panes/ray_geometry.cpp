@@ -72,7 +72,7 @@ Box texelDomain(const relief::HeightField& field) {
 
 namespace {
 
-// Where along the segment, in [0, 1], it crosses the borders of periods.
+// Adds the parameters in [0, 1] at which the segment crosses borders of periods.
 void crossings(double origin, double run, double low, double period, std::vector<double>& out) {
     constexpr std::int64_t kEachEnd = 60;
     if (run == 0 || period <= 0) return;
@@ -108,7 +108,7 @@ std::vector<Segment> wrapped(const Segment& segment, const Box& domain, bool wra
         const double from = cuts[k - 1];
         const double to = cuts[k];
         const double middle = (from + to) / 2;
-        // A stretch of several periods is one that was left out.
+        // A piece longer than a period stands for crossings that were omitted.
         if ((to - from) * std::abs(dx) > domain.width() * 1.5 || (to - from) * std::abs(dy) > domain.height() * 1.5) {
             continue;
         }

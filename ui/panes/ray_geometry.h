@@ -1,5 +1,6 @@
-// Where a logged ray and the texels of its steps lie in the plane of the texture: shared by every pane that draws them.
-// Unwrapped texel coordinates (s, t); under repeat counted from the period that the tracer started in.
+// Positions of a logged ray and of its steps' texels in the texture plane, for all panes that draw them. Texel
+// coordinates (s, t) are unwrapped; if the picture repeats, they are relative to the period in which the tracer
+// started.
 #pragma once
 
 #include <array>
@@ -12,7 +13,7 @@
 
 namespace reliefui {
 
-// Texels (s, t, h), h = height times the slab's thickness D; s and t unwrapped.
+// (s, t, h) in texels, h = height times the slab's thickness D; s and t are unwrapped.
 using Place3 = std::array<double, 3>;
 
 struct RayPath {
@@ -24,28 +25,28 @@ struct RayPath {
     Point at(double lambda) const { return {start.x + lambda * run.x, start.y + lambda * run.y}; }
 };
 
-// What a step is about, as seen from above: texel of a pyramid, cell, voxel, quad, or the texel that holds the point.
-// Sides that have no end (clamp) are infinite.
-// baseLevel: what the method traced instead of the heights; its texels need not be whole texels of the field.
+// Horizontal extent of what a step examines: texel of a pyramid, cell, voxel, quad, or the texel that contains the
+// point. Unbounded sides (clamp) are infinite. baseLevel: level that the method traced instead of the heights; its
+// texels need not coincide with whole texels of the field.
 Box stepBox(const relief::HeightField& field, const relief::Step& step, int baseLevel = 0);
 
-// Lambda where the ray ends: its hit, or where the last of its steps left it.
+// Lambda at the end of the ray: its hit, or the end of its last step.
 double rayEnd(const relief::Hit& hit, const std::vector<relief::Step>* steps);
 
-// What a pyramid's level 0 covers: the cells of the field, or its texels. Under clamp the outermost cells are drawn one
+// Extent of a pyramid's level 0: the cells of the field, or its texels. With clamp, the outermost cells are drawn one
 // texel wide.
 Box cellDomain(const relief::HeightField& field);
 Box texelDomain(const relief::HeightField& field);
 
-// A stretch or a box as seen in one period. Where nothing repeats, what lies outside is cut off. Of a stretch of very
-// many periods only both ends are given.
+// Splits a segment or a box into its pieces within one period. If nothing repeats, the part outside is cut off. For a
+// segment of very many periods, only the pieces near both ends are returned.
 std::vector<Segment> wrapped(const Segment& segment, const Box& domain, bool wraps);
 std::vector<Box> wrapped(const Box& box, const Box& domain, bool wraps);
 
-// The first and the last period of a picture between two places; where nothing repeats, it is number 0.
+// Indices of the first and last period between two places; {0, 0} if nothing repeats.
 std::pair<int, int> periodsSeen(double low, double high, double start, double period, bool wraps);
 
-// The decisions that cover the ray without overlapping: what its stretches are coloured by.
+// Returns true for decisions whose intervals cover the ray without overlap; the ray is coloured by these.
 bool coversStretch(relief::Decision decision);
 
 }  // namespace reliefui

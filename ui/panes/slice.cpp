@@ -12,7 +12,7 @@ using relief::GridRay;
 using relief::PyramidNode;
 using relief::PyramidWalk;
 
-// The points of a line, of each pixel column at most four.
+// Collects the points of a line, at most four per pixel column.
 class Thinner {
   public:
     Thinner(const SliceRange& range, bool thin) : range_(range), thin_(thin) {}
@@ -61,14 +61,14 @@ double cellsIn(const relief::ViewRay& ray, const SliceRange& range) {
     return (std::abs(ray.a) + std::abs(ray.b)) * (range.to - range.from);
 }
 
-// The node of `level` in which the ray is at and just after lambda.
+// The node of `level` that contains the ray at and immediately after lambda.
 PyramidNode nodeAt(const PyramidWalk& walk, const GridRay& ray, int level, double lambda) {
     PyramidNode node = walk.topNode(ray, lambda);
     for (int l = walk.top(); l > level; --l) node = walk.child(ray, l, node, lambda);
     return node;
 }
 
-// Where the ray came into the node on one axis.
+// Lambda at which the ray entered the node along one axis.
 double enterAt(const relief::GridAxis& axis, const relief::RayAxis& ray, int level, relief::AxisCell node) {
     const int low = node.index << level;
     return ray.enter(axis, low, std::min(low + (1 << level), axis.cells), node.base);
@@ -84,7 +84,7 @@ class Line {
         return walk_.field().at(at.x, at.y);
     }
     void point(double lambda) { out_.add(lambda, height(lambda)); }
-    // One cell: flat, or the quadratic through three of its heights.
+    // Adds one cell: a constant, or the parabola through three of its heights.
     void cell(const PyramidNode& node, double in, double out) {
         if (walk_.field().surface() == relief::Surface::Columns) {
             const auto top = static_cast<double>(walk_.maximum(0, node));
@@ -95,8 +95,8 @@ class Line {
         const double start = height(in);
         const double middle = height((in + out) / 2);
         const double end = height(out);
-        // A chord of 1/n of the stay is off by the sagitta / n^2.
-        constexpr double kOff = 0.25;  // pixels
+        // With n chords per cell, the error is the sagitta / n^2.
+        constexpr double kOff = 0.25;  // in pixels
         constexpr double kMostPieces = 32;
         const double sagitta = std::abs(middle - (start + end) / 2) * range_.rows;
         const double wide = (out - in) / (range_.to - range_.from) * range_.columns;
@@ -139,7 +139,7 @@ SurfaceLine surfaceAlong(const PyramidWalk& walk, const relief::ViewRay& viewRay
     seen.to = std::min(range.to, lambdaInside(walk, viewRay));
     if (!(seen.from < seen.to)) return line;
     const GridRay ray(walk.grid(), viewRay);
-    constexpr double kDense = 3;  // cells a pixel
+    constexpr double kDense = 3;  // cells per pixel
     const double cells = cellsIn(viewRay, seen);
     line.thinned = cells > kDense * range.columns;
     Line points(walk, viewRay, range, line.thinned);
@@ -171,7 +171,7 @@ std::vector<Plateau> plateausAlong(const PyramidWalk& walk, const relief::ViewRa
     const double to = std::min(range.to, lambdaInside(walk, viewRay));
     const double texels = std::ldexp(cellsIn(viewRay, {range.from, to, 1, 1}), -level);
     if (!(range.from < to) || !ray.inDomain() || texels > kSliceCells) return plateaus;
-    // Narrower ones are no longer told apart.
+    // Narrower ones could not be distinguished.
     constexpr double kPixels = 2;
     const double pixel = kPixels * (range.to - range.from) / range.columns;
     PyramidNode node = nodeAt(walk, ray, level, range.from);

@@ -1,8 +1,8 @@
-// The relief cut along a view ray: the surface and the maxima of a pyramid's texels as graphs over the descent lambda.
-// Heights and borders are the core's own; nothing is traced here.
+// The relief cut along a view ray: the surface and the maxima of a pyramid's texels as functions of the descent lambda.
+// Heights and cell borders come from the core; nothing is traced here.
 //
-// Under repeat the ray runs on from period to period; under border there is nothing outside the picture. Longer
-// stretches than kSliceCells cells are looked at in places instead of everywhere.
+// If the picture repeats, the ray continues from period to period; with border there is nothing outside the picture.
+// Rays that cross more than kSliceCells cells are sampled instead of traversed.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ namespace reliefui {
 
 inline constexpr double kSliceCells = 60000;
 
-// What is looked at: lambda in [from, to], shown `columns` pixels wide; a height of 1 is `rows` pixels.
+// The visible part: lambda in [from, to], shown `columns` pixels wide; a height of 1 is `rows` pixels.
 struct SliceRange {
     double from = 0;
     double to = 1;
@@ -24,21 +24,21 @@ struct SliceRange {
     double rows = 300;
 };
 
-// x: lambda, ascending; y: height. A bilinear surface is quadratic in each cell, drawn to a quarter of a pixel; columns
-// have walls. thinned: of each pixel only the lowest and the highest height.
+// x: lambda, ascending; y: height. A bilinear surface is quadratic in each cell and approximated to a quarter of a
+// pixel; columns have vertical walls. thinned: contains only the lowest and highest height per pixel.
 struct SurfaceLine {
     std::vector<Point> points;
     bool thinned = false;
 };
 SurfaceLine surfaceAlong(const relief::PyramidWalk& walk, const relief::ViewRay& ray, const SliceRange& range);
 
-// A texel of a level that the ray crosses, as a step would name it, over its whole stay, not only what of it is in the
-// range; value: its maximum. joined: stands for several that are narrower than two pixels.
+// A texel of a level that the ray crosses, in the form of a step, with its whole lambda interval, not only the part
+// inside the range; value: its maximum. joined: represents several texels narrower than two pixels.
 struct Plateau {
     relief::Step texel;
     bool joined = false;
 };
-// Empty if the ray crosses more than kSliceCells of them.
+// Returns an empty list if the ray crosses more than kSliceCells of them.
 std::vector<Plateau> plateausAlong(const relief::PyramidWalk& walk, const relief::ViewRay& ray, int level,
                                    const SliceRange& range);
 

@@ -15,9 +15,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kLargestSide = 8192;  // larger pictures are enlarged: what all drivers draw
+constexpr int kLargestSide = 8192;  // in pixels, a size that all drivers support; larger pictures are scaled up
 
-// Thin lines and small words are smoother when they are drawn twice as large first.
+// Supersampling factor: small pictures are rendered at twice their size, for smoother lines and text.
 int finerBy(const QSize& size) {
     constexpr int kSmall = 3000;
     return std::max(size.width(), size.height()) <= kSmall ? 2 : 1;
@@ -34,7 +34,8 @@ QImage pixelsOf(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
     return image.convertToFormat(QImage::Format_RGB32);
 }
 
-// VTK's loader of functions knows GLX only and complains of EGL, though it finds them all.
+// Suppresses the warnings of VTK's function loader, which knows only GLX and complains about EGL although it finds all
+// functions.
 class Quiet {
   public:
     Quiet() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
@@ -80,8 +81,7 @@ QImage SpaceFigure::image(const FigurePage& page, const QSize& size) const {
     window->SetMultiSamples(0);
     window->SetSize(drawn.width(), drawn.height());
     window->OpenGLInitContext();
-    // The loader of functions, which knows GLX only, makes VTK believe that there is nothing to be asked of the
-    // context.
+    // Called explicitly, because the loader's failure makes VTK skip querying the context's state.
     window->OpenGLInitState();
     const QImage image = draw(*window, style, drawn);
     window->Finalize();

@@ -13,7 +13,7 @@ using relief::Message;
 using relief::MessageId;
 using relief::Phase;
 
-// A role, and for levels which one.
+// A role; for levels also the tint.
 struct Tinted {
     Role role;
     LevelTint tint{};

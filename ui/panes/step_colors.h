@@ -1,4 +1,4 @@
-// By what the steps of the 3-D trace are coloured, and what their colours mean.
+// Colouring of the steps in the 3-D trace, and its legend.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 namespace reliefui {
 
 enum class StepColors : std::uint8_t { Decision, Level, Phase };
-// Their names.
+// Names of the colourings.
 const std::vector<std::string>& tracePaneColors();
 StepColors stepColors(const std::string& name);
 
-// levels: of the pyramid over the relief; each has a colour of its own, the same as its plateaus in the profile.
+// levels: of the pyramid over the relief; each has the colour of its plateaus in the profile.
 struct StepPaint {
     StepColors by = StepColors::Decision;
     int levels = 1;
@@ -22,7 +22,7 @@ struct StepPaint {
     Rgba color(const relief::Step& step, const Style& style) const;
 };
 
-// Of what occurs in the steps. exact: the ray's first hit. width: points.
+// Legend of what occurs in the steps. exact: first hit of the ray. width: in points.
 Drawing traceLegend(const std::vector<relief::Step>& steps, const relief::ViewRay& ray, const relief::Hit& hit,
                     const relief::Hit& exact, const StepPaint& paint, double width, relief::Language language);
 

@@ -10,7 +10,7 @@ std::shared_ptr<const Figure> tableFigure(TableMaker table, FigureCaption captio
     const auto aspect = [table](const FigurePage& page) {
         const double points = page.widthMm / kMmPerPoint - kFigureMargins;
         const Drawing drawing = tableDrawing(table(page.style.language), points);
-        // A table that wants more room is fitted into the page.
+        // A table that is wider than the page is scaled to fit.
         const double height = drawing.bounds.height() * points / std::max(drawing.bounds.width(), 1.0);
         return (height + kFigureMargins) / (points + kFigureMargins);
     };

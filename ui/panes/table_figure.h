@@ -1,4 +1,4 @@
-// A pane that is a table as a figure.
+// A table as a figure.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace reliefui {
 
-// What it shows in a language.
+// Creates the table's content in a language.
 using TableMaker = std::function<TableSource(relief::Language language)>;
 std::shared_ptr<const Figure> tableFigure(TableMaker table, FigureCaption caption);
 

@@ -9,10 +9,10 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kSteepest = 1.55;    // never straight down: up stays up
+constexpr double kSteepest = 1.55;    // in radians; never vertical, so that up stays up
 constexpr double kTurnPerHeight = 3;  // radians for a drag over the height of the view
-constexpr double kNearest = 1e-4;     // of the fitted distance
-constexpr double kFit = 1.04;         // a little air around what is fitted
+constexpr double kNearest = 1e-4;     // relative to the fitted distance
+constexpr double kFit = 1.04;         // margin around the fitted places
 
 double dot(const Turntable::Place& a, const Turntable::Place& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -47,7 +47,7 @@ void Turntable::fit(const std::vector<Place>& places, double aspect) {
     const Axes a = axes();
     const double vertical = std::tan(halfView_);
     const double horizontal = vertical * std::max(aspect, 0.1);
-    // Twice: the middle of what is seen is not the middle of the box.
+    // Two passes, because the centre of the projection is not that of the bounding box.
     for (int pass = 0; pass < 2; ++pass) {
         distance_ = 0;
         double bottom = 0;

@@ -1,4 +1,4 @@
-// The camera of 3-D panes: turns around a point, up stays up. Drag turns, wheel zooms at the pointer.
+// Camera of 3-D panes: orbits around a point with a fixed up direction. A drag rotates, the wheel zooms at the pointer.
 #pragma once
 
 #include <array>
@@ -12,21 +12,23 @@ class Turntable {
   public:
     using Place = std::array<double, 3>;
 
-    static constexpr double kElevation = 0.55;  // radians, at first
+    static constexpr double kElevation = 0.55;  // initial elevation, in radians
 
-    // Half of the vertical field of view, radians: the smaller, the less near things are larger than far ones.
+    // halfView: half of the vertical field of view, in radians; small values give little perspective.
     explicit Turntable(double halfView = 0.26) : halfView_(halfView) {}
 
     // Looks along the horizontal direction (x, y), from above.
     void lookAlong(double x, double y);
-    // As near as shows all places in a view of this aspect (width over height), without turning.
+    // Moves the camera as close as possible with all places visible in a view of this aspect (width / height), without
+    // rotating it.
     void fit(const std::vector<Place>& places, double aspect);
     void setFocus(const Place& focus) { focus_ = focus; }
 
-    // Pixels that the pointer moved; height of the view in pixels.
+    // dx, dy: movement of the pointer in pixels; height: of the view in pixels.
     void turn(double dx, double dy, double height);
     void move(double dx, double dy, double height);
-    // factor > 1: nearer. (x, y): the pointer, from the middle of the view, y upwards, in halves of its height.
+    // factor > 1: zooms in. (x, y): position of the pointer relative to the view's centre, y upwards, in units of half
+    // its height.
     void zoom(double factor, double x, double y);
 
     void apply(vtkCamera* camera) const;
@@ -36,14 +38,14 @@ class Turntable {
     struct Axes {
         Place right;
         Place up;
-        Place back;  // towards the eye
+        Place back;  // direction towards the eye
     };
     Axes axes() const;
 
     double halfView_;
     Place focus_{0, 0, 0};
-    double azimuth_ = 0;      // radians; where the eye is, around the vertical axis
-    double elevation_ = 0.6;  // radians
+    double azimuth_ = 0;      // in radians; direction of the eye around the vertical axis
+    double elevation_ = 0.6;  // in radians
     double distance_ = 1;
 };
 

@@ -11,19 +11,19 @@ namespace reliefui {
 
 Application::Application(int& count, char** values) : QApplication(count, values) {
     const auto* const dispatcher = QAbstractEventDispatcher::instance();
-    const auto looked = [] { PauseLog::instance().looked(); };
-    connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, looked);
-    connect(dispatcher, &QAbstractEventDispatcher::awake, this, looked);
-    freesAside() = true;
+    const auto queuePolled = [] { PauseLog::instance().queuePolled(); };
+    connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, queuePolled);
+    connect(dispatcher, &QAbstractEventDispatcher::awake, this, queuePolled);
+    freesInBackground() = true;
 }
 
-// Qt's destructor waits for the threads that free.
+// Deferred destruction stops first: Qt's destructor waits for the background threads that free memory.
 Application::~Application() {
-    freesAside() = false;
+    freesInBackground() = false;
 }
 
 bool Application::notify(QObject* receiver, QEvent* event) {
-    // Other threads have loops of their own.
+    // Only the window's thread is measured; other threads run their own event loops.
     if (receiver == nullptr || QThread::currentThread() != thread()) return QApplication::notify(receiver, event);
     struct Held {
         Held(const QObject* receiver, QEvent::Type type) {

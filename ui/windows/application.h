@@ -1,4 +1,5 @@
-// The application: every event of the window's thread goes through here, and how long each held it is logged.
+// The QApplication. Every event of the window's thread passes through notify(), which logs how long it occupied the
+// thread (PauseLog).
 #pragma once
 
 #include <QApplication>

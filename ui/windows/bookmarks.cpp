@@ -13,7 +13,7 @@ namespace reliefui {
 
 namespace {
 
-// Numbers 1 to 9 choose from the menu by one key.
+// Bookmarks 1 to 9 can be chosen from the menu with one key.
 constexpr std::size_t kNumbered = 9;
 
 QString titleOf(const relief::Bookmark& bookmark) {
@@ -55,7 +55,7 @@ void BookmarkMenu::addHere() {
     bookmark.pixel = *now.pixel;
     bookmark.camera = now.camera;
     bookmark.step = now.step;
-    // A number that no other has.
+    // Find a number that no other bookmark uses.
     for (std::size_t n = all.size() + 1; bookmark.name.empty(); ++n) {
         const std::string name = tr("bookmark %1").arg(n).toStdString();
         const bool taken = std::any_of(all.begin(), all.end(), [&](const auto& other) { return other.name == name; });
@@ -134,7 +134,8 @@ void BookmarkDialog::rename() {
     const QString name = list_->item(row)->text().trimmed();
     if (!name.isEmpty()) all[static_cast<std::size_t>(row)].name = name.toStdString();
     workspace_->setBookmarks(std::move(all), changeName([] { return tr("Rename bookmark"); }));
-    // An empty name, or one that was refused, is taken back; not within the list's own signal.
+    // An empty or refused name is replaced by the old one. This must not happen within the list's own signal, so it is
+    // queued.
     QMetaObject::invokeMethod(this, &BookmarkDialog::refresh, Qt::QueuedConnection);
 }
 

@@ -1,4 +1,4 @@
-// Bookmarks of the scenario: a menu that goes to them, and a dialog that names and removes them.
+// Bookmarks of the scenario: a menu to go to them, and a dialog to rename and remove them.
 #pragma once
 
 #include <QDialog>
@@ -11,21 +11,21 @@ class QMenu;
 
 namespace reliefui {
 
-// Fills `menu` each time it opens, after the actions that are there already.
+// Refills `menu` each time it opens, after the actions that it already contains.
 class BookmarkMenu : public QObject {
     Q_OBJECT
   public:
     BookmarkMenu(Workspace* workspace, QMenu* menu, QObject* parent = nullptr);
 
   public slots:
-    void addHere();  // the chosen pixel, with a name of its own
-    void next();     // after the one where we are, round and round
+    void addHere();  // adds the chosen pixel under a generated name
+    void next();     // goes to the bookmark after the current one; the last is followed by the first
     void fill();
 
   private:
     Workspace* workspace_;
     QMenu* menu_;
-    int fixed_;  // actions that stay
+    int fixed_;  // number of permanent actions at the top of the menu
 };
 
 class BookmarkDialog : public QDialog {

@@ -88,7 +88,7 @@ void BreakpointBar::showFields() {
     height_->setVisible(kind == relief::StopKind::RayBelow);
     const auto snapshot = workspace_->snapshot();
     if (!texel || !snapshot || snapshot->trace.steps.empty()) return;
-    // Where the ray is now: what a person means most of the time.
+    // Default: the texel where the ray currently is, which is what users want most of the time.
     const auto& steps = snapshot->trace.steps;
     const int last = static_cast<int>(steps.size()) - 1;
     const relief::Step& step = steps[static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, last))];
@@ -114,9 +114,9 @@ relief::Breakpoint BreakpointBar::edited() const {
 
 void BreakpointBar::add() {
     std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
-    const relief::Breakpoint wanted = edited();
-    if (std::find(all.begin(), all.end(), wanted) != all.end()) return;
-    all.push_back(wanted);
+    const relief::Breakpoint added = edited();
+    if (std::find(all.begin(), all.end(), added) != all.end()) return;
+    all.push_back(added);
     workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Add breakpoint"); }));
 }
 
@@ -147,10 +147,10 @@ void BreakpointBar::refresh() {
     const std::vector<relief::Breakpoint>& now = workspace_->scenario().breakpoints;
     if (now == shown_ && chips_->layout() != nullptr) return;
     shown_ = now;
-    // A chip may be the one that was just clicked: it goes when its own event is over.
+    // The call may come from a click on one of the old chips, so these are deleted later, after that event.
     QWidget* const old = chips_;
     chips_ = new QWidget(this);
-    delete row_->replaceWidget(old, chips_);  // the item that held it is the caller's
+    delete row_->replaceWidget(old, chips_);  // replaceWidget() returns the layout item, which the caller owns
     old->hide();
     old->deleteLater();
     auto* const row = new QHBoxLayout(chips_);
@@ -167,7 +167,7 @@ void BreakpointBar::addChip(std::size_t number, const relief::Breakpoint& breakp
     chip->setObjectName(QStringLiteral("breakpoint-%1").arg(number));
     chip->setCheckable(true);
     chip->setChecked(breakpoint.on);
-    // The dot, not only the colour, says that it is on.
+    // The filled or empty dot shows the state, so that colour is not the only cue.
     chip->setText((breakpoint.on ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
     chip->setAccessibleName(text);
     chip->setToolTip(breakpoint.on ? tr("Stops here; press to set it off") : tr("Is off; press to set it on"));

@@ -1,4 +1,5 @@
-// Where stepping stops: a row of conditions, each of which can be set off or taken away, and what adds one.
+// Breakpoints: a row of conditions at which stepping stops. Each can be disabled or removed; the fields at the end add
+// one.
 #pragma once
 
 #include <QWidget>
@@ -17,18 +18,18 @@ class BreakpointBar : public QWidget {
   public:
     explicit BreakpointBar(Workspace* workspace, QWidget* parent = nullptr);
 
-    // What the fields describe.
+    // The breakpoint that the fields currently describe.
     relief::Breakpoint edited() const;
 
   public slots:
     void add();
-    // At the texel of the chosen step: set, or taken away where there is one.
+    // Adds a breakpoint at the texel of the chosen step, or removes the one that is there.
     void toggleHere();
 
   private:
     QSpinBox* addNumber(const char* name, const QString& prefix, const QString& help, int low, int high);
     void showFields();
-    void refresh();  // the conditions there are
+    void refresh();  // shows the scenario's breakpoints
     void addChip(std::size_t number, const relief::Breakpoint& breakpoint);
     void remove(std::size_t number);
     void setOn(std::size_t number, bool on);
@@ -44,7 +45,7 @@ class BreakpointBar : public QWidget {
     std::vector<relief::Breakpoint> shown_;
 };
 
-// In the language of the window.
+// Description of a breakpoint in the given language.
 QString breakpointText(const relief::Breakpoint& breakpoint, relief::Language language);
 
 }  // namespace reliefui

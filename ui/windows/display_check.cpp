@@ -4,14 +4,14 @@
 
 #include "workspace/language.h"
 
-// After Qt: it defines Bool.
+// Included after Qt, because it defines the macro Bool.
 #include <X11/Xlib.h>
 
 namespace reliefui {
 
 namespace {
 
-std::string said(relief::MessageId what, const char* name = "") {
+std::string problemText(relief::MessageId what, const char* name = "") {
     return relief::sentence(relief::Message(what, {{"name", name}}), uiLanguage());
 }
 
@@ -19,23 +19,23 @@ std::string said(relief::MessageId what, const char* name = "") {
 
 std::string displayProblem() {
     const char* const name = std::getenv("DISPLAY");
-    if (name == nullptr || *name == '\0') return said(relief::MessageId::DisplayNone);
+    if (name == nullptr || *name == '\0') return problemText(relief::MessageId::DisplayNone);
     Display* const display = XOpenDisplay(nullptr);
-    if (display == nullptr) return said(relief::MessageId::DisplayClosed, name);
+    if (display == nullptr) return problemText(relief::MessageId::DisplayClosed, name);
     int opcode = 0;
     int event = 0;
     int error = 0;
     const bool glx = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
     XCloseDisplay(display);
-    return glx ? std::string() : said(relief::MessageId::DisplayNoGl, name);
+    return glx ? std::string() : problemText(relief::MessageId::DisplayNoGl, name);
 }
 
-bool wantsTwiceTheSize() {
+bool needsDoubleScale() {
     constexpr int kWide = 3200;
     constexpr int kHigh = 2000;
     constexpr double kPlainDpi = 96;
-    for (const char* const said : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"}) {
-        const char* const value = std::getenv(said);
+    for (const char* const variable : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI"}) {
+        const char* const value = std::getenv(variable);
         if (value != nullptr && *value != '\0') return false;
     }
     Display* const display = XOpenDisplay(nullptr);

@@ -1,15 +1,16 @@
-// Whether a window can be opened here. To be asked before Qt and VTK, which end the process where it cannot.
+// Tests whether a window can be opened. Call this before Qt or VTK are initialised: both terminate the process if it
+// cannot.
 #pragma once
 
 #include <string>
 
 namespace reliefui {
 
-// Empty: yes. Otherwise what is missing, in one line.
+// Returns an empty string if a display is available, otherwise a one-line explanation.
 std::string displayProblem();
 
-// A screen of 3200 x 2000 pixels or more whose desktop says nothing of it (Xft.dpi is missing or 96): drawn pixel by
-// pixel, letters of 10 points would be some 2 mm high. Not where the user has said how large Qt is to draw.
-bool wantsTwiceTheSize();
+// Returns true for a screen of at least 3200 x 2000 pixels whose desktop sets no scale (Xft.dpi is missing or 96):
+// unscaled, 10-point letters would be about 2 mm high. Returns false if the user has set Qt's scale explicitly.
+bool needsDoubleScale();
 
 }  // namespace reliefui

@@ -1,4 +1,5 @@
-// What the filter is and its options, made from its description; of `supersample` samples and pixel model.
+// Choice of the filter and its options, generated from its description; for `supersample` also the number of samples
+// and the pixel model.
 #pragma once
 
 #include <QWidget>

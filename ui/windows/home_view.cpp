@@ -10,8 +10,8 @@ HomeView::HomeView(Workspace* workspace, QObject* parent)
     connect(workspace_, &Workspace::scenarioChanged, this, &HomeView::watch);
 }
 
-// A scenario that came whole brings its own camera; turning the camera or going to a bookmark leaves the rest as it is.
-// On another ground: the slanted view.
+// A newly opened scenario brings its own camera, which becomes the home view. A change of camera, pixel or step alone
+// (turning, going to a bookmark) leaves it as it is. Another scene gets the slanted view as its home.
 void HomeView::watch() {
     const relief::Scenario& now = workspace_->scenario();
     relief::Scenario turned = seen_;

@@ -1,4 +1,4 @@
-// The view to which the camera comes back: that with which the scene was opened.
+// The home view: the camera with which the scene was opened.
 #pragma once
 
 #include <QObject>

@@ -23,7 +23,7 @@ namespace {
 
 enum class Kind : std::uint8_t { None, List, Slider, Text, Button, Tabs, Label };
 
-// None: a view, which gets the keys as Qt delivers them.
+// Kind::None is a view, which receives keys as Qt delivers them.
 Kind kindOf(const QWidget* widget) {
     if (const auto* const list = qobject_cast<const QComboBox*>(widget)) {
         return list->isEditable() ? Kind::Text : Kind::List;
@@ -38,13 +38,13 @@ Kind kindOf(const QWidget* widget) {
     return Kind::None;
 }
 
-// A panel of controls is no view, though it has the focus when its ground is clicked.
+// Scroll areas with controls do not count as views, although they take the focus when their background is clicked.
 bool scrolls(const QWidget* widget) {
     return qobject_cast<const QScrollArea*>(widget) != nullptr;
 }
 
-// The keys that mean the same everywhere: those that could also be typed, and the two ends.
-bool looksAtThings(const QKeyEvent& event) {
+// The keys with the same meaning everywhere: all printable characters, Home and End.
+bool actsOnView(const QKeyEvent& event) {
     if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != 0) return false;
     if (event.key() == Qt::Key_Home || event.key() == Qt::Key_End) return true;
     return !event.text().isEmpty() && event.text().front().isPrint();
@@ -58,8 +58,9 @@ bool isSpace(const QKeyEvent& event) {
     return event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
 }
 
-// The pane behind another one's tab lies outside the window, and still counts as visible.
-bool inSight(const QWidget* widget) {
+// Returns true if the widget is on screen. A pane behind another one's tab lies outside the window, yet isVisible() is
+// true for it.
+bool isOnScreen(const QWidget* widget) {
     if (!widget->isVisible()) return false;
     for (; widget != nullptr; widget = widget->parentWidget()) {
         const auto* const dock = qobject_cast<const QDockWidget*>(widget);
@@ -68,12 +69,12 @@ bool inSight(const QWidget* widget) {
     return true;
 }
 
-// What Tab comes to next; null if there is nothing else.
-QWidget* nextInSight(const QWidget* from, bool back) {
+// The next widget in Tab order that is on screen; null if there is no other.
+QWidget* nextOnScreen(const QWidget* from, bool back) {
     const auto step = [back](const QWidget* at) { return back ? at->previousInFocusChain() : at->nextInFocusChain(); };
     for (QWidget* at = step(from); at != from; at = step(at)) {
         const bool takesTab = (at->focusPolicy() & Qt::TabFocus) != 0 && at->focusProxy() == nullptr;
-        if (takesTab && at->isEnabled() && at->window() == from->window() && inSight(at)) return at;
+        if (takesTab && at->isEnabled() && at->window() == from->window() && isOnScreen(at)) return at;
     }
     return nullptr;
 }
@@ -85,8 +86,8 @@ KeyPolicy::KeyPolicy(QMainWindow* window, std::function<QWidget*()> fallback)
     QApplication::instance()->installEventFilter(this);
 }
 
-// Not the dialogs and open lists.
-bool KeyPolicy::ours(const QWidget* widget) const {
+// True for widgets of the window and its floating panes; false for dialogs and open lists.
+bool KeyPolicy::belongsToWindow(const QWidget* widget) const {
     const QWidget* const top = widget->window();
     return top == window_ || (qobject_cast<const QDockWidget*>(top) != nullptr && top->parentWidget() == window_);
 }
@@ -106,13 +107,13 @@ bool KeyPolicy::eventFilter(QObject* watched, QEvent* event) {
             return false;
     }
     auto* const widget = qobject_cast<QWidget*>(watched);
-    if (widget == nullptr || !ours(widget)) return false;
+    if (widget == nullptr || !belongsToWindow(widget)) return false;
     const Kind kind = kindOf(widget);
     switch (event->type()) {
         case QEvent::Polish:
-            // The wheel must not even move the focus.
+            // Turning the wheel must not move the focus.
             if (kind != Kind::None && widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
-            // Tab leads out of a table again.
+            // Tab leaves a table instead of moving between its cells.
             if (auto* const table = qobject_cast<QAbstractItemView*>(widget)) table->setTabKeyNavigation(false);
             return false;
         case QEvent::FocusIn:
@@ -130,18 +131,18 @@ bool KeyPolicy::eventFilter(QObject* watched, QEvent* event) {
             break;
         default:
             if (!keepsKey(widget, *static_cast<QKeyEvent*>(event))) break;
-            // A button does not say that Space is its own.
+            // Buttons do not claim Space from the shortcuts themselves, so it is claimed for them.
             if (kind != Kind::Button || widget != held_ || !isSpace(*static_cast<QKeyEvent*>(event))) return false;
             if (event->type() != QEvent::ShortcutOverride) return false;
             event->accept();
             return true;
     }
-    // To whatever lies around it, and at last to the window and its shortcuts.
+    // Passes the event on to the parents and finally to the window and its shortcuts.
     event->ignore();
     return true;
 }
 
-// Whether the widget may see the key.
+// Returns true if the widget may receive the key.
 bool KeyPolicy::keepsKey(QWidget* widget, const QKeyEvent& event) {
     if (event.type() == QEvent::KeyPress && isTab(event)) {
         tab_ = true;
@@ -150,19 +151,19 @@ bool KeyPolicy::keepsKey(QWidget* widget, const QKeyEvent& event) {
         return true;
     }
     const Kind kind = kindOf(widget);
-    // What passes a control on its way up was not meant for it, and is none of its keys.
+    // Events that pass this widget on their way to a parent, and Tab, are not filtered.
     if (kind == Kind::None || !widget->hasFocus() || isTab(event)) return true;
     if (widget != held_) return false;
     if (kind == Kind::Text) {
         const bool done = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
         if (done && event.type() == QEvent::KeyPress) {
-            // The box takes the number; then the keys look at things again.
+            // The box accepts the number; after that, keys act on the view again.
             held_ = nullptr;
             settle_.start();
         }
         return true;
     }
-    return !looksAtThings(event) || (kind == Kind::Button && isSpace(event));
+    return !actsOnView(event) || (kind == Kind::Button && isSpace(event));
 }
 
 void KeyPolicy::focusCame(QWidget* widget, Qt::FocusReason reason) {
@@ -184,7 +185,7 @@ void KeyPolicy::pressed(QWidget* widget) {
     tab_ = false;
     const Kind kind = kindOf(widget);
     if (qobject_cast<QLineEdit*>(widget) != nullptr) {
-        // The text of a number: the box has the focus.
+        // The line edit inside a spin box: the focus belongs to the box.
         QWidget* const box = widget->parentWidget();
         held_ = kindOf(box) == Kind::Text ? box : widget;
     } else if (kind == Kind::Slider || kind == Kind::Label) {
@@ -196,13 +197,13 @@ void KeyPolicy::pressed(QWidget* widget) {
 
 void KeyPolicy::settle() {
     const bool tab = std::exchange(tab_, false);
-    // Again when the mouse button is released or the list closed.
+    // Called again when the mouse button is released or the list is closed.
     if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activePopupWidget() != nullptr) return;
     QWidget* const now = QApplication::focusWidget();
-    if (now == nullptr ? QApplication::activeWindow() != window_ : !ours(now)) return;
-    const bool seen = now != nullptr && inSight(now);
+    if (now == nullptr ? QApplication::activeWindow() != window_ : !belongsToWindow(now)) return;
+    const bool seen = now != nullptr && isOnScreen(now);
     if (seen && (kindOf(now) == Kind::None || now == held_)) return;
-    QWidget* const next = tab && now != nullptr && !seen ? nextInSight(now, tabBack_) : nullptr;
+    QWidget* const next = tab && now != nullptr && !seen ? nextOnScreen(now, tabBack_) : nullptr;
     if (next != nullptr) {
         tab_ = true;
         next->setFocus(tabBack_ ? Qt::BacktabFocusReason : Qt::TabFocusReason);
@@ -212,13 +213,13 @@ void KeyPolicy::settle() {
     }
 }
 
-// The view of the pane that the control belongs to; else the last one; else the fallback.
+// The view of the control's pane; otherwise the last view that had the focus; otherwise the fallback.
 QWidget* KeyPolicy::viewFor(const QWidget* control) const {
     for (const QWidget* at = control; at != nullptr && at != window_; at = at->parentWidget()) {
         QWidget* const proxy = at->focusProxy();
-        if (proxy != nullptr && kindOf(proxy) == Kind::None && !scrolls(proxy) && inSight(proxy)) return proxy;
+        if (proxy != nullptr && kindOf(proxy) == Kind::None && !scrolls(proxy) && isOnScreen(proxy)) return proxy;
     }
-    if (view_ && ours(view_) && inSight(view_)) return view_;
+    if (view_ && belongsToWindow(view_) && isOnScreen(view_)) return view_;
     return fallback_();
 }
 

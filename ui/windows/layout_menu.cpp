@@ -18,7 +18,7 @@ QVariantMap kept() {
     return QSettings().value(layoutsKey()).toMap();
 }
 
-// A name is no mnemonic.
+// Escapes "&" in a name, which would otherwise mark a mnemonic.
 QString entry(QString name) {
     return name.replace(QLatin1Char('&'), QStringLiteral("&&"));
 }

@@ -1,4 +1,4 @@
-// Layouts of one's own: saved under a name, chosen, deleted; kept in the settings.
+// The user's own layouts: saved under a name, chosen and deleted in a menu, and stored in the settings.
 #pragma once
 
 #include <QObject>
@@ -10,7 +10,7 @@ namespace reliefui {
 
 class MainWindow;
 
-// Fills `menu` each time it opens, after the actions that are there already.
+// Refills `menu` each time it opens, after the actions that it already contains.
 class LayoutMenu : public QObject {
     Q_OBJECT
   public:
@@ -29,7 +29,7 @@ class LayoutMenu : public QObject {
 
     MainWindow* window_;
     QMenu* menu_;
-    int fixed_ = 0;  // actions that stay
+    int fixed_ = 0;  // number of permanent actions at the top of the menu
 };
 
 }  // namespace reliefui

@@ -4,7 +4,7 @@ namespace reliefui {
 
 namespace {
 
-// A window in which two panes above each other are both large enough to be read.
+// Smallest window in which two panes, one above the other, are both large enough to read.
 constexpr QSize kWide(1400, 850);
 
 }  // namespace

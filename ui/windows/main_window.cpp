@@ -31,7 +31,8 @@ namespace reliefui {
 namespace {
 
 constexpr int kMessageMs = 4000;
-constexpr int kEmptyMs = 2000;  // a pane that was closed by mistake is back at once
+// a pane that was closed by mistake and reopened within this time still has its contents
+constexpr int kEmptyMs = 2000;
 
 QString tabOf(const PaneKind& kind) {
     return kind.tab.isEmpty() ? kind.title : kind.tab;
@@ -59,7 +60,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     setAnimated(false);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-    // As much as there is, where the screen is small or all is drawn large.
+    // Smaller if the screen is small or everything is scaled up.
     const QSize room = QSize(1600, 1000).boundedTo(QApplication::primaryScreen()->availableSize());
     resize(room);
 
@@ -78,7 +79,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     addToolBar(topBar_);
     makeMessages();
     resetLayout();
-    resize(room);  // panes wanted more until they stood behind each other
+    resize(room);  // again, because the panes demanded more room until they were stacked as tabs
     result_->setFocus();
 
     connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::refreshTitles);
@@ -90,7 +91,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
 }
 
 MainWindow::~MainWindow() {
-    // The docks go after this part of the window, and tell as they go that they are hidden.
+    // The docks are destroyed after the members of this class, and emit signals when they are hidden by that.
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr) continue;
         pane.dock->disconnect();
@@ -141,15 +142,15 @@ void MainWindow::addPane(const PaneKind& kind) {
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         if (!visible) closed_->start();
         keys_->panesMoved();
-        QTimer::singleShot(0, this, &MainWindow::dressTabs);
+        QTimer::singleShot(0, this, &MainWindow::styleTabs);
     });
     connect(dock, &QDockWidget::dockLocationChanged, this,
-            [this] { QTimer::singleShot(0, this, &MainWindow::dressTabs); });
+            [this] { QTimer::singleShot(0, this, &MainWindow::styleTabs); });
     QWidget* const proxy = kind.focus ? kind.focus(whole) : whole->focusProxy();
     QWidget* const focus = proxy != nullptr ? proxy : whole;
     panes_.push_back({kind, dock, focus, dock});
     if (auto* const view = qobject_cast<FigureView*>(whole)) {
-        // Its readout stands in the title, what it saved in the last line.
+        // The title shows the pane's readout; the status bar shows which file was saved.
         connect(view, &FigureView::hovered, title, &PaneTitle::setNote);
         connect(view, &FigureView::saved, this,
                 [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
@@ -166,7 +167,7 @@ QDockWidget* MainWindow::front(DockPlace place) const {
         ->dock;
 }
 
-// 1 to 9 and 0; panes after the tenth have Alt and the same again.
+// Shortcut of a pane: 1 to 9 and 0, then Alt with the same digits; empty for further panes.
 QString MainWindow::paneKey(std::size_t pane) {
     constexpr std::size_t kPlain = 10;
     if (pane >= 2 * kPlain) return {};
@@ -174,7 +175,7 @@ QString MainWindow::paneKey(std::size_t pane) {
     return pane < kPlain ? digit : QStringLiteral("Alt+") + digit;
 }
 
-// Tables have no drawing to click on: their menus are made of actions.
+// Tables have no drawing with a context menu of its own; their menus consist of actions.
 void MainWindow::addTableMenus() {
     const auto addExport = [this](QWidget* table, const QString& view) {
         auto* const action = new QAction(tr("Export figure…"), table);
@@ -185,8 +186,8 @@ void MainWindow::addTableMenus() {
     QDockWidget* const skipped = dockOf(QStringLiteral("skipped"));
     addExport(skipped->widget(), QStringLiteral("skipped"));
     addExport(time_->table()->table(), QStringLiteral("steps"));
-    connect(status_, &StatusLine::ledgerWanted, skipped, [skipped] { skipped->setVisible(skipped->isHidden()); });
-    // Its reasons are sentences: as wide as the steps, over which it comes up.
+    connect(status_, &StatusLine::ledgerRequested, skipped, [skipped] { skipped->setVisible(skipped->isHidden()); });
+    // Its reasons are whole sentences, so it opens as wide as the steps, as a tab over them.
     connect(skipped->toggleViewAction(), &QAction::toggled, skipped, [this, skipped](bool shown) {
         if (!shown) return;
         if (!skipped->isFloating() && tabifiedDockWidgets(skipped).isEmpty()) {
@@ -218,29 +219,28 @@ void MainWindow::makeMessages() {
     messageHolder_ = messageRow_->addWidget(both);
     addToolBar(messageRow_);
     showMessages();
-    connect(workspace_, &Workspace::problem, this, [this](const QString& text) { tell(text, true); });
-    connect(workspace_, &Workspace::notice, this, [this](const QString& text) { tell(text, false); });
+    connect(workspace_, &Workspace::problem, this, [this](const QString& text) { report(text, true); });
+    connect(workspace_, &Workspace::notice, this, [this](const QString& text) { report(text, false); });
     connect(workspace_, &Workspace::scenarioChanged, this, &MainWindow::dropStaleMessage);
     connect(workspace_, &Workspace::snapshotChanged, this, &MainWindow::dropStaleMessage);
-    // Something else was opened after what could not be.
+    // A problem is no longer of interest once something else was opened.
     connect(workspace_, &Workspace::opened, this, [this] {
         if (messages_->isProblem()) messages_->close();
     });
 }
 
-void MainWindow::tell(const QString& text, bool problem) {
+void MainWindow::report(const QString& text, bool problem) {
     problem ? messages_->showProblem(text) : messages_->showNotice(text);
-    // Of what is being opened, if anything is.
+    // If something is being opened, the message refers to its pictures, which are known later.
     messagePictures_.reset();
     if (workspace_->version() > 0 && !workspace_->loading()) messagePictures_ = workspace_->scenario().pictures;
-    // What turned out impossible is taken back after that.
+    // After a problem, the workspace takes the impossible change back; the version is that after the change back.
     QTimer::singleShot(0, this, [this] { messageVersion_ = workspace_->version(); });
     messageVersion_ = 0;
     showMessages();
 }
 
-// A message goes with the pictures that were open when it was said; that something was impossible, also when something
-// else was done.
+// A message disappears when the pictures it refers to are replaced; a problem also after any later change.
 void MainWindow::dropStaleMessage() {
     if (messages_->isHidden() || workspace_->loading()) return;
     const auto snapshot = workspace_->snapshot();
@@ -257,9 +257,9 @@ void MainWindow::welcome() {
     QSettings settings;
     if (settings.value(key).toBool()) return;
     settings.setValue(key, true);
-    tell(tr("Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full "
-            "stop); drag the picture to look around. F1 lists all keys."),
-         false);
+    report(tr("Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full "
+              "stop); drag the picture to look around. F1 lists all keys."),
+           false);
 }
 
 void MainWindow::showMessages() {

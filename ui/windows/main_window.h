@@ -1,4 +1,4 @@
-// The window: the result in the middle, the panes that explain it around, time below.
+// The main window: the result in the middle, around it the panes that explain it, at the bottom the time pane.
 #pragma once
 
 #include <array>
@@ -38,12 +38,12 @@ class TopBar;
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
-    // datasets: the folder of the shipped pictures; may be empty.
+    // datasets: folder of the shipped pictures; may be empty.
     MainWindow(Workspace* workspace, const QString& datasets, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     ResultView* result() { return result_; }
-    // One of the panes around it, by its class.
+    // The pane of this class; null if there is none.
     template <class Pane>
     Pane* pane() const {
         return findChild<Pane*>();
@@ -52,50 +52,51 @@ class MainWindow : public QMainWindow {
     PixelFinder* finder() { return finder_; }
     BookmarkMenu* bookmarks() { return bookmarks_; }
     MessageBar* messages() { return messages_; }
-    // A line of its own below, for what asks for an answer; shown and hidden by whoever asks.
+    // A second message line, for questions to the user; it is shown and hidden by whoever asks.
     MessageBar* question() { return question_; }
-    // To be called when one of the two was shown or hidden.
+    // Call this after one of the two message lines was shown or hidden.
     void showMessages();
-    // What somebody who sees the window for the first time may do with it; once in a user's life.
+    // Shows what can be done in the window, once per user.
     void welcome();
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
 
-    // The drawn picture as it is, without marks, in the format of its ending, on request with the layer's legend below;
-    // says when it is done, or why not.
+    // Saves the rendered picture without marks in the format of the file name's ending, optionally with the layer's
+    // legend below. Works in the background and reports the result as a message.
     void savePicture(const QString& path, bool legend = false);
-    // One of the views that have no export of their own: "result", "steps", "skipped".
+    // Exports a view that has no export of its own: "result", "steps" or "skipped".
     void saveView(const QString& view, const FigureFile& file);
 
-    // Size, panes and theme, from one window to the next, in the settings. A pane that fills the window, teaching and
-    // the projector's layout are not kept: what was there before them is.
+    // Stores size, panes and theme in the settings. While a pane fills the window, or in teaching or projector mode,
+    // the layout that was in use before is stored.
     void keepLayout() const;
-    // Where nothing is kept, the window fits the screen.
+    // Restores what keepLayout() stored; without that, fits the window to the screen.
     void restoreLayout();
-    // The same as a value.
+    // The layout that keepLayout() stores, as a value, and the reverse.
     QVariantMap layoutNow() const;
     void takeLayout(const QVariantMap& layout);
-    // Where the panes are, also while one fills the window or is taught with: a layout of one's own.
+    // The arrangement of the panes, including teaching or a pane that fills the window, for the user's own layouts.
     QVariantMap arrangement() const;
     void takeArrangement(const QVariantMap& arrangement);
     bool teaching() const { return view_ == View::Teach; }
 
   public slots:
-    // The shipped pictures as they were the first time; can be undone.
+    // Opens the scenario of the first start. Can be undone.
     void startAnew();
     void setProjector(bool on);
-    // One pane large, the result in a corner, the step in words, the bar that steps.
+    // Teaching mode: one large pane, the result in a corner, the step in words, the bar for stepping.
     void setTeaching(bool on);
     void setLightTheme(bool on);
     void resetLayout();
     void copyCommand();
-    // Opens a lesson (lessons()); can be undone.
+    // Opens a lesson (see lessons()). Can be undone.
     void openLesson(const QString& name);
-    // Where the open scenario is a lesson: what it shows is said, its pane comes to the front.
+    // If the open scenario is a lesson, shows its explanation and raises its pane.
     void showLesson();
 
   signals:
-    // Another language was chosen in the menu, as Qt names it; empty: the system's. Who made the window makes it anew.
+    // The user chose another language (Qt's name of it; empty: the system's). The owner of the window has to create a
+    // new one.
     void languageChosen(const QString& language);
 
   protected:
@@ -107,7 +108,7 @@ class MainWindow : public QMainWindow {
   private:
     struct Pane {
         PaneKind kind;
-        QWidget* whole = nullptr;  // the dock, or the middle
+        QWidget* whole = nullptr;  // the dock, or the result's widget in the middle
         QWidget* focus = nullptr;
         QDockWidget* dock = nullptr;
     };
@@ -116,32 +117,32 @@ class MainWindow : public QMainWindow {
     void addPane(const PaneKind& kind);
     void addResult(const PaneKind& kind);
     void addTableMenus();
-    void dressTabs();
+    void styleTabs();
     QDockWidget* dockOf(const QString& pane) const;
-    // The dock that stands in front there at first.
+    // The first dock at this place, which is initially in front.
     QDockWidget* front(DockPlace place) const;
     static QString paneKey(std::size_t pane);
     PaneTitle* titleOf(const PaneKind& kind, QWidget* whole);
     void makeMessages();
-    void tell(const QString& text, bool problem);
+    void report(const QString& text, bool problem);
     void dropStaleMessage();
     void arrange();
     DockPlace placeOf(const Pane& pane) const;
-    QDockWidget* lookedAt() const;
+    QDockWidget* activePane() const;
     void shareRoom();
     void closePane(QWidget* whole);
     void emptyClosed();
     void fill(QWidget* pane);
     void showView(View view, QWidget* pane = nullptr);
-    void dressForView();
+    void adaptToView();
     void restoreKept();
     void restorePanes(const QByteArray& state);
-    void takeType(const Style& style);
+    void applyType(const Style& style);
     void fitScreen();
     void focusWhole(QWidget* whole);
     void focusPane(std::size_t number);
     void focusPane(const QString& name);
-    // Of the pane that fills the window; else the result.
+    // View of the pane that fills the window, otherwise the result.
     QWidget* frontView() const;
 
     void makeMenus();
@@ -191,18 +192,18 @@ class MainWindow : public QMainWindow {
     TopBar* topBar_ = nullptr;
     std::vector<Pane> panes_;
     LayoutPlan plan_;
-    bool arranged_ = false;  // as the plan has it, and nobody has changed it
+    bool arranged_ = false;  // the layout is that of the plan, without changes by the user
     View view_ = View::All;
-    QWidget* filled_ = nullptr;  // the pane that fills the window
-    // The panes of the desktop and of the projector while something else is shown; empty: as the plan has them.
+    QWidget* filled_ = nullptr;  // null if no pane fills the window
+    // State of the panes on the desktop [0] and the projector [1] while something else is shown; empty: as in the plan.
     std::array<QByteArray, 2> kept_;
-    QByteArray place_;                  // of the window that is not on the projector
-    StepSentence* sentence_ = nullptr;  // below the result while teaching
+    QByteArray place_;                  // geometry of the window outside projector mode
+    StepSentence* sentence_ = nullptr;  // shown below the result while teaching
     HomeView* home_ = nullptr;
-    // What the message speaks of.
+    // The pictures and the version that the current message refers to.
     std::optional<relief::Pictures> messagePictures_;
     std::uint64_t messageVersion_ = 0;
-    QTimer* closed_ = nullptr;  // runs when a pane has been closed, to empty it
+    QTimer* closed_ = nullptr;  // empties closed panes after a delay
     QMenu* recent_ = nullptr;
     QAction* open_ = nullptr;
     QAction* undo_ = nullptr;

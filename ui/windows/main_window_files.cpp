@@ -23,7 +23,7 @@
 #include "windows/manual.h"
 #include "windows/pane_list.h"
 #include "windows/pictures_box.h"
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 #include "workspace/change_name.h"
 #include "workspace/language.h"
 #include "workspace/start_scenario.h"
@@ -47,7 +47,7 @@ QStringList droppedFiles(const QMimeData* data) {
     return files;
 }
 
-// In the words of the window where the error's own name options of the command.
+// Explains an export failure. Errors that name command line options are expressed in the window's terms.
 QString whyNoFigure(const relief::InputError& error) {
     using relief::MessageId;
     if (dynamic_cast<const EmptyFigure*>(&error) != nullptr) {
@@ -106,11 +106,11 @@ void MainWindow::askSavePicture(bool legend) {
     savePicture(path, legend);
 }
 
-// Large pictures take long to be packed: not on the window's thread.
+// Compressing a large picture takes long, so it runs in the background.
 void MainWindow::savePicture(const QString& path, bool legend) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
-    const auto tell = [this, path](const QString& problem) {
+    const auto report = [this, path](const QString& problem) {
         if (problem.isEmpty()) {
             statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
         } else {
@@ -119,13 +119,13 @@ void MainWindow::savePicture(const QString& path, bool legend) {
     };
     const QImage image =
         legend ? withLegend(snapshot->layer.image, snapshot->layer, workspace_->style()) : snapshot->layer.image;
-    runAside([image, path, tell, back = mailbox_.address()] {
+    runInBackground([image, path, report, back = mailbox_.address()] {
         QSaveFile file(path);
         QImageWriter writer(&file, QFileInfo(path).suffix().toLatin1());
         const bool done = file.open(QIODevice::WriteOnly) && writer.write(image) && file.commit();
         const QString fault = file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString();
         const QString problem = done ? QString() : fault;
-        back.post([tell, problem] { tell(problem); });
+        back.post([report, problem] { report(problem); });
     });
 }
 
@@ -152,7 +152,7 @@ void MainWindow::saveView(const QString& view, const FigureFile& file) {
     });
 }
 
-// Of the pane that fills the window; else of the one in which the keyboard is; the result where it is in none.
+// Exports the pane that fills the window, otherwise the one with the keyboard focus, otherwise the result.
 void MainWindow::exportFocused() {
     const auto exportPane = [this](const Pane& pane) {
         auto* const figure = pane.dock != nullptr ? qobject_cast<FigureView*>(pane.dock->widget()) : nullptr;
@@ -233,10 +233,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::showManual() {
     const QString page = manualPage(QApplication::applicationDirPath());
     if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
-    tell(page.isEmpty()
-             ? tr("The manual is not here: cmake --build build --target manual makes it, in build/manual/html.")
-             : tr("No browser could be started; the manual is %1").arg(page),
-         false);
+    report(page.isEmpty()
+               ? tr("The manual is not here: cmake --build build --target manual makes it, in build/manual/html.")
+               : tr("No browser could be started; the manual is %1").arg(page),
+           false);
 }
 
 }  // namespace reliefui

@@ -1,4 +1,4 @@
-// Where the panes are: the layout at first, one pane that fills the window or is taught with, the projector's layout.
+// Arrangement of the panes: the default layout, one pane that fills the window, teaching mode, projector mode.
 #include <algorithm>
 #include <map>
 
@@ -36,7 +36,7 @@ QString themeKey() {
 
 void MainWindow::resetLayout() {
     showView(View::All);
-    // Not for a moment more than there is room for: the window would grow.
+    // Panes are hidden according to the plan first: showing more than fits would enlarge the window.
     const LayoutPlan plan = layoutPlan(false, workspace_->style().projector, size());
     for (const Pane& pane : panes_) {
         if (pane.dock != nullptr) pane.dock->setFloating(false);
@@ -45,10 +45,10 @@ void MainWindow::resetLayout() {
     arrange();
 }
 
-// As the plan of the mode has it. Panes that are closed or outside the window stay so.
+// Arranges the panes as the mode's plan says. Closed and floating panes stay as they are.
 void MainWindow::arrange() {
     plan_ = layoutPlan(view_ == View::Teach, workspace_->style().projector, size());
-    QDockWidget* const looked = lookedAt();
+    QDockWidget* const active = activePane();
     addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::UpperRight));
     addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::LowerRight));
     addDockWidget(Qt::BottomDockWidgetArea, front(DockPlace::Bottom));
@@ -65,11 +65,11 @@ void MainWindow::arrange() {
     for (const DockPlace place : {DockPlace::UpperRight, DockPlace::Left, DockPlace::LowerRight, DockPlace::Bottom}) {
         if (!plan_.oneStack || place != DockPlace::LowerRight) front(place)->raise();
     }
-    if (plan_.oneStack) looked->raise();
-    dressTabs();
+    if (plan_.oneStack) active->raise();
+    styleTabs();
     arranged_ = true;
     shareRoom();
-    // Again when the window has its size: before that, docks are as small as they can be.
+    // Repeated once the window has its final size: until then, docks are at their minimum size.
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
 }
 
@@ -80,9 +80,9 @@ DockPlace MainWindow::placeOf(const Pane& pane) const {
     return plan_.oneStack && joins ? DockPlace::UpperRight : pane.kind.place;
 }
 
-// The pane that explains and is looked at: of those in sight the one with the keyboard, else a lower one. Before
-// anything is seen the profile, which explains most.
-QDockWidget* MainWindow::lookedAt() const {
+// The explaining pane in use: of those on screen the one with the keyboard focus, otherwise a lower one. Before any is
+// on screen, the profile, which explains most.
+QDockWidget* MainWindow::activePane() const {
     QDockWidget* chosen = nullptr;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || pane.dock->isFloating() || pane.dock->visibleRegion().isEmpty()) continue;
@@ -93,7 +93,7 @@ QDockWidget* MainWindow::lookedAt() const {
     return chosen != nullptr ? chosen : dockOf(QStringLiteral("profile"));
 }
 
-// Until somebody moves what stands between the panes.
+// Sizes the docks as planned, until the user moves a divider between them.
 void MainWindow::shareRoom() {
     if (!arranged_) return;
     const auto part = [](double of, double share) { return static_cast<int>(of * share); };
@@ -103,12 +103,12 @@ void MainWindow::shareRoom() {
     if (plan_.controls) resizeDocks({front(DockPlace::Left)}, {part(width(), plan_.left)}, Qt::Horizontal);
     resizeDocks({upper}, {part(width(), plan_.right)}, Qt::Horizontal);
     if (plan_.table) resizeDocks({steps}, {part(height(), plan_.steps)}, Qt::Vertical);
-    // Of the room there is: what asks for more makes the window larger, perhaps than the screen.
+    // Shares of the current room: asking for more would enlarge the window, perhaps beyond the screen.
     const int room = upper->height() + lower->height();
     if (!plan_.oneStack)
         resizeDocks({upper, lower}, {part(room, plan_.upper), part(room, 1 - plan_.upper)}, Qt::Vertical);
-    // Their bars have another width.
-    QTimer::singleShot(0, this, &MainWindow::dressTabs);
+    // The tab bars have changed their width.
+    QTimer::singleShot(0, this, &MainWindow::styleTabs);
 }
 
 void MainWindow::closePane(QWidget* whole) {
@@ -116,17 +116,18 @@ void MainWindow::closePane(QWidget* whole) {
     whole->hide();
 }
 
-// What a closed pane held goes; behind a tab, or behind the one that fills the window, it is soon back.
+// Releases the contents of closed panes. Not while panes are only hidden by the one that fills the window, because
+// those come back soon.
 void MainWindow::emptyClosed() {
     if (view_ != View::All) return;
     for (const Pane& pane : panes_) {
         if (pane.dock == nullptr || !pane.dock->isHidden()) continue;
-        if (auto* const view = qobject_cast<FigureView*>(pane.dock->widget())) view->giveBack();
+        if (auto* const view = qobject_cast<FigureView*>(pane.dock->widget())) view->releaseClosed();
     }
 }
 
-// All: the panes as they were arranged. Filled: one pane, and below it time and the step in words, so that one can go
-// on stepping. Teach: the panes that explain, one of them large, the result in a corner, the step in words below it.
+// All: the panes as arranged. Filled: one pane, with the bar for stepping and the step in words below it. Teach: the
+// explaining panes, one of them large, with the result in a corner and the step in words below it.
 void MainWindow::showView(View view, QWidget* pane) {
     if (view == View::All && view_ == View::All) return;
     if (view_ == View::All) {
@@ -151,11 +152,11 @@ void MainWindow::showView(View view, QWidget* pane) {
         }
         arrange();
     }
-    dressForView();
+    adaptToView();
 }
 
-// What goes with a view: how much of time is seen, the sentence in the result's corner.
-void MainWindow::dressForView() {
+// Adapts the time pane and the sentence below the result to the view.
+void MainWindow::adaptToView() {
     QDockWidget* const steps = front(DockPlace::Bottom);
     const bool whole = view_ == View::All || filled_ == steps;
     steps->titleBarWidget()->setVisible(whole);
@@ -164,7 +165,7 @@ void MainWindow::dressForView() {
     sentence_->setVisible(view_ == View::Teach);
     teach_->setChecked(view_ == View::Teach);
     if (whole) return;
-    // The room that it does not need any more is the pane's; when the layout knows of it.
+    // Gives the remaining height to the pane, after the layout has been updated.
     QTimer::singleShot(0, this, [this, steps, height] {
         if (view_ != View::All) resizeDocks({steps}, {height}, Qt::Vertical);
     });
@@ -176,7 +177,7 @@ void MainWindow::restoreKept() {
     const QByteArray& kept = kept_[workspace_->style().projector];
     view_ = View::All;
     filled_ = nullptr;
-    dressForView();
+    adaptToView();
     kept.isEmpty() ? arrange() : restorePanes(kept);
 }
 
@@ -188,10 +189,10 @@ void MainWindow::fill(QWidget* pane) {
 void MainWindow::setTeaching(bool on) {
     if (on == (view_ == View::Teach)) return;
     showView(on ? View::Teach : View::All);
-    focusWhole(lookedAt());
+    focusWhole(activePane());
 }
 
-// Hiding the others has moved the focus.
+// Gives a pane the focus; hiding the others has moved it.
 void MainWindow::focusWhole(QWidget* whole) {
     for (const Pane& one : panes_) {
         if (one.whole == whole) one.focus->setFocus(Qt::OtherFocusReason);
@@ -220,7 +221,7 @@ void MainWindow::focusPane(std::size_t number) {
     pane.focus->setFocus(Qt::ShortcutFocusReason);
 }
 
-// The window as it was comes back afterwards: its panes, its size, maximised or not.
+// Enters or leaves projector mode. Leaving restores the panes, size and maximised state of the window.
 void MainWindow::setProjector(bool on) {
     if (on == workspace_->style().projector) return;
     const View view = view_;
@@ -229,7 +230,7 @@ void MainWindow::setProjector(bool on) {
     kept_[!on] = saveState();
     kept_[on] = on ? QByteArray() : kept_[on];
     if (on) {
-        front(DockPlace::Left)->hide();  // there is no room for it in large type
+        front(DockPlace::Left)->hide();  // too wide in large type
         place_ = saveGeometry();
         setWindowState(windowState() | Qt::WindowFullScreen);
     } else {
@@ -238,28 +239,28 @@ void MainWindow::setProjector(bool on) {
     Style style = workspace_->style();
     style.projector = on;
     style.projectorScale = projectorScale(on ? screen()->geometry().height() : height());
-    takeType(style);
+    applyType(style);
     projector_->setChecked(on);
     on ? arrange() : restorePanes(kept_[on]);
     if (view != View::All) showView(view, filled);
 }
 
-// The type of the window's size and mode.
-void MainWindow::takeType(const Style& style) {
+// Sets fonts and style for the window's mode and size.
+void MainWindow::applyType(const Style& style) {
     QApplication::setFont(windowFont(style.scale()));
-    // It is the lecturer's: not everything in it fits in large type.
+    // The status bar is for the lecturer and would not fit in large type.
     status_->setFont(windowFont(1));
     workspace_->setStyle(style);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    QTimer::singleShot(0, this, &MainWindow::dressTabs);
+    QTimer::singleShot(0, this, &MainWindow::styleTabs);
     Style style = workspace_->style();
     QTimer::singleShot(0, this, &MainWindow::shareRoom);
     if (!style.projector) return;
     style.projectorScale = projectorScale(height());
-    if (!(style == workspace_->style())) takeType(style);
+    if (!(style == workspace_->style())) applyType(style);
 }
 
 bool MainWindow::event(QEvent* event) {
@@ -267,9 +268,9 @@ bool MainWindow::event(QEvent* event) {
     return QMainWindow::event(event);
 }
 
-// Qt makes a bar of tabs where docks lie behind each other, and knows their titles alone. All of a bar in type that
-// lets all be read; where even the smallest has no room, the bar scrolls.
-void MainWindow::dressTabs() {
+// Qt creates the tab bars of stacked docks, which know only the docks' titles. Adds the tool tips and chooses the
+// largest font in which all tabs of a bar fit; if even the smallest does not fit, the bar scrolls.
+void MainWindow::styleTabs() {
     constexpr double kSmallest = 7;
     const double largest = Style::kTextPoints * std::min(workspace_->style().scale(), 1.4);
     for (QTabBar* const bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -290,11 +291,11 @@ void MainWindow::dressTabs() {
     }
 }
 
-// Messages are where they are now, whatever was there when the state was kept.
+// Restores a saved state of the panes, except for the message lines, which show the current messages.
 void MainWindow::restorePanes(const QByteArray& state) {
     arranged_ = false;
     restoreState(state);
-    dressTabs();
+    styleTabs();
     showMessages();
 }
 
@@ -311,7 +312,7 @@ void MainWindow::takeLayout(const QVariantMap& layout) {
     showView(View::All);
     setProjector(false);
     restoreGeometry(layout[placeKey()].toByteArray());
-    // After the share of the room that every window begins with.
+    // Delayed, because showing a window first applies the default shares.
     QTimer::singleShot(0, this, [this, panes = layout[layoutKey()].toByteArray()] {
         if (!panes.isEmpty()) restorePanes(panes);
     });
@@ -352,7 +353,8 @@ void MainWindow::restoreLayout() {
     takeLayout(layout);
 }
 
-// The first window: inside what the desktop leaves of the screen, its frame too; all of that where it is no more.
+// Size and position of the first window: inside the screen's available area, including the frame; maximised if it takes
+// all of that.
 void MainWindow::fitScreen() {
     const QRect area = screen()->availableGeometry();
     const int frame =

@@ -157,7 +157,7 @@ void MainWindow::makeViewMenu() {
     connect(projector_, &QAction::toggled, this, &MainWindow::setProjector);
 }
 
-// Each by its own name, so that it is found in a language that one does not read.
+// Each language is listed by its own name, so that it can be found by those who do not read the current one.
 void MainWindow::makeLanguageMenu(QMenu* menu) {
     auto* const all = new QActionGroup(menu);
     const QString now = chosenLanguage();
@@ -167,7 +167,7 @@ void MainWindow::makeLanguageMenu(QMenu* menu) {
         action->setCheckable(true);
         action->setChecked(language == now);
         all->addAction(action);
-        // When the menu is closed: the window that it belongs to goes.
+        // Queued until the menu is closed, because the window that owns the menu is replaced.
         connect(
             action, &QAction::triggered, this, [this, language] { Q_EMIT languageChosen(language); },
             Qt::QueuedConnection);
@@ -248,11 +248,11 @@ void MainWindow::refreshTitles() {
         action->setToolTip(QStringLiteral("%1 (%2)").arg(QString(text).remove('&'),
                                                          action->shortcut().toString(QKeySequence::NativeText)));
     };
-    // The sign in the bar stays; only menu and tool tip say what.
+    // The tool bar keeps its symbol; only menu text and tool tip name the change.
     const QString undoSign = undo_->iconText();
     const QString redoSign = redo_->iconText();
-    rename(undo_, tr("&Undo"), saidAgain(workspace_->undoText()));
-    rename(redo_, tr("&Redo"), saidAgain(workspace_->redoText()));
+    rename(undo_, tr("&Undo"), translatedChangeName(workspace_->undoText()));
+    rename(redo_, tr("&Redo"), translatedChangeName(workspace_->redoText()));
     undo_->setIconText(undoSign);
     redo_->setIconText(redoSign);
 }
@@ -357,7 +357,7 @@ void MainWindow::showShortcuts() {
     auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
     connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     column->addWidget(buttons);
-    // All of it, or what fits the screen: the list scrolls.
+    // Full height of the text, or what fits the screen; the rest scrolls.
     constexpr double kMost = 0.85;
     QTextDocument document;
     document.setDefaultFont(dialog->font());

@@ -1,4 +1,4 @@
-// The main window's menus about rays: pixels worth seeing, bookmarks, somebody else's tracer.
+// The main window's menus about rays: notable pixels, bookmarks, another program's tracer.
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -24,7 +24,7 @@ constexpr int kMessageMs = 8000;
 
 void MainWindow::makeWorthMenu(QMenu* menu) {
     finder_ = new PixelFinder(workspace_, this);
-    connect(finder_, &PixelFinder::said, this,
+    connect(finder_, &PixelFinder::reported, this,
             [this](const QString& text) { statusBar()->showMessage(text, kMessageMs); });
     QMenu* const worth = menu->addMenu(tr("Next pixel &worth seeing"));
     const auto add = [&](const QString& text, const char* keys, const QString& help, relief::Worth kind) {
@@ -46,7 +46,7 @@ void MainWindow::makeDuelMenu(QMenu* menu) {
     auto* const action = addAction(menu, tr("First di&vergence of the duel"), QKeySequence(QStringLiteral("Ctrl+D")),
                                    tr("To the first step that the exact answer contradicts"));
     connect(action, &QAction::triggered, this, [this] {
-        // The pane is looked at, wherever it was.
+        // Brings the pane to the front first.
         focusPane(QStringLiteral("duel"));
         pane<DuelView>()->toDivergence();
     });
@@ -56,7 +56,7 @@ void MainWindow::makeLessonMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Lessons"));
     int number = 0;
     for (const Lesson& lesson : lessons()) {
-        // Keys are for nine: "1" would be that of the tenth as well.
+        // Only the first nine have a key: "1" would also match the tenth.
         const QString key = ++number < 10 ? QStringLiteral("&%1  %2") : QStringLiteral("%1  %2");
         auto* const action = addAction(menu, key.arg(number).arg(lesson.title), {}, lesson.about);
         action->setObjectName(QStringLiteral("lesson-") + lesson.name);

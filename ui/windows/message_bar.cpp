@@ -12,7 +12,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kLeastWidth = 200;  // of the text
+constexpr int kLeastWidth = 200;  // of the text, in pixels
 
 }  // namespace
 
@@ -56,7 +56,7 @@ QString MessageBar::text() const {
 }
 
 void MessageBar::showText(const QString& text, bool problem) {
-    // Black on a light ground of its own in both themes; a sign beside the colour.
+    // Black text on a light background in both themes; a symbol as well as the colour tells problems from notices.
     QPalette colors = palette();
     const QColor ground = problem ? QColor(0xff, 0xd9, 0xc2) : QColor(0xdc, 0xee, 0xfb);
     colors.setColor(QPalette::Window, ground);
@@ -73,7 +73,7 @@ void MessageBar::showText(const QString& text, bool problem) {
     fitHeight();
 }
 
-// All lines of the text: bars of a window ask nobody how high they are for their width.
+// Makes room for all lines of the text: a tool bar does not use the height for width of its widgets.
 void MessageBar::fitHeight() {
     const int side = sign_->sizeHint().width() + 2 * row_->spacing() + row_->contentsMargins().left();
     int answers = 0;

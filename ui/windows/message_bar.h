@@ -1,5 +1,5 @@
-// A line at the top of the window, or as many as it needs, that says what went wrong, or what was done; it is in
-// nobody's way.
+// A message at the top of the window, in as many lines as it needs: a problem, or a notice of what was done. It does
+// not block the window.
 #pragma once
 
 #include <QFrame>
@@ -19,9 +19,9 @@ class MessageBar : public QFrame {
     void showNotice(const QString& text) { showText(text, false); }
     QString text() const;
     bool isProblem() const { return problem_; }
-    // As its own button does.
+    // Hides the message, as its close button does.
     void close();
-    // A button beside the text.
+    // Adds a button to the right of the text.
     QPushButton* addAnswer(const QString& answer, const QString& help);
 
   signals:

@@ -31,7 +31,7 @@ QString identifier(const QModelIndex& index) {
     return index.data(Qt::UserRole).toString();
 }
 
-// The widths of the columns: names, sources, identifiers.
+// Widths of the three columns in pixels: title, source, identifier.
 struct Columns {
     int title = 0;
     int source = 0;
@@ -77,7 +77,7 @@ class MethodBox : public QObject {
     explicit MethodBox(QComboBox* list) : QObject(list), list_(list) { list->installEventFilter(this); }
 
   protected:
-    // Before the list opens, in the type that it has then.
+    // Sets the width of the open list whenever its font changes.
     bool eventFilter(QObject* watched, QEvent* event) override {
         const bool type = event->type() == QEvent::FontChange || event->type() == QEvent::Polish;
         if (type) list_->view()->setMinimumWidth(Columns(*list_->model(), list_->font()).width());
@@ -106,7 +106,7 @@ void fillMethods(QComboBox* list) {
     addMethods(list, true);
     list->insertSeparator(list->count());
     list->addItem(TopBar::tr("no search"));
-    // A heading: not to be chosen.
+    // Makes the entry a heading that cannot be selected.
     if (auto* const items = qobject_cast<QStandardItemModel*>(list->model())) {
         items->item(list->count() - 1)->setFlags(Qt::NoItemFlags);
     }

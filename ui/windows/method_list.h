@@ -1,12 +1,13 @@
-// The list of methods: each by its name in words, with its source; beside it, small, how commands and files spell it.
+// The list of methods: each entry shows the name in words, its source and, in small type, the identifier used in
+// commands and files.
 #pragma once
 
 class QComboBox;
 
 namespace reliefui {
 
-// Fills the list; the data of an entry is the identifier. First those that search for the relief, then, under a
-// heading, the others.
+// Fills the list; the data of an entry is the identifier. Methods that search the relief come first, the others follow
+// below a heading.
 void fillMethods(QComboBox* list);
 
 }  // namespace reliefui

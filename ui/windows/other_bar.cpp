@@ -19,7 +19,7 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
       file_(new QLabel(this)),
       ray_(new QSpinBox(this)),
       count_(new QLabel(this)),
-      whose_(new QComboBox(this)) {
+      stepsOf_(new QComboBox(this)) {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(6, 0, 6, 2);
     row->addWidget(file_);
@@ -29,10 +29,10 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
     ray_->setToolTip(tr("Which ray of the file is looked at, counted from 0"));
     row->addWidget(ray_);
     row->addWidget(count_);
-    whose_->setObjectName(QStringLiteral("other-shown"));
-    whose_->setAccessibleName(tr("Whose steps are shown"));
-    whose_->setToolTip(tr("Whose steps all panes show; the duel sets both side by side"));
-    row->addWidget(whose_);
+    stepsOf_->setObjectName(QStringLiteral("other-shown"));
+    stepsOf_->setAccessibleName(tr("Whose steps are shown"));
+    stepsOf_->setToolTip(tr("Whose steps all panes show; the duel sets both side by side"));
+    row->addWidget(stepsOf_);
     auto* const closer = new QToolButton(this);
     closer->setObjectName(QStringLiteral("other-close"));
     closer->setText(QStringLiteral("×"));
@@ -47,7 +47,7 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
         other.ray = ray;
         change(other, changeName([] { return tr("Choose ray"); }));
     });
-    connect(whose_, qOverload<int>(&QComboBox::activated), this, [this](int item) {
+    connect(stepsOf_, qOverload<int>(&QComboBox::activated), this, [this](int item) {
         relief::OtherTracer other = workspace_->scenario().other;
         other.shown = item == 0;
         change(other, changeName([] { return tr("Whose steps are shown"); }));
@@ -58,9 +58,9 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
 }
 
 void OtherBar::change(const relief::OtherTracer& other, const QString& what) {
-    relief::Scenario wanted = workspace_->scenario();
-    wanted.other = other;
-    workspace_->change(wanted, what);
+    relief::Scenario changed = workspace_->scenario();
+    changed.other = other;
+    workspace_->change(changed, what);
 }
 
 void OtherBar::open(const QString& rays, const QString& steps) {
@@ -79,7 +79,7 @@ void OtherBar::refresh() {
     setVisible(static_cast<bool>(scenario.other));
     if (!scenario.other) return;
     const QSignalBlocker quietRay(ray_);
-    const QSignalBlocker quietWhose(whose_);
+    const QSignalBlocker quietWhose(stepsOf_);
     const int rays = snapshot ? static_cast<int>(snapshot->otherRays) : 0;
     ray_->setRange(0, std::max(scenario.other.ray, rays - 1));
     ray_->setValue(scenario.other.ray);
@@ -87,10 +87,10 @@ void OtherBar::refresh() {
     const QString name = QFileInfo(QString::fromStdString(scenario.other.steps)).fileName();
     file_->setText(QFileInfo(QString::fromStdString(scenario.other.rays)).fileName());
     file_->setToolTip(QString::fromStdString(scenario.other.rays + "\n" + scenario.other.steps));
-    whose_->clear();
-    whose_->addItem(tr("steps of %1").arg(name));
-    whose_->addItem(tr("steps of %1").arg(QString::fromStdString(scenario.method.name)));
-    whose_->setCurrentIndex(scenario.other.shown ? 0 : 1);
+    stepsOf_->clear();
+    stepsOf_->addItem(tr("steps of %1").arg(name));
+    stepsOf_->addItem(tr("steps of %1").arg(QString::fromStdString(scenario.method.name)));
+    stepsOf_->setCurrentIndex(scenario.other.shown ? 0 : 1);
 }
 
 }  // namespace reliefui

@@ -1,4 +1,5 @@
-// Somebody else's tracer is open: which of its rays is looked at, and whose steps the panes show.
+// Shown while files of another program's tracer are open: chooses one of its rays, and whether the panes show its steps
+// or those of the method.
 #pragma once
 
 #include <QWidget>
@@ -16,7 +17,7 @@ class OtherBar : public QWidget {
   public:
     explicit OtherBar(Workspace* workspace, QWidget* parent = nullptr);
 
-    // The files; a bad one is refused with its line, and everything stays as it was.
+    // Opens the two files. An invalid file is refused with its line number, and nothing changes.
     void open(const QString& rays, const QString& steps);
 
   public slots:
@@ -30,7 +31,7 @@ class OtherBar : public QWidget {
     QLabel* file_;
     QSpinBox* ray_;
     QLabel* count_;
-    QComboBox* whose_;
+    QComboBox* stepsOf_;
 };
 
 }  // namespace reliefui

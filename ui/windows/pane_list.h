@@ -1,19 +1,19 @@
-// All panes, in the order of their keys: window, menus, layouts, export and help iterate over them.
+// The list of all panes, in the order of their keys. Window, menus, layouts, export and help iterate over it.
 #pragma once
 
 #include "panes/pane.h"
 
 namespace reliefui {
 
-// In the window's language: after dressApplication().
+// Titles are in the window's language; call this after setUpApplication().
 std::vector<PaneKind> paneList();
 
-// What is kept of them in scenarios, and the ranges of colours, which several show.
+// Readers of the panes' states in scenarios, and of the colour ranges, which several panes share.
 StateReaders stateReaders();
 
-// Of all panes, sorted by name.
+// The figures of all panes, sorted by name.
 std::vector<FigureKind> figureList();
-// Throws InputError for a name that is not in the list.
+// Throws InputError if no figure has this name.
 FigureKind figureKind(const std::string& name);
 
 }  // namespace reliefui

@@ -1,5 +1,5 @@
-// The title of a pane: its name, the key that goes there, room for its own controls. A double click fills the window
-// with the pane, and brings the others back.
+// Title bar of a pane: its name, its key, and room for its controls. A double click makes the pane fill the window, or
+// brings the others back.
 #pragma once
 
 #include <QWidget>
@@ -14,13 +14,13 @@ class PaneTitle : public QWidget {
   public:
     PaneTitle(const QString& title, const QString& shortcut, const QString& help, QWidget* parent = nullptr);
 
-    // Controls of the pane, at the right.
+    // Adds a control of the pane at the right.
     void addControl(QWidget* control);
-    // Of a pane that can be moved: shows the button that closes it.
+    // Shows the close button, for panes that can be moved.
     void setClosable();
-    // A line beside the name.
+    // Shows a note after the name.
     void setNote(const QString& note);
-    // Hidden, it takes no room of its pane.
+    // Takes no room of the pane while hidden.
     QSize sizeHint() const override { return isHidden() ? QSize(0, 0) : QWidget::sizeHint(); }
 
   signals:

@@ -55,7 +55,7 @@ void PicturesBox::addRow(QVBoxLayout* column, const char* source, std::string re
     auto* const line = new QHBoxLayout;
     auto* const label = new QLabel(title, this);
     label->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Normals")) + 8);
-    label->setContentsMargins(0, 0, 8, 0);  // also in large type
+    label->setContentsMargins(0, 0, 8, 0);  // needed in large type as well
     Row row;
     row.member = member;
     row.name = new QLabel(this);

@@ -1,4 +1,4 @@
-// Which pictures the scene is made of: height, colour, normals, or a procedural relief.
+// Chooses the pictures of the scene: height, colour and normals, or a procedural relief.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class QVBoxLayout;
 
 namespace reliefui {
 
-// Asks for a picture file; empty if nothing was chosen.
+// Opens a file dialog for a picture; returns its path, or an empty string if the user cancelled.
 QString askForPicture(QWidget* parent, const QString& title, const QString& current);
 
 class PicturesBox : public QWidget {
@@ -24,14 +24,14 @@ class PicturesBox : public QWidget {
     explicit PicturesBox(Workspace* workspace, QWidget* parent = nullptr);
 
   private:
-    // A picture's role, its file name, and what can be done with it.
+    // One picture: its role, its file name, and buttons for it.
     struct Row {
         QLabel* name = nullptr;
         QToolButton* clear = nullptr;
         std::string relief::Pictures::*member = nullptr;
     };
 
-    // source: of its title.
+    // source: untranslated title.
     void addRow(QVBoxLayout* column, const char* source, std::string relief::Pictures::*member,
                 const QString& objectName);
     void addRecipe(QVBoxLayout* column);

@@ -21,13 +21,13 @@
 #include "windows/window_style.h"
 #include "workspace/language.h"
 
-// The implementations that VTK chooses at run time. Not by vtk_module_autoinit: it gives every source a macro with a
-// path of this checkout, and the compiler cache could not serve another.
+// VTK modules whose implementations are chosen at run time. vtk_module_autoinit is not used: it passes a macro with a
+// path of this checkout to every source file, which would defeat the compiler cache in other checkouts.
 VTK_MODULE_INIT(vtkInteractionStyle)
 VTK_MODULE_INIT(vtkRenderingFreeType)
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
-// Resources of a static library have to be asked for, outside any namespace.
+// Resources of a static library have to be initialised explicitly, outside any namespace.
 static void initTranslations() {
     Q_INIT_RESOURCE(translations);
 }
@@ -36,11 +36,11 @@ namespace reliefui {
 
 namespace {
 
-// After the first full picture: until the panes have drawn it as well.
+// Time for the panes to draw themselves after the first full picture.
 constexpr int kPanesDrawnMs = 800;
 
-// Qt complains about its absence.
-void giveRuntimeFolder() {
+// Creates the runtime folder, because Qt prints a warning if it is missing.
+void createRuntimeFolder() {
     if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) return;
     const QString folder = QDir::tempPath() + QStringLiteral("/runtime-%1").arg(getuid());
     QDir().mkpath(folder);
@@ -59,11 +59,11 @@ void grab(MainWindow& window, const QString& path) {
 }  // namespace
 
 void prepareWindows() {
-    // VTK here draws through GLX: X11, also where a Wayland session would offer something else.
+    // VTK draws through GLX, so X11 is required, even in a session that offers Wayland.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-    giveRuntimeFolder();
-    // On fine screens everything is as large as the desktop says; where it says nothing, as large as can be read.
-    if (wantsTwiceTheSize()) qputenv("QT_SCALE_FACTOR", "2");
+    createRuntimeFolder();
+    // On high-resolution screens Qt follows the desktop's scale; if the desktop sets none, everything is doubled.
+    if (needsDoubleScale()) qputenv("QT_SCALE_FACTOR", "2");
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
@@ -73,21 +73,21 @@ void prepareWindows() {
 
 void prepareFigures() {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    giveRuntimeFolder();
+    createRuntimeFolder();
 }
 
-void dressApplication(QApplication&) {
+void setUpApplication(QApplication&) {
     std::setlocale(LC_NUMERIC, "C");
     initTranslations();
     QApplication::setApplicationName(QStringLiteral("reliefscope"));
     QApplication::setOrganizationName(QStringLiteral("reliefscope"));
-    speak({});
+    installTranslations({});
     QApplication::setStyle(new WindowStyle);
     QApplication::setPalette(themePalette(Theme::Dark));
     QApplication::setFont(windowFont(1));
 }
 
-void speak(const QString& language) {
+void installTranslations(const QString& language) {
     QLocale::setDefault(language.isEmpty() ? QLocale::system() : QLocale(language));
     for (QTranslator* const old : QCoreApplication::instance()->findChildren<QTranslator*>()) delete old;
     const auto add = [](const QString& file, const QString& folder) {
@@ -99,7 +99,7 @@ void speak(const QString& language) {
     if (add(QStringLiteral("reliefscope"), QStringLiteral(":/translations"))) {
         add(QStringLiteral("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
     } else {
-        // English, the language of what has no translation, has plural forms as well.
+        // English needs a translation file as well, for its plural forms.
         auto* const plurals = new QTranslator(QCoreApplication::instance());
         if (plurals->load(QStringLiteral(":/translations/reliefscope_en.qm"))) {
             QCoreApplication::installTranslator(plurals);

@@ -1,4 +1,4 @@
-// What the program and the window tests set up in the same way before a window can be made.
+// Set-up shared by the program and the window tests, needed before a window can be created.
 #pragma once
 
 #include <QApplication>
@@ -9,17 +9,17 @@ namespace reliefui {
 class MainWindow;
 class Workspace;
 
-// Before the QApplication: the surfaces of VTK, and what Qt would complain about on the standard error.
+// Call before creating the QApplication: sets VTK's surface format and avoids Qt's warnings on standard error.
 void prepareWindows();
-// The same where only figures are drawn: no display is asked for.
+// The same for programs that only draw figures; needs no display.
 void prepareFigures();
-// After it: texts in the language of the locale, type, colours; numbers stay those of the C locale.
-void dressApplication(QApplication& application);
-// Texts of windows that are made from now on: in that language, as Qt names it ("uk"); empty: that of the system.
-void speak(const QString& language);
+// Call after creating it: sets translation (the locale's language), fonts and colours. Numbers keep the C locale.
+void setUpApplication(QApplication& application);
+// Language of windows created from now on, as Qt names it ("uk"); empty: the system's.
+void installTranslations(const QString& language);
 
-// Grabs the window, OpenGL panes included, when its first full picture is there, and ends the application: exit status
-// 0, or 1 if the file cannot be written.
+// Grabs the window, including OpenGL panes, when its first full picture is shown, and ends the application with exit
+// status 0, or 1 if the file cannot be written.
 void screenshotThenQuit(MainWindow& window, Workspace& workspace, const QString& path);
 
 }  // namespace reliefui

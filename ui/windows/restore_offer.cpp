@@ -40,7 +40,8 @@ void RestoreOffer::offer() {
         try {
             scenario_ = loadWindowScenario(left_.front().scenarioFile().toStdString(), stateReaders());
         } catch (const relief::InputError&) {
-            // Damaged, or of a newer version, which may still read it.
+            // The file is damaged, or was written by a newer version, which can still read it; so it is skipped, not
+            // deleted.
             left_.erase(left_.begin());
             continue;
         }

@@ -1,5 +1,6 @@
-// Offers what windows left behind that did not end cleanly: one line in the window with "Restore" and "Discard", the
-// newest first. Nothing is opened unasked; who closes the line is asked again at the next start.
+// Offers to restore the state of windows that did not end cleanly: one message with "Restore" and "Discard" at a time,
+// the newest first. Nothing is opened without consent. If the message is closed without an answer, it is shown again at
+// the next start.
 #pragma once
 
 #include <vector>
@@ -20,7 +21,8 @@ class RestoreOffer : public QObject {
   public:
     RestoreOffer(MainWindow* window, Workspace* workspace, StateKeeper* keeper, std::vector<SessionFiles> left);
 
-    // Nobody has answered, nor closed the line: what another window is to offer, one in another language.
+    // Returns the sessions that the user neither answered nor dismissed, for a window that replaces this one, for
+    // instance after a change of language.
     std::vector<SessionFiles> unanswered();
 
   private:
@@ -31,8 +33,8 @@ class RestoreOffer : public QObject {
     MainWindow* window_;
     Workspace* workspace_;
     StateKeeper* keeper_;
-    std::vector<SessionFiles> left_;  // the first is being offered
-    relief::Scenario scenario_;       // its
+    std::vector<SessionFiles> left_;  // the first one is being offered
+    relief::Scenario scenario_;       // scenario of the first one
 };
 
 }  // namespace reliefui

@@ -45,7 +45,8 @@ const std::vector<std::string>& scenes() {
     return names;
 }
 
-// As commands and files spell it. One from a file may have options that are offered to nobody else.
+// Entries are spelled as in commands and files. A variant from a file may have options that the list does not offer; it
+// is added.
 void offerMapping(QComboBox* box, const std::string& mapping) {
     const QString text = QString::fromStdString(mapping);
     if (box->findData(text) < 0) box->addItem(text, text);
@@ -61,7 +62,7 @@ const std::vector<ViewPreset>& viewPresets() {
     return presets;
 }
 
-// A floor is looked at from above, a wall from its side; of a cube one sees three sides at once.
+// A floor is viewed from above, a wall from the front; of a cube three sides are visible.
 relief::Camera presetCamera(const ViewPreset& preset, relief::SceneKind scene) {
     constexpr double kRight = 90;
     constexpr double kTurned = -30;
@@ -246,7 +247,7 @@ void ScenePanel::addMethod(QFormLayout* form) {
     connect(options_, &OptionsForm::settled, workspace_, &Workspace::settle);
     connect(options_, &OptionsForm::changed, this, [this](const QString& name, const QString& text, bool live) {
         relief::Scenario scenario = workspace_->scenario();
-        // Another method inside takes none of the options of the one before.
+        // Options of a nested method are dropped when another one is chosen.
         const std::string inside = name.toStdString() + ".";
         std::erase_if(scenario.method.options, [&](const auto& option) { return option.first.starts_with(inside); });
         scenario.method.options[name.toStdString()] = text.toStdString();
@@ -300,7 +301,7 @@ void ScenePanel::refreshMethod() {
            "memory of its maps beside the heights"));
 }
 
-// As many controls as there are: they scroll.
+// The pane has more controls than fit, so it scrolls.
 PaneKind scenePane() {
     PaneKind kind;
     kind.name = QStringLiteral("scene");

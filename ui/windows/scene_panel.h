@@ -1,5 +1,5 @@
-// The controls of the scenario: surface, scene, camera, light, size of the picture; the pictures and the method's
-// options have boxes of their own.
+// The scenario's controls: surface, scene, camera, light and picture size. The pictures and the method's options have
+// panels of their own.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,10 @@ namespace reliefui {
 class NumberControl;
 class OptionsForm;
 
-// Turns one number of the scenario; what a slider, a box or a test does.
+// Sets one number of the scenario; shared by sliders, boxes and tests.
 void changeNumber(Workspace& workspace, const std::string& name, double value, bool live);
 
-// A view that is asked for often: how steeply it looks at the relief's plane, degrees, and from how far.
+// A common view: its angle to the plane of the relief, in degrees, and its distance.
 struct ViewPreset {
     const char* name = "";  // tr() in "reliefui::ScenePanel"
     double angle = 0;
@@ -33,7 +33,7 @@ struct ViewPreset {
 const std::vector<ViewPreset>& viewPresets();
 relief::Camera presetCamera(const ViewPreset& preset, relief::SceneKind scene);
 
-// A control of that number that follows the workspace and changes it.
+// Creates a control for this number that follows the workspace and changes it.
 NumberControl* makeNumberControl(Workspace* workspace, const std::string& name, QWidget* parent);
 
 class ScenePanel : public QWidget {
@@ -63,8 +63,8 @@ class ScenePanel : public QWidget {
     QCheckBox* shadows_ = nullptr;
     QToolButton* defaults_ = nullptr;
     OptionsForm* options_ = nullptr;
-    QLabel* help_ = nullptr;       // of the method
-    QLabel* guarantee_ = nullptr;  // what it promises, where, and what it keeps in memory
+    QLabel* help_ = nullptr;       // description of the method
+    QLabel* guarantee_ = nullptr;  // the method's guarantee, its conditions, and the memory used by its maps
 };
 
 PaneKind scenePane();

@@ -19,7 +19,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 250;
+constexpr int kBusyDelayMs = 250;
 
 double counter(const relief::Frame& frame, relief::MessageId what) {
     const auto found = frame.counters.find(what);
@@ -30,7 +30,7 @@ QString rounded(double value, int digits) {
     return QString::fromStdString(relief::numberText(value, digits));
 }
 
-// Thousands are set apart by thin spaces, whatever the locale.
+// Formats with thin spaces between thousands, independent of the locale.
 QString grouped(std::uint64_t value) {
     QString text = QString::number(value);
     for (int at = text.size() - 3; at > 0; at -= 3) text.insert(at, QChar(0x2009));
@@ -41,7 +41,7 @@ QString inWords(relief::MessageId what) {
     return QString::fromStdString(relief::sentence(relief::Message(what), uiLanguage()));
 }
 
-// What was done for the frame, stage by stage, and what was not needed.
+// Lists the frame's stages with their times, and the work that was skipped.
 QString ledger(const relief::Frame& frame) {
     QString text = StatusLine::tr("Click: what was skipped, and why") + QLatin1Char('\n') +
                    StatusLine::tr("Stages of this frame (seconds of all threads together):");
@@ -77,7 +77,8 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     frame_->installEventFilter(this);
     frame_->setCursor(Qt::PointingHandCursor);
     pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    // Large type must not make the window wider than the screen: cut at the right, whole in the tool tip.
+    // The label may shrink, so that large type cannot make the window wider than the screen; the tool tip has the full
+    // text.
     pixel_->setMinimumWidth(1);
     setContentsMargins(6, 0, 6, 0);
     bar_->setRange(0, 1000);
@@ -98,32 +99,32 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     addPermanentWidget(frame_);
     addPermanentWidget(walk_);
     showBusy(false);
-    patience_.setSingleShot(true);
-    patience_.setInterval(kPatienceMs);
-    connect(&patience_, &QTimer::timeout, this, [this] { showBusy(busy()); });
+    busyDelay_.setSingleShot(true);
+    busyDelay_.setInterval(kBusyDelayMs);
+    connect(&busyDelay_, &QTimer::timeout, this, [this] { showBusy(busy()); });
     connect(workspace_, &Workspace::busyChanged, this, &StatusLine::takeBusy);
     connect(&workspace_->tasks(), &BackgroundTasks::busyChanged, this, &StatusLine::takeBusy);
     connect(workspace_, &Workspace::progress, this, &StatusLine::showProgress);
     connect(&workspace_->tasks(), &BackgroundTasks::progress, this, [this](const QString& what, double fraction) {
-        // The picture's own goes before.
+        // Progress of the picture takes precedence.
         if (workspace_->busy()) return;
         showProgress(what, fraction);
         what_->setText(tr("figure: %1").arg(what_->text()));
     });
     connect(workspace_, &Workspace::snapshotChanged, this, [this] {
         refresh();
-        // While pictures keep coming, nobody waits for them.
+        // The delay starts again with each picture: while pictures keep coming, no progress is shown.
         showBusy(workspace_->tasks().busy());
-        if (workspace_->busy()) patience_.start();
+        if (workspace_->busy()) busyDelay_.start();
     });
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
     connect(walk_, &QToolButton::clicked, this, &StatusLine::takeWalk);
-    refresh();  // of a workspace that another window has shown
+    refresh();  // for a workspace that already has a snapshot from a previous window
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == frame_ && event->type() == QEvent::MouseButtonRelease) Q_EMIT ledgerWanted();
-    // As it is when it is asked for.
+    if (watched == frame_ && event->type() == QEvent::MouseButtonRelease) Q_EMIT ledgerRequested();
+    // The tool tip is updated when it is about to be shown.
     if (watched == frame_ && event->type() == QEvent::ToolTip) showLedger();
     return QStatusBar::eventFilter(watched, event);
 }
@@ -134,10 +135,10 @@ bool StatusLine::busy() const {
 
 void StatusLine::takeBusy() {
     if (!busy()) {
-        patience_.stop();
+        busyDelay_.stop();
         showBusy(false);
     } else if (!bar_->isVisible()) {
-        patience_.start();
+        busyDelay_.start();
     }
 }
 
@@ -162,7 +163,7 @@ void StatusLine::refresh() {
     refreshWalk();
 }
 
-// The walk that drew the picture, by name, where it is another one than that whose steps are shown.
+// Names the tracer that drew the picture, if it is not the method whose steps are shown.
 void StatusLine::refreshWalk() {
     const auto snapshot = workspace_->snapshot();
     const QString by = snapshot ? QString::fromStdString(snapshot->frame->tracedBy) : QString();
@@ -175,7 +176,7 @@ void StatusLine::refreshWalk() {
     walk_->setAccessibleDescription(walk_->toolTip());
 }
 
-// Its steps over the same picture.
+// Switches the method to the tracer that drew the picture.
 void StatusLine::takeWalk() {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return;
@@ -244,7 +245,7 @@ QString StatusLine::frameText() const {
     } else if (snapshot->coarse) {
         text += QStringLiteral(" (%1)").arg(QString::fromStdString(relief::filterText(snapshot->request->filter)));
     }
-    // Pixels that needed no search: nothing there, or nothing to search for.
+    // Pixels without a search: sky, or no relief along the ray.
     const double pixels = counter(frame, relief::MessageId::CountPixels);
     const double spared = counter(frame, relief::MessageId::CountSky) +
                           counter(frame, relief::MessageId::CountRaysFlat) +

@@ -1,4 +1,4 @@
-// The bottom line: the chosen pixel and its hit, what the frame took and skipped, and the progress of what is running.
+// The status bar: the chosen pixel and its hit, the frame's time and skipped work, and the progress of running work.
 #pragma once
 
 #include <QElapsedTimer>
@@ -23,8 +23,8 @@ class StatusLine : public QStatusBar {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   Q_SIGNALS:
-    // The frame's part was clicked: what was skipped, in full.
-    void ledgerWanted();
+    // The frame's text was clicked, to show what was skipped in full.
+    void ledgerRequested();
 
   private:
     void refresh();
@@ -43,7 +43,7 @@ class StatusLine : public QStatusBar {
     QProgressBar* bar_;
     QToolButton* cancel_;
     QToolButton* walk_;
-    QTimer patience_;  // short work shows nothing
+    QTimer busyDelay_;  // delays the progress display, so that short work shows none
 };
 
 }  // namespace reliefui

@@ -20,7 +20,7 @@ namespace reliefui {
 
 namespace {
 
-// Steps a second.
+// Steps per second.
 constexpr std::array kSpeeds{0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0};
 constexpr double kFirstSpeed = 2;
 
@@ -77,14 +77,14 @@ void StepBar::makeSpeed() {
     speed_->setAccessibleName(tr("Speed of playing"));
     speed_->setToolTip(tr("Steps a second while playing; ] faster, [ slower"));
     speed_->setRange(kSpeeds.front(), kSpeeds.back());
-    speed_->setLocale(QLocale::c());  // as all numbers of the window
+    speed_->setLocale(QLocale::c());  // as for all numbers of the window
     speed_->setDecimals(1);
     speed_->setSuffix(tr("/s"));
-    // By arrows and wheel through the round ones.
+    // Arrows and the wheel move in round numbers.
     speed_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     speed_->setKeyboardTracking(false);
     connect(speed_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &StepBar::setSpeed);
-    // As it was the last time.
+    // The speed of the last session.
     const double kept = QSettings().value(speedKey(), kFirstSpeed).toDouble();
     speed_->setValue(kept);
     setSpeed(speed_->value());
@@ -151,7 +151,7 @@ void StepBar::runBack() {
     runTo(false);
 }
 
-// Without a breakpoint on the way: to the end.
+// Goes to the next breakpoint, or to the end of the ray if there is none.
 void StepBar::runTo(bool forward) {
     if (count() == 0) return;
     const auto stop = relief::nextStop(workspace_->scenario().breakpoints, workspace_->snapshot()->trace.stopped(),
@@ -160,7 +160,7 @@ void StepBar::runTo(bool forward) {
     workspace_->chooseStep(stop ? static_cast<int>(*stop) : end);
 }
 
-// The breakpoints at which the chosen step stands, those that are on.
+// The enabled breakpoints that match the chosen step.
 QString StepBar::stopsHere() const {
     QStringList names;
     if (count() == 0) return {};

@@ -1,4 +1,4 @@
-// Time: the steps of the chosen ray, forwards and backwards, one after the other or by themselves.
+// The bar for stepping: moves through the steps of the chosen ray, forwards or backwards, singly or by playing.
 #pragma once
 
 #include <QTimer>
@@ -23,15 +23,15 @@ class StepBar : public QWidget {
     void previous();
     void next();
     void last();
-    // Over what lies on finer levels than the chosen step.
+    // Steps over everything on finer levels than that of the chosen step.
     void over();
     void overBack();
-    // To the next breakpoint, or the one before; to the end of the ray where there is none.
+    // Runs to the next or previous breakpoint; to the end of the ray if there is none.
     void run();
     void runBack();
-    // Until the ray's end or a breakpoint.
+    // Plays until the end of the ray or a breakpoint.
     void togglePlay();
-    // To the next round number of steps a second.
+    // Changes the speed to the next higher or lower preset, in steps per second.
     void faster();
     void slower();
 

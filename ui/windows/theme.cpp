@@ -37,7 +37,7 @@ QFont windowFont(double scale) {
 
 double projectorScale(int height) {
     constexpr double kLeast = 1.3, kMost = 1.8;
-    constexpr double kHigh = 1000;  // points, of a screen with room for the largest
+    constexpr double kHigh = 1000;  // height of a screen, in points, from which the largest scale is used
     return std::clamp(kMost * height / kHigh, kLeast, kMost);
 }
 

@@ -1,4 +1,4 @@
-// The colours of the window around the panes.
+// Font and colours of the window around the panes.
 #pragma once
 
 #include <QPalette>
@@ -8,10 +8,10 @@
 namespace reliefui {
 
 QPalette themePalette(Theme theme);
-// DejaVu Sans, 10 points at scale 1.
+// DejaVu Sans; 10 points at scale 1.
 QFont windowFont(double scale);
-// How much larger everything is on a projector whose picture is so many points high: what is read from the last row is
-// a share of the picture's height.
+// Scale of text and lines on a projector whose picture is `height` points high. Legibility from the last row depends on
+// the size relative to the picture, so the scale grows with the height.
 double projectorScale(int height);
 
 }  // namespace reliefui

@@ -1,4 +1,4 @@
-// Time: the bar that steps and plays, breakpoints, somebody else's tracer, the table of steps.
+// The time pane: the bar for stepping and playing, breakpoints, rays of another program's tracer, the table of steps.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,10 @@ class TimePane : public QWidget {
     OtherBar* other() { return other_; }
     StepTable* table() { return table_; }
 
-    // All: what a student works with. Bar: below something that is looked at. BarAndSentence: where nothing else says
-    // the sentence.
+    // All: everything, for work at a desk. Bar: only the bar for stepping. BarAndSentence: also the step in words, if
+    // no other widget shows it.
     enum class Parts : std::uint8_t { All, Bar, BarAndSentence };
-    // The height that they need; All takes what there is.
+    // Shows these parts; returns the height that they need. All uses whatever height is available.
     int showParts(Parts parts);
 
   private:

@@ -71,14 +71,14 @@ void TopBar::makeFilter() {
     connect(filter_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.filter.name = filter_->currentData().toString().toStdString();
-        scenario.filter.options.clear();  // another filter takes none of them
+        scenario.filter.options.clear();  // options of the previous filter do not apply to another
         workspace_->change(scenario, changeName([] { return tr("Filter"); }));
     });
 }
 
-// The slider goes first where there is no room for all: the number can still be turned in its box.
+// The slider is hidden first if there is not enough room: the number can still be changed in its box.
 void TopBar::resizeEvent(QResizeEvent* event) {
-    constexpr int kWide = 150;  // letters
+    constexpr int kWide = 150;  // in average character widths
     const bool wide = width() > kWide * fontMetrics().averageCharWidth();
     depth_->slider()->setVisible(wide);
     depth_->setSizePolicy(wide ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Preferred);

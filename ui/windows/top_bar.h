@@ -1,4 +1,4 @@
-// What is changed most, always in sight: the method, the filter, the depth of the relief.
+// The most frequently used controls, always visible: the method, the filter, the depth of the relief.
 #pragma once
 
 #include <QToolBar>
@@ -14,7 +14,7 @@ class NumberControl;
 class TopBar : public QToolBar {
     Q_OBJECT
   public:
-    // The actions come from the window's menus.
+    // The actions are created by the window's menus.
     TopBar(Workspace* workspace, QAction* open, const QList<QAction*>& others, QWidget* parent = nullptr);
 
     QComboBox* method() { return method_; }

@@ -8,9 +8,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kTabSpace = 12;  // around a tab's text
+constexpr int kTabSpace = 12;  // around a tab's text, in pixels
 constexpr double kRound = 2;
-constexpr int kFilled = 150;  // opacity of the ground of a button that is on
+constexpr int kFilled = 150;  // opacity of the background of a checked button
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     painter->setPen(under || raised ? QPen(edge) : QPen(Qt::NoPen));
     painter->setBrush(filled ? QBrush(ground) : raised ? option->palette.button() : QBrush(Qt::NoBrush));
     painter->drawRoundedRect(box, kRound, kRound);
-    // Colour is never alone.
+    // A bar at the bottom marks a checked button as well, so that colour is not the only cue.
     if (on) {
         painter->fillRect(QRectF(box.left() + kRound, box.bottom() - 2, box.width() - 2 * kRound, 2),
                           option->palette.color(QPalette::ButtonText));

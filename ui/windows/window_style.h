@@ -1,5 +1,5 @@
-// Qt's Fusion, but for buttons: one that is on is filled, one under the pointer has an outline; neither is taken for
-// the other. Tabs are narrower, so that all panes of a stack are seen.
+// Qt's Fusion style with other buttons and tabs: a checked button is filled and one under the pointer has an outline,
+// so that they cannot be confused; tabs are narrower, so that all panes of a stack are visible.
 #pragma once
 
 #include <QProxyStyle>

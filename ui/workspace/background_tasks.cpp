@@ -5,17 +5,17 @@
 #include <mutex>
 #include <utility>
 
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 
 namespace reliefui {
 
 namespace {
 
-// What a task reports of its progress: no more than the eye can follow.
+// Forwards a task's progress, at a limited rate.
 class Reporter {
   public:
-    using Told = std::function<void(const QString& what, double fraction)>;
-    explicit Reporter(Told told) : told_(std::move(told)) {}
+    using Callback = std::function<void(const QString& what, double fraction)>;
+    explicit Reporter(Callback callback) : callback_(std::move(callback)) {}
 
     void operator()(std::string_view what, double fraction) {
         constexpr auto kBetween = std::chrono::milliseconds(50);
@@ -25,11 +25,11 @@ class Reporter {
             if (now - last_ < kBetween) return;
             last_ = now;
         }
-        told_(QString::fromUtf8(what.data(), static_cast<int>(what.size())), fraction);
+        callback_(QString::fromUtf8(what.data(), static_cast<int>(what.size())), fraction);
     }
 
   private:
-    Told told_;
+    Callback callback_;
     std::mutex mutex_;
     std::chrono::steady_clock::time_point last_;
 };
@@ -54,12 +54,12 @@ void BackgroundTasks::start(const QObject* receiver, Task task) {
             });
         });
         relief::Work work(0, stop, [&](std::string_view what, double fraction) { reporter(what, fraction); });
-        back.post([this, id, receiver, told = task(work)] {
+        back.post([this, id, receiver, callback = task(work)] {
             finish(id);
-            if (receiver) told();
+            if (receiver) callback();
         });
     };
-    runAside(call);
+    runInBackground(call);
 }
 
 void BackgroundTasks::finish(std::uint64_t id) {

@@ -1,4 +1,4 @@
-// Tasks in the background that take long, several at once: each says how far it is, and all can be cancelled.
+// Long tasks in the background, several at once; each reports its progress, and all can be cancelled.
 #pragma once
 
 #include <functional>
@@ -18,15 +18,15 @@ namespace reliefui {
 class BackgroundTasks : public QObject {
     Q_OBJECT
   public:
-    // Runs on another thread; what it returns is called on the window's. Cancelled, thrown or found by `work`, is for
-    // it to report.
+    // Runs on another thread; the function it returns is then called on the window's thread. The task itself has to
+    // report cancellation, exceptions and errors.
     using Task = std::function<std::function<void()>(relief::Work& work)>;
 
     explicit BackgroundTasks(QObject* parent);
-    // Cancels; nothing that is under way is reported any more.
+    // Cancels all tasks; their results are dropped.
     ~BackgroundTasks() override;
 
-    // receiver: what is returned is dropped if it is gone by then.
+    // receiver: the task's result is dropped if this object no longer exists.
     void start(const QObject* receiver, Task task);
     bool busy() const { return !running_.empty(); }
 
@@ -35,7 +35,7 @@ class BackgroundTasks : public QObject {
 
   signals:
     void busyChanged(bool busy);
-    void progress(const QString& what, double fraction);  // of the stage that is running, by its name
+    void progress(const QString& what, double fraction);  // of the current stage, by its name
 
   private:
     void finish(std::uint64_t id);

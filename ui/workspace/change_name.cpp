@@ -8,7 +8,7 @@ namespace reliefui {
 
 namespace {
 
-// Of all workspaces: words mean the same in each.
+// One table for all workspaces: a name means the same in each.
 QHash<QString, std::function<QString()>>& names() {
     static QHash<QString, std::function<QString()>> all;
     return all;
@@ -16,13 +16,13 @@ QHash<QString, std::function<QString()>>& names() {
 
 }  // namespace
 
-QString changeName(std::function<QString()> said) {
-    QString name = said();
-    names().insert(name, std::move(said));
+QString changeName(std::function<QString()> translate) {
+    QString name = translate();
+    names().insert(name, std::move(translate));
     return name;
 }
 
-QString saidAgain(const QString& name) {
+QString translatedChangeName(const QString& name) {
     const auto at = names().constFind(name);
     return at == names().constEnd() ? name : (*at)();
 }

@@ -1,5 +1,5 @@
-// What a change is called in the menu of undo. The history outlives a change of language: a name is kept with the
-// function that says it, and said again when it is shown.
+// Names of changes in the undo menu. The history survives a change of language, so each name is stored with the
+// function that translates it, which is called again when the name is shown.
 #pragma once
 
 #include <functional>
@@ -8,9 +8,10 @@
 
 namespace reliefui {
 
-// The name in the language of now. said: holds values alone, nothing of a window. For the window's thread.
-QString changeName(std::function<QString()> said);
-// A name that changeName() gave, in the language of now; any other text as it is.
-QString saidAgain(const QString& name);
+// Returns the name in the current language and registers the function. `said` must capture only values, no part of a
+// window. Window's thread only.
+QString changeName(std::function<QString()> translate);
+// Translates a name returned by changeName() into the current language; returns any other text unchanged.
+QString translatedChangeName(const QString& name);
 
 }  // namespace reliefui

@@ -1,27 +1,28 @@
-// Frees what is large aside: to give a hundred megabytes back takes the time of several pictures, and the window's
-// thread has no time for it.
+// Frees large objects in the background: freeing 100 MB takes as long as several frames, which would block the window's
+// thread.
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <utility>
 
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 
 namespace reliefui {
 
-// While the application of the window lives, which waits for what is freed; without one there is nobody to hold.
-inline std::atomic<bool>& freesAside() {
+// True while a windowed application exists, which waits for pending destruction when it ends. Without one, objects are
+// freed immediately, because there is no window to block.
+inline std::atomic<bool>& freesInBackground() {
     static std::atomic<bool> on{false};
     return on;
 }
 
-// Deleter of shared pointers, whichever thread lets go last.
-struct FreeAside {
+// Deleter for shared pointers; may be called on any thread.
+struct FreeInBackground {
     template <class T>
     void operator()(T* value) const {
-        if (freesAside()) {
-            runAside([value] { delete value; });
+        if (freesInBackground()) {
+            runInBackground([value] { delete value; });
         } else {
             delete value;
         }
@@ -29,14 +30,14 @@ struct FreeAside {
 };
 
 template <class T, class... Arguments>
-std::shared_ptr<T> makeFreedAside(Arguments&&... arguments) {
-    return std::shared_ptr<T>(new T{std::forward<Arguments>(arguments)...}, FreeAside{});
+std::shared_ptr<T> makeFreedInBackground(Arguments&&... arguments) {
+    return std::shared_ptr<T>(new T{std::forward<Arguments>(arguments)...}, FreeInBackground{});
 }
 
-// Lets go of the value aside.
+// Destroys the value in the background.
 template <class T>
 void discard(T value) {
-    FreeAside{}(new T(std::move(value)));
+    FreeInBackground{}(new T(std::move(value)));
 }
 
 }  // namespace reliefui

@@ -1,4 +1,4 @@
-// Undo as a history of scenario values.
+// Undo history: a sequence of scenario values.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace reliefui {
 
-// A value: copies share the entries, so that an earlier history can be kept and come back whole.
+// A value type: copies share their entries, so that an earlier history can be kept cheaply and restored as a whole.
 class History {
   public:
     struct Entry {
         relief::Scenario scenario;
-        QString what;      // what led here, for the menu
-        QString mergeKey;  // changes with the same key in a row are one entry; empty: never
+        QString what;      // name of the change that led here, for the undo menu
+        QString mergeKey;  // consecutive changes with the same key form one entry; empty: never merged
     };
 
     bool empty() const { return entries_.empty(); }
@@ -37,14 +37,14 @@ class History {
         index_ = entries_.size() - 1;
         open_ = true;
     }
-    // The scenario of the current entry as it turned out (its step clamped to the ray).
+    // Replaces the scenario of the current entry by its final form, with the step clamped to the ray.
     void amend(const relief::Scenario& scenario) {
         if (empty()) return;
         Entry entry = current();
         entry.scenario = scenario;
         entries_[index_] = std::make_shared<const Entry>(std::move(entry));
     }
-    // The next change starts an entry of its own, whatever its key.
+    // The next change starts a new entry even if its key is the same.
     void close() { open_ = false; }
 
   private:

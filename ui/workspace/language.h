@@ -1,5 +1,5 @@
-// The language of the window, that of the locale or one that was chosen: of the catalogue's sentences; Qt's own texts
-// go through tr().
+// Language of the window, from the locale or chosen by the user. It applies to the message catalogue; Qt's own texts
+// are translated with tr().
 #pragma once
 
 #include <QLocale>
@@ -12,7 +12,7 @@ inline relief::Language uiLanguage() {
     return QLocale().language() == QLocale::Ukrainian ? relief::Language::Ukrainian : relief::Language::English;
 }
 
-// As it was chosen in the window, as Qt names it ("uk"); empty: the system's.
+// The language chosen in the window, as Qt names it ("uk"); empty: the system's.
 QString chosenLanguage();
 
 }  // namespace reliefui

@@ -10,7 +10,7 @@
 
 namespace reliefui {
 
-// The program asks before there is an application that knows its name.
+// Called before there is a QApplication that provides the program's name.
 QString settingsFolder() {
     const QString name = QStringLiteral("reliefscope");
     const QSettings settings(QSettings::NativeFormat, QSettings::UserScope, name, name);

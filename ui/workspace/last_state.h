@@ -1,4 +1,5 @@
-// Where the last window left off: its scenario, kept beside the settings, so that the next one goes on there.
+// The state in which the last window was closed: its scenario, stored next to the settings, with which the next window
+// starts.
 #pragma once
 
 #include <optional>
@@ -15,10 +16,10 @@ struct StateReaders;
 QString settingsFolder();
 QString lastStateFile();
 
-// Nothing if none was kept, or if it cannot be read any more: a picture that is gone is no reason not to start.
-// store: gets its pictures. readers: of the panes' states.
+// Returns std::nullopt if no state was stored or it cannot be read: a missing picture must not prevent a start. store:
+// receives the state's pictures. readers: check the panes' states.
 std::optional<relief::Scenario> lastState(relief::AssetStore& store, const StateReaders& readers);
-// Returns in one line why it cannot be written; empty: it is.
+// Stores the state. Returns an empty string on success, otherwise a one-line explanation.
 std::string keepState(const relief::Scenario& scenario);
 
 }  // namespace reliefui

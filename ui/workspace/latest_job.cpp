@@ -88,12 +88,12 @@ void LatestJob::run(const std::stop_token& quit) {
 }
 
 void LatestJob::runOne(const Job& job, std::uint64_t id, const std::stop_token& stop) {
-    const auto told = [&](std::string_view what, double fraction) {
+    const auto report = [&](std::string_view what, double fraction) {
         {
             const std::lock_guard lock(progressMutex_);
             const auto now = Clock::now();
-            if (now - progressTold_ < kBetweenProgress) return;
-            progressTold_ = now;
+            if (now - lastProgress_ < kBetweenProgress) return;
+            lastProgress_ = now;
         }
         const QString text = QString::fromUtf8(what.data(), static_cast<int>(what.size()));
         mailbox_.post([this, id, text, fraction] {
@@ -104,7 +104,7 @@ void LatestJob::runOne(const Job& job, std::uint64_t id, const std::stop_token& 
             listener_.progress(text, fraction);
         });
     };
-    relief::Work work(0, stop, told);
+    relief::Work work(0, stop, report);
     QString problem;
     try {
         job.work(work);

@@ -1,5 +1,5 @@
-// One thread for work that a pane waits for, apart from the pictures' own: the latest job wins and stops an older one.
-// What is said about a job is said on the receiver's thread, in order, and only about the latest.
+// A thread for a pane's own computations, separate from the render worker. Starting a job cancels the previous one. The
+// listener is called on the receiver's thread, in order, and only about the latest job.
 #pragma once
 
 #include <chrono>
@@ -21,27 +21,27 @@ namespace reliefui {
 
 class LatestJob {
   public:
-    // work: on the job's thread; may throw. done: after it, on the receiver's.
+    // work: runs on the job's thread; may throw. done: called afterwards on the receiver's thread.
     struct Job {
         std::function<void(relief::Work&)> work;
         std::function<void()> done;
     };
-    // Called on the receiver's thread. failed: a problem in one line; empty: cancelled by the user.
+    // Called on the receiver's thread. failed: receives a one-line problem; empty if the user cancelled.
     struct Listener {
         std::function<void(const QString& problem)> failed;
         std::function<void(const QString& what, double fraction)> progress;
     };
 
-    // To be made on the receiver's thread.
+    // Must be constructed on the receiver's thread.
     LatestJob(const QObject* receiver, Listener listener);
     ~LatestJob();
     LatestJob(const LatestJob&) = delete;
     LatestJob& operator=(const LatestJob&) = delete;
 
     void start(Job job);
-    // By the user: said to the listener.
+    // Cancels the job on behalf of the user, and reports that to the listener.
     void cancel();
-    // Nobody wants it any more: nothing is said.
+    // Cancels the job without a report.
     void drop();
     bool busy() const;
 
@@ -50,7 +50,7 @@ class LatestJob {
 
     void run(const std::stop_token& quit);
     void runOne(const Job& job, std::uint64_t id, const std::stop_token& stop);
-    // Calls back, unless a newer job has come meanwhile.
+    // Posts a call to the receiver's thread; it is dropped if a newer job has been started by then.
     void post(std::uint64_t id, std::function<void()> call);
 
     Mailbox mailbox_;
@@ -58,13 +58,13 @@ class LatestJob {
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
     std::optional<Job> next_;
-    std::uint64_t latest_ = 0;    // id of the job that was started last
-    std::uint64_t answered_ = 0;  // the receiver was told the end of; its thread only
+    std::uint64_t latest_ = 0;    // id of the job started last
+    std::uint64_t answered_ = 0;  // id of the last job whose end was reported; receiver's thread only
     std::stop_source stop_;
     bool userCancel_ = false;
     std::mutex progressMutex_;
-    Clock::time_point progressTold_;
-    std::jthread thread_;  // last: ends before the rest
+    Clock::time_point lastProgress_;
+    std::jthread thread_;  // last member: the thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

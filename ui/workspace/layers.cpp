@@ -12,7 +12,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr std::uint32_t kNothing = 0xff2b3038;  // where a layer has no value
+constexpr std::uint32_t kNothing = 0xff2b3038;  // colour of pixels without a value
 constexpr std::size_t kMapSize = 1024;
 
 std::uint32_t packed(int r, int g, int b) {
@@ -22,7 +22,7 @@ std::uint32_t packed(int r, int g, int b) {
 
 template <class Color>
 void eachPixel(QImage& image, const Color& color) {
-    // Asked for once: writing through scanLine() from several threads would detach in each of them.
+    // bits() is called once, because scanLine() would detach the image in each of several threads.
     auto* const first = reinterpret_cast<std::uint32_t*>(image.bits());
     const int width = image.width();
     relief::parallelFor(image.height(), [&](int y) {
@@ -30,7 +30,7 @@ void eachPixel(QImage& image, const Color& color) {
     });
 }
 
-// value(x, y): NaN where there is none. counts(x, y): whether it belongs to the spread.
+// value(x, y) returns NaN if the pixel has no value. counts(x, y): whether the value is part of the spread.
 template <class Value, class Counts>
 void takeValues(LayerPicture& out, const Value& value, const Counts& counts) {
     relief::FloatImage values(out.image.width(), out.image.height());
@@ -123,7 +123,7 @@ void takeError(LayerPicture& out, const relief::Frame& frame, const relief::Fram
     out.error = std::move(error);
 }
 
-// What is no number, of the error's layer: none where it is one.
+// Colour of an error pixel without a numeric error; std::nullopt if it has one.
 std::optional<std::uint32_t> markOfError(const LayerPicture& layer, int x, int y) {
     if (!layer.error) return std::nullopt;
     switch (layer.error->kinds[std::size_t(y) * std::size_t(layer.values->width()) + std::size_t(x)]) {
@@ -140,7 +140,7 @@ std::optional<std::uint32_t> markOfError(const LayerPicture& layer, int x, int y
     return std::nullopt;
 }
 
-// Of a plane of the core's, in the order of the frame's pixels.
+// Value of one of the core's planes, whose order is that of the frame's pixels.
 float planeValue(const relief::NamedPlane& plane, int x, int y) {
     return plane.plane(x, y);
 }
@@ -150,7 +150,7 @@ void takeAnisotropy(LayerPicture& out, const relief::Frame& frame, const relief:
     auto planes = std::make_shared<const std::vector<relief::NamedPlane>>(
         relief::layerPlanes(frame, request, {"footprint"}, maps, work));
     takeValues(out, [&](int x, int y) {
-        const double ratio = anisotropy(*planes, x, y);  // endless where the minor axis is 0
+        const double ratio = anisotropy(*planes, x, y);  // infinite if the minor axis is 0
         return std::isnan(ratio) ? ratio : std::min(ratio, kLargestAnisotropy);
     });
     out.ends = {1, std::clamp(out.spread->largest(), 2.0, kLargestAnisotropy)};
@@ -259,7 +259,7 @@ void colorLayer(LayerPicture& layer, const ColorRange& range) {
     const auto code = [](Rgba c) { return packed(c.r, c.g, c.b); };
     const ColorMap map = colorMapOf(layer.layer);
     std::array<std::uint32_t, kMapSize> colors{};
-    const Style style;  // the maps are the same in both themes
+    const Style style;  // the theme does not matter: these maps are the same in both
     for (std::size_t i = 0; i < kMapSize; ++i) {
         colors[i] = code(style.mapped(map, static_cast<double>(i) / (kMapSize - 1)));
     }

@@ -1,5 +1,6 @@
-// What the result view can show beside the colour, as pictures: steps, error against the exact tracer, outcome, depth,
-// normals, texture coordinates, how oblong the pixels' footprints are and how much of them the relief hides.
+// Layers that the result view can show instead of the colour, as pictures: steps, error against the exact tracer,
+// outcome, depth, normals, texture coordinates, anisotropy of the footprints, share of the footprints hidden by the
+// relief.
 #pragma once
 
 #include <array>
@@ -19,12 +20,14 @@ namespace reliefui {
 enum class Layer : std::uint8_t { Color, Steps, Error, Outcome, Depth, Normals, TexturePlace, Anisotropy, Hidden };
 inline constexpr int kLayers = 9;
 
-// values: of the layers of numbers (steps; texels, of the error below 0 where the answer is short of the exact hit;
-// texture widths; ratio of the axes; percent), NaN where there is none; spread: the same numbers, but of the error's
-// those alone that are not exact; ends: what all of them span. range: how they are shown, scale: what it comes to.
-// outcomes: pixels that are sky, hit, miss, step limit. error: of the error layer only.
-// planes: of the footprint's layers, for reading values out. applies: false where the filter knows nothing of what the
-// layer shows.
+// A rendered layer.
+// values: of numeric layers; NaN where a pixel has no value. Units: steps; texels for the error, negative if the result
+// is short of the exact hit; texture widths; ratio of the axes; percent.
+// spread: statistics of the values; for the error layer only of the inexact ones. ends: full range of the values.
+// range: how the user wants them shown; scale: the resulting mapping.
+// outcomes: numbers of pixels that are sky, hit, miss, step limit. error: set for the error layer only.
+// planes: of the footprint layers, for reading out values. applies: false if the filter does not provide what the layer
+// shows.
 struct LayerPicture {
     Layer layer = Layer::Color;
     QImage image;
@@ -33,40 +36,41 @@ struct LayerPicture {
     ScaleEnds ends;
     ColorRange range;
     ColorScale scale;
-    int hatch = 0;  // pixels between the lines of hatches
+    int hatch = 0;  // distance between hatch lines, in pixels
     std::array<std::int64_t, 4> outcomes{};
     std::shared_ptr<const relief::ErrorLayer> error;
     std::shared_ptr<const std::vector<relief::NamedPlane>> planes;
     bool applies = true;
 };
-// The range that a layer of numbers has; none: the layer is one of colours.
+// The colour range used by a numeric layer; std::nullopt for layers of colours.
 std::optional<RangeOf> rangeOf(Layer layer);
 ColorMap colorMapOf(Layer layer);
 
-// Colours of the outcomes, in the order of relief::Outcome; misses and limits carry a hatch as well.
+// Colours of the outcomes, in the order of relief::Outcome. Misses and step limits are hatched as well.
 inline constexpr std::array<std::uint32_t, 4> kOutcomeColors{0xff2b3038, 0xfff4f4f4, 0xff999999, 0xff000000};
-// Hatches have a line every so many pixels; more in pictures that are enlarged for a page, where they would be grey.
+// Distance between hatch lines, in pixels. It is larger in pictures enlarged for a page, where fine hatches would look
+// grey.
 inline constexpr int kHatch = 6;
-// Whether the hatch of this outcome covers the pixel.
+// Returns true if a hatch line of this outcome covers the pixel.
 bool outcomeHatched(relief::Outcome outcome, int x, int y, int hatch = kHatch);
 
-// The error's colours: no error at all, an answer of another kind (with a hatch). Errors short of the exact hit and
-// past it have the two sides of ColorMap::Signed.
+// Special colours of the error layer: no error, and a wrong outcome (hatched). Other errors use ColorMap::Signed, one
+// side for results short of the exact hit, the other for those past it.
 inline constexpr std::uint32_t kNoError = 0xff0a0b0e;
 inline constexpr std::uint32_t kWrongOutcome = 0xfff4f4f4;
-// Texels below which errors are not told apart.
+// Errors below this, in texels, have the same colour.
 inline constexpr double kLeastError = 1e-3;
-// Larger ratios of the axes share a colour.
+// Ratios of the axes above this have the same colour.
 inline constexpr double kLargestAnisotropy = 1024;
-// Of the planes of an anisotropy layer; NaN where nothing was hit.
+// Anisotropy (ratio of the footprint's axes) from the planes of an anisotropy layer; NaN for pixels without a hit.
 double anisotropy(const std::vector<relief::NamedPlane>& planes, int x, int y);
 bool wrongOutcomeMarked(int x, int y, int hatch = kHatch);
 
-// Frames are big: to be called on the worker's thread. The error traces the frame once more; throws Cancelled.
-// enlarged: how many times as large as on the screen the picture is: hatches are as much coarser.
+// Renders a layer. Call this on the worker's thread, because frames are large; the error layer traces the frame again.
+// Throws Cancelled. enlarged: size of the picture relative to the screen; hatches are coarser by the same factor.
 LayerPicture makeLayer(Layer layer, const relief::Frame& frame, const relief::FrameRequest& request,
                        relief::MapCache& maps, relief::Work& work, double enlarged = 1);
-// Paints a layer of numbers anew; of any other layer nothing changes.
+// Recolours a numeric layer by another range; other layers stay unchanged.
 void colorLayer(LayerPicture& layer, const ColorRange& range);
 
 }  // namespace reliefui

@@ -7,7 +7,7 @@ namespace reliefui {
 struct Mailbox::Address::Queue {
     std::mutex mutex;
     std::deque<std::function<void()>> calls;
-    Mailbox* mailbox = nullptr;  // null: it is gone
+    Mailbox* mailbox = nullptr;  // null after the mailbox was destroyed
 };
 
 void Mailbox::Address::post(std::function<void()> call) const {
@@ -23,7 +23,8 @@ Mailbox::Mailbox(const QObject* owner) : address_(std::make_shared<Address::Queu
 }
 
 Mailbox::~Mailbox() {
-    std::deque<std::function<void()>> dropped;  // destroyed without the lock: what calls hold may post
+    // destroyed after the lock is released, because objects held by the calls may post in their destructors
+    std::deque<std::function<void()>> dropped;
     const std::lock_guard lock(address_.queue_->mutex);
     address_.queue_->mailbox = nullptr;
     dropped.swap(address_.queue_->calls);

@@ -1,6 +1,6 @@
-// Calls from any thread to the thread of an event loop. Calls are kept in a queue under a mutex of our own, and Qt's
-// event says only that there is one: so the order of the memory that a call brings along rests on std::mutex, which the
-// thread sanitizer understands, and not on Qt's queues, which it does not see.
+// Passes calls from any thread to the thread of an event loop. The calls are kept in a queue under a mutex of our own,
+// and Qt's event only signals that there is one. Memory ordering thus depends on std::mutex, which the thread sanitizer
+// understands, and not on Qt's queues, which it cannot see.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@ namespace reliefui {
 class Mailbox : public QObject {
     Q_OBJECT
   public:
-    // Where calls are posted; may outlive the mailbox: then they are dropped. Thread safe.
+    // Handle for posting calls. It may outlive the mailbox; calls are then dropped. Thread safe.
     class Address {
       public:
         void post(std::function<void()> call) const;
@@ -27,10 +27,10 @@ class Mailbox : public QObject {
         std::shared_ptr<Queue> queue_;
     };
 
-    // Calls run on the thread that makes the mailbox, in the order in which they were posted, each in an event of its
-    // own. owner: named where it is said what holds the window's thread.
+    // Calls run on the thread that constructs the mailbox, in the order in which they were posted, each in an event of
+    // its own. owner: its class name identifies these events in PauseLog.
     explicit Mailbox(const QObject* owner);
-    // On the same thread. What has not run is dropped.
+    // Must run on the same thread. Pending calls are dropped.
     ~Mailbox() override;
 
     Address address() const { return address_; }

@@ -15,7 +15,7 @@ using relief::JsonReader;
 using relief::Message;
 using relief::MessageId;
 
-// In the order of their names, so that the same choices are the same text.
+// Sorted by name, so that equal states give equal text.
 std::string textOf(const std::map<std::string, Json>& states) {
     Json json = Json::object();
     for (const auto& [name, state] : states) {
@@ -65,7 +65,7 @@ relief::Scenario parseWindowScenario(const std::string& text, const std::string&
     if (readers.empty()) return scenario;
     const Json json = relief::parseJson(text, fileName);
     JsonReader reader({text, fileName}, json, {});
-    // As parseScenario() chooses.
+    // The same members that parseScenario() selects.
     for (const char* key : {"ui", "panes"}) {
         if (!reader.has(key)) continue;
         scenario.ui = checkedStates(reader.child(key), readers, fileName);

@@ -1,10 +1,10 @@
-// What is chosen in the panes: an object for each, by its name, which a scenario carries in its object `ui` and which
-// only the pane can read. Nothing is rendered or traced anew when it changes. The state of a pane is a struct with
-//   static constexpr const char* kName               its name in files
-//   void read(relief::JsonReader)                    throws relief::InputError with the line of a fault
-//   void check(const std::string& subject) const     the same, of values out of range
+// The user's choices in the panes: one JSON object per pane, by the pane's name, stored in the scenario's object `ui`.
+// Only the pane can interpret it, and changing it causes no rendering or tracing. The state of a pane is a struct with
+//   static constexpr const char* kName               name in files
+//   void read(relief::JsonReader)                    throws relief::InputError with the line of the fault
+//   void check(const std::string& subject) const     the same for values out of range
 //   relief::Json json() const
-// and operator==. Nothing is kept of a state that is as it is made.
+// and operator==. A state equal to the default-constructed one is not stored.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 namespace reliefui {
 
 void readState(const relief::Scenario& scenario, const char* name, const std::function<void(relief::JsonReader)>& read);
-// Empty: nothing is kept.
+// Stores a pane's state; an empty object removes it.
 void keepState(relief::Scenario& scenario, const char* name, const relief::Json& state);
 
 template <class State>
@@ -37,14 +37,14 @@ relief::Scenario withState(relief::Scenario scenario, const State& state) {
     return scenario;
 }
 
-// Reads a state, checks it, and returns it as it is kept. subject: of what the errors speak.
+// Reads a state, checks it, and returns it in the form in which it is stored. subject: the subject of error messages.
 using StateReader = std::function<relief::Json(relief::JsonReader reader, const std::string& subject)>;
-// By the states' names. None at all: everything is taken as it stands.
+// The readers by the states' names. An empty map accepts all states unchecked.
 struct StateReaders : std::map<std::string, StateReader> {
     using map::map;
 };
 
-// An entry of them.
+// Creates the map entry for a type of state.
 template <class State>
 StateReaders::value_type readerOf() {
     return {State::kName, [](relief::JsonReader reader, const std::string& subject) {
@@ -55,13 +55,13 @@ StateReaders::value_type readerOf() {
             }};
 }
 
-// relief::InputError for a state that no reader knows, and for the first value that is unknown or out of range.
+// Throws relief::InputError for a state without a reader, and for the first unknown or out-of-range value.
 void checkStates(const relief::Scenario& scenario, const StateReaders& readers, const std::string& subject);
-// As parseScenario() and loadScenario(); the states are checked, too, and a fault in them names its line.
+// As parseScenario() and loadScenario(), but the panes' states are checked as well; errors in them name the line.
 relief::Scenario parseWindowScenario(const std::string& text, const std::string& fileName, const StateReaders& readers);
 relief::Scenario loadWindowScenario(const std::string& path, const StateReaders& readers);
 
-// What states check with: relief::InputError that says what is known, or the range.
+// Helpers for check(): throw relief::InputError that lists the known names, or states the range.
 void checkName(const std::string& what, const std::string& name, const std::vector<std::string>& known);
 void checkWithin(const std::string& subject, const std::string& what, double value, double low, double high);
 

@@ -13,8 +13,8 @@ namespace reliefui {
 
 namespace {
 
-// What takes so much of an event gives it its name.
-constexpr double kMostOfIt = 0.5;
+// A nested part that takes at least this share of an event's time is included in the event's name.
+constexpr double kNamingShare = 0.5;
 
 double msBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
@@ -28,7 +28,7 @@ QString between() {
     return QStringLiteral(" › ");
 }
 
-// What parts are called where they tell of themselves (PauseLog::Part).
+// Translatable names of parts, as passed to PauseLog::Part.
 constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("parts", "bottom line"),
     QT_TRANSLATE_NOOP("parts", "breakpoints"),
@@ -68,8 +68,8 @@ constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("parts", "trace 3-D: step"),
 };
 
-// Parts in the user's language; classes and events are Qt's words.
-QString said(const QString& what) {
+// Translates the names of parts; names of classes and events are Qt's own and stay.
+QString translated(const QString& what) {
     QStringList parts = what.split(between());
     for (QString& part : parts) {
         for (const char* const known : kParts) {
@@ -86,7 +86,7 @@ PauseLog& PauseLog::instance() {
     return log;
 }
 
-// Events that have begun go on.
+// Events that are being handled are still measured, from now on.
 void PauseLog::clear() {
     gap_ = longestGap_ = {};
     gapLongest_ = 0;
@@ -95,10 +95,10 @@ void PauseLog::clear() {
     started_ = Clock::now();
 }
 
-PauseLog::Pause PauseLog::longestOurs() const {
+PauseLog::Pause PauseLog::longestComputation() const {
     Pause longest;
     for (const auto& [what, pause] : worst_) {
-        if (pause.ours() > longest.ours()) longest = pause;
+        if (pause.computed() > longest.computed()) longest = pause;
     }
     return longest;
 }
@@ -106,7 +106,7 @@ PauseLog::Pause PauseLog::longestOurs() const {
 std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
     std::vector<Pause> all;
     for (const auto& [what, pause] : worst_) all.push_back(pause);
-    std::sort(all.begin(), all.end(), [](const Pause& a, const Pause& b) { return a.ours() > b.ours(); });
+    std::sort(all.begin(), all.end(), [](const Pause& a, const Pause& b) { return a.computed() > b.computed(); });
     if (all.size() > most) all.resize(most);
     return all;
 }
@@ -114,7 +114,7 @@ std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
 QString PauseLog::text(std::size_t most) const {
     const auto line = [](const Pause& pause) {
         return tr("%1 ms, of them %2 ms of painting: %3")
-            .arg(number(pause.ms), number(pause.drawing), said(pause.what));
+            .arg(number(pause.ms), number(pause.drawing), translated(pause.what));
     };
     QString text = tr("longest pause of the window: ") + line(longestGap());
     for (const Pause& pause : worst(most)) {
@@ -132,9 +132,9 @@ QString PauseLog::nameOf(const Frame& frame) {
     return text + QLatin1Char(' ') + (type != nullptr ? QString::fromLatin1(type) : QString::number(frame.type));
 }
 
-QString PauseLog::told(const Frame& frame, double ms) {
+QString PauseLog::describe(const Frame& frame, double ms) {
     const QString name = nameOf(frame);
-    const bool more = frame.longest > kMostOfIt * ms && !frame.longestName.isEmpty();
+    const bool more = frame.longest > kNamingShare * ms && !frame.longestName.isEmpty();
     return more ? name + between() + frame.longestName : name;
 }
 
@@ -144,28 +144,28 @@ void PauseLog::open() {
     started_ = Clock::now();
 }
 
-// The stretch without a look at the queue ends; it is that of the innermost loop's event.
+// Ends the current interval without a poll of the event queue and attributes it to the innermost event loop's event.
 void PauseLog::close(Clock::time_point now) {
     if (!running_) return;
     running_ = false;
     const double ms = msBetween(started_, now);
     gap_.ms += ms;
     gap_.drawing += drawing_;
-    if (ms < kWorthTelling) return;
+    if (ms < kListedFromMs) return;
     const auto frame = std::find_if(stack_.rbegin(), stack_.rend(), [](const Frame& f) { return f.outermost; });
     if (frame == stack_.rend()) return;
-    const QString what = told(*frame, ms);
+    const QString what = describe(*frame, ms);
     if (ms > gapLongest_) {
         gapLongest_ = ms;
         gap_.what = what;
     }
     Pause& pause = worst_[what];
     const int times = pause.times + 1;
-    if (times == 1 || ms - drawing_ > pause.ours()) pause = {what, ms, drawing_, 0};
+    if (times == 1 || ms - drawing_ > pause.computed()) pause = {what, ms, drawing_, 0};
     pause.times = times;
 }
 
-void PauseLog::looked() {
+void PauseLog::queuePolled() {
     close(Clock::now());
     if (gap_.ms > longestGap_.ms) longestGap_ = gap_;
     gap_ = {};
@@ -185,18 +185,18 @@ void PauseLog::pop() {
     if (frame.outermost) {
         close(now);
         stack_.pop_back();
-        if (!stack_.empty()) open();  // what ran a loop of its own goes on
+        if (!stack_.empty()) open();  // the event that ran a nested loop continues
         return;
     }
     if (stack_.size() > 1) {
         Frame& outer = stack_[stack_.size() - 2];
-        // What was drawn inside is not drawn twice.
+        // Subtracted from the enclosing part, so that painting time is not counted twice.
         outer.inside += ms;
-        if (ms >= kWorthTelling && ms > outer.longest) {
+        if (ms >= kListedFromMs && ms > outer.longest) {
             outer.longest = ms;
-            outer.longestName = told(frame, ms);
-            // A part of a part says more than an event that was only handed on.
-            if (frame.type != 0 && frame.longest > kMostOfIt * ms) outer.longestName = frame.longestName;
+            outer.longestName = describe(frame, ms);
+            // If an event was only forwarded to another object, the part inside it is the better name.
+            if (frame.type != 0 && frame.longest > kNamingShare * ms) outer.longestName = frame.longestName;
         }
     }
     stack_.pop_back();
@@ -210,7 +210,7 @@ void PauseLog::enter(const QObject* receiver, QEvent::Type type, int loop) {
     frame.type = type;
     frame.loop = loop;
     frame.outermost = stack_.empty() || loop > stack_.back().loop;
-    // The window is composed of its panes' pictures, and these are drawn; at first its surface is made.
+    // These events compose the window from its panes' pictures, or create its surface, which counts as painting.
     frame.drawing = type == QEvent::UpdateRequest || type == QEvent::Expose ||
                     (type == QEvent::Paint && qobject_cast<const QOpenGLWidget*>(receiver) != nullptr);
     if (frame.outermost) {
@@ -224,8 +224,8 @@ void PauseLog::leave() {
     if (!stack_.empty()) pop();
 }
 
-PauseLog::Part::Part(const char* name, bool drawing) : told_(instance().thread_ == std::this_thread::get_id()) {
-    if (!told_) return;
+PauseLog::Part::Part(const char* name, bool drawing) : measured_(instance().thread_ == std::this_thread::get_id()) {
+    if (!measured_) return;
     PauseLog& log = instance();
     Frame frame;
     frame.name = name;
@@ -235,7 +235,7 @@ PauseLog::Part::Part(const char* name, bool drawing) : told_(instance().thread_ 
 }
 
 PauseLog::Part::~Part() {
-    if (told_ && !instance().stack_.empty()) instance().pop();
+    if (measured_ && !instance().stack_.empty()) instance().pop();
 }
 
 }  // namespace reliefui

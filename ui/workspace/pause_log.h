@@ -1,5 +1,5 @@
-// How long the window's thread was held: from one look at its queue of events to the next, and with what. What
-// QPainter, OpenGL and VTK take for putting pictures on the screen is told apart from what is computed there. The
+// Measures how long the window's thread is blocked: the time from one poll of its event queue to the next, and the
+// event responsible. Time that QPainter, OpenGL and VTK spend on painting is separated from computation. For the
 // window's thread only.
 #pragma once
 
@@ -21,33 +21,34 @@ class PauseLog {
   public:
     struct Pause {
         QString what;        // "Workspace MetaCall › trace 3-D"
-        double ms = 0;       // in all
-        double drawing = 0;  // of them ms of painting
-        int times = 0;       // that it took kWorthTelling or longer
-        double ours() const { return ms - drawing; }
+        double ms = 0;       // in total
+        double drawing = 0;  // part of `ms` spent on painting
+        int times = 0;       // number of pauses of at least kListedFromMs
+        double computed() const { return ms - drawing; }
     };
-    static constexpr double kWorthTelling = 5;  // ms: shorter ones are not listed
-    static constexpr double kMostOfOurs = 50;   // ms: what no computation may take
+    static constexpr double kListedFromMs = 5;     // shorter pauses are not listed
+    static constexpr double kMostComputedMs = 50;  // limit for computation in one event
 
     static PauseLog& instance();
 
     void clear();
-    // Between two looks at the queue, of all events and of one; ms are those of the longest.
+    // The longest interval between two polls of the queue, which may comprise several events; `what` is the longest of
+    // these.
     Pause longestGap() const { return gap_.ms > longestGap_.ms ? gap_ : longestGap_; }
-    // One event, by what was computed for it.
-    Pause longestOurs() const;
-    // The longest of each kind of event, most computed first.
+    // The single event with the longest computation.
+    Pause longestComputation() const;
+    // The longest pause of each kind of event, sorted by computation time in descending order.
     std::vector<Pause> worst(std::size_t most) const;
-    // For a person: a line each.
+    // Text for the user: one line per pause.
     QString text(std::size_t most) const;
 
-    // Told by the application: an event begins (loop: how many event loops run inside one another), ends; the queue is
-    // looked at.
+    // Called by the application when an event begins (loop: nesting depth of event loops), when it ends, and when the
+    // queue is polled.
     void enter(const QObject* receiver, QEvent::Type type, int loop);
     void leave();
-    void looked();
+    void queuePolled();
 
-    // A part of an event with a name of its own, for as long as it lives.
+    // A named part of an event; it is measured from construction to destruction.
     class Part {
       public:
         explicit Part(const char* name, bool drawing = false);
@@ -56,22 +57,22 @@ class PauseLog {
         Part& operator=(const Part&) = delete;
 
       private:
-        bool told_;  // other threads hold nobody
+        bool measured_;  // false on other threads, which do not block the window
     };
 
   private:
     using Clock = std::chrono::steady_clock;
-    // An event, or a part of it, that has begun.
+    // An event, or a part of one, in progress.
     struct Frame {
-        const char* name = nullptr;  // of the class or the part
+        const char* name = nullptr;  // name of the class or the part
         QString object;
-        int type = 0;          // of the event; 0: a part
-        bool drawing = false;  // its own time is that of painting
+        int type = 0;          // event type; 0 for a part
+        bool drawing = false;  // counts as painting, except for nested parts
         bool outermost = false;
         int loop = 0;
         Clock::time_point start;
-        double inside = 0;   // ms of what it called
-        double longest = 0;  // ms of the longest of those
+        double inside = 0;   // ms spent in nested parts
+        double longest = 0;  // ms of the longest nested part
         QString longestName;
     };
 
@@ -80,20 +81,20 @@ class PauseLog {
     void open();
     void close(Clock::time_point now);
     static QString nameOf(const Frame& frame);
-    static QString told(const Frame& frame, double ms);
+    static QString describe(const Frame& frame, double ms);
 
     std::thread::id thread_;
     std::vector<Frame> stack_;
-    bool running_ = false;  // since started_, without a look at the queue
+    bool running_ = false;  // an interval without a poll of the queue has begun, at started_
     Clock::time_point started_;
-    double drawing_ = 0;  // ms since then
-    Pause gap_;           // since the last look
+    double drawing_ = 0;  // ms of painting since started_
+    Pause gap_;           // since the last poll
     double gapLongest_ = 0;
     Pause longestGap_;
     std::map<QString, Pause> worst_;
 };
 
-// A picture is painted, by QPainter or by VTK and OpenGL.
+// Marks its lifetime as painting, by QPainter or by VTK and OpenGL.
 class DrawingTime {
   public:
     explicit DrawingTime(const char* name) : part_(name, true) {}

@@ -10,9 +10,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr std::size_t kMost = 24;  // that one would look at
-constexpr int kApart = 40;         // of so many parts of the picture's width
-constexpr int kLeastApart = 4;     // pixels
+constexpr std::size_t kMost = 24;  // largest number of pixels found
+constexpr int kApart = 40;         // minimum distance of two pixels is the picture's width divided by this,
+constexpr int kLeastApart = 4;     // but at least this, in pixels
 
 QString nameOf(const relief::MethodChoice& method) {
     return QString::fromStdString(relief::variationText(relief::CompareSubject::Methods, method));
@@ -57,7 +57,7 @@ void PixelFinder::cancel() {
 void PixelFinder::next(relief::Worth worth, const relief::MethodChoice& rival) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot || !snapshot->frame || snapshot->coarse) {
-        Q_EMIT said(tr("The picture is not complete yet"));
+        Q_EMIT reported(tr("The picture is not complete yet"));
         return;
     }
     const bool same =
@@ -76,7 +76,7 @@ void PixelFinder::next(relief::Worth worth, const relief::MethodChoice& rival) {
         next_ = 0;
         choose();
     };
-    Q_EMIT said(tr("Looking for pixels …"));
+    Q_EMIT reported(tr("Looking for pixels …"));
     job_->start({work, done});
 }
 
@@ -85,19 +85,19 @@ void PixelFinder::choose() {
         const QString none[] = {
             tr("Every hit is the exact one"), tr("No ray takes a step"), tr("No ray goes past the surface"),
             tr("%1 and %2 agree everywhere").arg(nameOf(workspace_->scenario().method), nameOf(rival_))};
-        Q_EMIT said(none[static_cast<std::size_t>(worth_)]);
+        Q_EMIT reported(none[static_cast<std::size_t>(worth_)]);
         return;
     }
     const relief::PixelWorth& pixel = found_[next_ % found_.size()];
     workspace_->settle();
     workspace_->choosePixel(pixel.x, pixel.y);
     workspace_->settle();
-    Q_EMIT said(tr("%1 of %2: pixel (%3, %4), %5")
-                    .arg(next_ % found_.size() + 1)
-                    .arg(found_.size())
-                    .arg(pixel.x)
-                    .arg(pixel.y)
-                    .arg(textOf(pixel)));
+    Q_EMIT reported(tr("%1 of %2: pixel (%3, %4), %5")
+                        .arg(next_ % found_.size() + 1)
+                        .arg(found_.size())
+                        .arg(pixel.x)
+                        .arg(pixel.y)
+                        .arg(textOf(pixel)));
     ++next_;
 }
 

@@ -1,5 +1,5 @@
-// Goes to the pixels that are worth looking at, one after the other: where the method is farthest from exact, takes the
-// most steps, goes past the surface, or disagrees with another method. Found on a thread of its own.
+// Goes through notable pixels, one after the other: those where the method has the largest error, takes the most steps,
+// passes the surface, or disagrees with another method. The search runs on a thread of its own.
 #pragma once
 
 #include <memory>
@@ -20,30 +20,30 @@ class PixelFinder : public QObject {
     explicit PixelFinder(Workspace* workspace, QObject* parent = nullptr);
     ~PixelFinder() override;
 
-    // The next pixel of this kind; the first one when picture or kind are others than before, and after the last.
-    // rival: of the disagreement, a method beside the scenario's own.
+    // Goes to the next pixel of this kind. Starts with the first one if the picture or the kind has changed, and again
+    // after the last. rival: the other method, for Worth::Disagreement.
     void next(relief::Worth worth, const relief::MethodChoice& rival);
     bool busy() const { return job_->busy(); }
-    // Of the kind that was looked for last, best first.
+    // Results of the last search, best first.
     const std::vector<relief::PixelWorth>& found() const { return found_; }
 
   public slots:
     void cancel();
 
   signals:
-    void said(const QString& oneLine);  // which pixel that is, or that there is none
+    void reported(const QString& oneLine);  // describes the chosen pixel, or says that none was found
 
   private:
     void choose();
     QString textOf(const relief::PixelWorth& pixel) const;
 
     Workspace* workspace_;
-    std::shared_ptr<const relief::HitStage> hits_;  // that were looked through
+    std::shared_ptr<const relief::HitStage> hits_;  // the frame's hits that were searched
     relief::Worth worth_ = relief::Worth::Error;
     relief::MethodChoice rival_;
     std::vector<relief::PixelWorth> found_;
     std::size_t next_ = 0;
-    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+    std::unique_ptr<LatestJob> job_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

@@ -17,24 +17,24 @@ using relief::FootprintKind;
 using relief::FootprintTexel;
 using relief::LevelAxis;
 
-// More are not written down one by one: a footprint at the horizon, always on level 0, holds millions.
+// Limit for individual texels: a footprint at the horizon contains millions if the filter always uses level 0.
 constexpr std::int64_t kMostListed = 200000;
-// Texels of the level; what is larger is not drawn.
+// In texels of the level; larger circles are not drawn.
 constexpr double kLargestCircle = 1e6;
 
 bool finite(const relief::Jacobian& j) {
     const double most = std::max({std::abs(j.ux), std::abs(j.vx), std::abs(j.uy), std::abs(j.vy)});
-    return most < kLargestCircle;  // false for NaN
+    return most < kLargestCircle;  // also false for NaN
 }
 
-// The centre of texel i nearest to x: in the copy of the picture that x lies in or beside.
+// Centre of the periodic copy of texel i that is nearest to x.
 double unwrapped(const LevelAxis& axis, int i, double x) {
     const double centre = axis.centre(i);
     if (axis.address != relief::Address::Repeat) return centre;
     return centre + std::round((x - centre) / axis.extent) * axis.extent;
 }
 
-// The texels that a bilinear reading at `place` takes on level l, whose axes are given; u, v in texels of `base`.
+// Adds the texels of a bilinear sample at `place` on level l, whose axes are given; u, v are in texels of level `base`.
 void addBilinear(std::vector<FootprintTexel>& texels, const LevelAxis& across, const LevelAxis& down, glm::dvec2 place,
                  int l, int base, const relief::Color& weight) {
     const relief::BilinearSupport x = across.support(place.x);
@@ -59,7 +59,7 @@ LevelAxis axisOf(int size, int level, const relief::FrameRequest& request) {
     return LevelAxis::of(size, level, request.field.address());
 }
 
-// What is read at a point by filters that log no texels. weight: of the whole reading.
+// Adds the texels of a point sample, for filters that do not log their texels. weight: of the whole sample.
 void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture,
               const relief::Jacobian& j, glm::dvec2 place, const relief::Color& weight = relief::Color(1)) {
     std::vector<FootprintTexel>& texels = out.log.texels;
@@ -68,7 +68,7 @@ void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const re
                     {std::ldexp(place.x, -l), std::ldexp(place.y, -l)}, l, out.level(),
                     static_cast<float>(part) * weight);
     };
-    // Without a colour picture it is the surface that is read at the hit.
+    // Without a colour picture, the colour is a height of the relief, sampled like its surface.
     const bool nearest =
         request.color ? out.filter.name == "nearest" : request.field.surface() == relief::Surface::Columns;
     if (nearest && !relief::findFilter(out.filter.name).footprint) {
@@ -78,7 +78,7 @@ void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const re
         texels.push_back({at(place.x, picture.width()), at(place.y, picture.height()), 0, std::floor(place.x) + 0.5,
                           std::floor(place.y) + 0.5, weight});
     } else if (out.filter.name == "trilinear") {
-        // As the filter chooses it.
+        // The same choice of level as in the filter.
         const double side = std::max(std::hypot(j.ux, j.vx), std::hypot(j.uy, j.vy));
         const double level = side > 1 ? std::log2(side) : 0;
         const double share = level - out.level();
@@ -93,13 +93,13 @@ void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const re
     }
 }
 
-// Each reading becomes its texel's: at the centre of the texel, in the copy of the picture that was read, and of all of
-// the same, seen or hidden, one with the sum of their weights. Row by row.
+// Moves each sample to the centre of its texel, in the periodic copy that was sampled, and merges samples of the same
+// texel into one with the sum of their weights, separately for visible and hidden ones. The result is ordered by rows.
 void joinTexels(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture) {
     std::vector<FootprintTexel>& texels = out.log.texels;
     const auto snapped = [](const LevelAxis& axis, int i, double x) {
         if (axis.address == relief::Address::Repeat || (x >= 0 && x <= axis.extent)) return unwrapped(axis, i, x);
-        // Beyond the rim the outermost texel goes on for ever.
+        // With other address modes the outermost texel continues beyond the border.
         return axis.centre(i) + std::round(x - axis.centre(i));
     };
     for (FootprintTexel& texel : texels) {
@@ -134,7 +134,7 @@ void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief
             PixelCircle circle;
             circle.jacobian = scaled(query->jacobian, perField);
             circle.centre = query->place * perField;
-            circle.beside = dx == 0 || dy == 0;
+            circle.sharesSide = dx == 0 || dy == 0;
             if (frame.filter && frame.filter->description().ellipse && out.listed) {
                 relief::FootprintLog log;
                 relief::FootprintCounts counts;
@@ -233,7 +233,7 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
         out->log.footprint.centre = {out->across.extent / 2, out->down.extent / 2};
         out->log.texels.push_back({0, 0, f.level, f.centre.x, f.centre.y, relief::Color(1)});
     } else if (f.kind == FootprintKind::Top) {
-        // Logged around the centre of a footprint that has none.
+        // The filter logs around a placeholder centre, because this footprint has none; moved to the hit.
         const glm::dvec2 shift = place * shrink - f.centre;
         for (FootprintTexel& texel : out->log.texels) texel.u += shift.x, texel.v += shift.y;
         out->log.footprint.centre = place * shrink;
@@ -248,7 +248,7 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
     }
     if (f.kind == FootprintKind::Top) out->bounded = false;
     if (out->log.allHidden) {
-        // The colour at the hit is read instead.
+        // Everything is hidden: the filter samples the colour at the hit instead.
         addBilinear(out->log.texels, axisOf(colors.width(), 0, request), axisOf(colors.height(), 0, request),
                     f.centre * std::ldexp(1.0, f.level), 0, f.level, relief::Color(1));
     }

@@ -1,4 +1,4 @@
-// What the filter did for the chosen pixel, and what it read from, ready to be drawn.
+// The filter's work for the chosen pixel and the colours it read, ready to be drawn.
 #pragma once
 
 #include <memory>
@@ -12,33 +12,34 @@
 
 namespace reliefui {
 
-// The colours that a frame's filter reads, and their mean pyramid where a level above 0 is asked for. Kept from frame
-// to frame.
+// The colours that a frame's filter reads, and their mean pyramid if a level above 0 is needed. Cached between frames.
 class FilteredPicture {
   public:
-    // Heights without colours that would take too much as a picture.
+    // Returns true for heights without a colour picture that would need too much memory as one.
     static bool tooLarge(const relief::FrameRequest& request);
-    // Not for such.
+    // Sets the picture; must not be called if tooLarge().
     void use(const relief::FrameRequest& request);
     const std::shared_ptr<const relief::ColorImage>& picture() const { return picture_; }
-    // Throws Cancelled.
+    // Returns level l of the mean pyramid, building it if necessary. Throws Cancelled.
     std::shared_ptr<const relief::ColorImage> level(int l, relief::Work& work);
 
   private:
     std::shared_ptr<const relief::ColorImage> picture_;
-    std::shared_ptr<const relief::FloatImage> greyOf_;  // null: the picture is a given one
+    // heights from which the grey picture was made; null for a colour picture
+    std::shared_ptr<const relief::FloatImage> greyOf_;
     std::shared_ptr<const relief::ColorLevels> levels_;
 };
 
-// A pixel's circle on the texture: of this radius in pixels, centre and Jacobian in texels of level 0.
+// The image on the texture of a circle around the pixel, of this radius in pixels; centre and Jacobian are in texels of
+// level 0.
 struct PixelCircle {
     relief::Jacobian jacobian;
     glm::dvec2 centre{0};
     double radius = 1;
-    bool beside = false;  // of a neighbour that shares a side, not only a corner
+    bool sharesSide = false;  // the neighbour shares a side with the pixel, not only a corner
 };
 
-// Where one of the pixel's rays met the relief, texels of the footprint's level, and its part of the pixel.
+// Hit of one of the pixel's rays, in texels of the footprint's level, and its share of the pixel's weight.
 struct RayHit {
     glm::dvec2 at{0};
     double share = 0;
@@ -46,37 +47,38 @@ struct RayHit {
 
 struct PixelFootprint {
     relief::FilterChoice filter;
-    // Texels: those that the filter logged, those that readings at points take otherwise. Each once with its whole
-    // weight, at its centre, and once more with the weight that is hidden.
+    // All texels with a weight: those logged by the filter, or those of its point samples. Each occurs once, at its
+    // centre with its whole weight, and a second time with the hidden part of its weight, if any.
     relief::FootprintLog log;
     relief::FootprintCounts counts;
-    bool listed = true;  // false: there were too many texels to write each of them down
+    bool listed = true;  // false: too many texels to list each of them
     double weightSum = 0;
-    double greatest = 0;                  // weight of all that count; of the hidden where nothing else is listed
-    relief::Jacobian seen;                // of the pixel as the filter saw it, texels of the level
-    relief::PixelCoefficients behind;     // the numbers behind the pixel, of the top plane, texels of the height map
-    bool bounded = true;                  // the pixel's circle is finite
-    std::vector<RayHit> rays;             // of supersample: those that met the relief
-    std::vector<PixelCircle> neighbours;  // of the eight pixels around
-    std::shared_ptr<const relief::ColorImage> colors;    // of the level, linear
-    relief::LevelAxis across, down;                      // of the level
-    glm::dvec2 perHeight{1};                             // texels of the level a texel of the height map
-    std::optional<relief::EllipticalSettings> weighing;  // of filters that weigh the texels of an ellipse
+    // largest weight of a visible texel; of a hidden one if only hidden ones are listed
+    double greatest = 0;
+    relief::Jacobian seen;                // of the pixel as used by the filter, in texels of the level
+    relief::PixelCoefficients behind;     // the pixel's coefficients on the top plane, in texels of the height map
+    bool bounded = true;                  // the image of the pixel's circle is finite
+    std::vector<RayHit> rays;             // supersample only: rays that hit the relief
+    std::vector<PixelCircle> neighbours;  // circles of the eight neighbouring pixels
+    std::shared_ptr<const relief::ColorImage> colors;    // picture of the footprint's level, linear colours
+    relief::LevelAxis across, down;                      // axes of the level
+    glm::dvec2 perHeight{1};                             // texels of the level per texel of the height map
+    std::optional<relief::EllipticalSettings> weighing;  // for filters that weight the texels of an ellipse
 
     int level() const { return log.footprint.level; }
     glm::dvec2 centre() const { return log.footprint.centre; }
-    // All channels' mean.
+    // Mean over the three channels.
     static double weightOf(const relief::FootprintTexel& texel) { return meanOf(texel.weight); }
     static double meanOf(const relief::Color& c) { return static_cast<double>(c.r + c.g + c.b) / 3; }
-    // Its side in texels of the footprint's level.
+    // Side of the texel, in texels of the footprint's level.
     double sideOf(const relief::FootprintTexel& texel) const {
         return std::ldexp(1.0, texel.level - log.footprint.level);
     }
 };
 
-// Of pixel (x, y) of the frame; null where it meets no relief, and for heights
-// that are too large to be looked at as a picture. scale: pixels of the frame per pixel of the picture that
-// is shown (below 1 for coarse frames, whose footprints are not told of). tracer: of the frame. Throws Cancelled.
+// Computes the footprint of pixel (x, y) of the frame. Returns null if it does not hit the relief, or if the heights
+// are too large to be used as a picture. scale: pixels of the frame per pixel of the full picture; neighbours'
+// footprints are computed only at scale 1, not for coarse frames. tracer: the frame's tracer. Throws Cancelled.
 std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame, const relief::FrameRequest& request,
                                                      const relief::Tracer& tracer, int x, int y, double scale,
                                                      FilteredPicture& picture, relief::Work& work);

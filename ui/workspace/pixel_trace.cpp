@@ -7,7 +7,7 @@ namespace reliefui {
 
 namespace {
 
-// The same bits as `exact`, sooner.
+// Gives bit for bit the results of `exact`, but is faster.
 constexpr const char* kExactTracer = "max-pyramid";
 
 void trace(PixelTrace& out, const relief::Tracer& tracer, relief::Work& work) {
@@ -38,7 +38,7 @@ void judgeIt(PixelTrace& out, const std::string& name, const relief::HeightField
     out.judgement = relief::judge(run, out.exact, out.ray, field);
 }
 
-// The ray of the files with their steps.
+// The chosen ray of the files, with its steps.
 std::shared_ptr<const PixelTrace> fileTrace(const relief::OtherTracer& other, const OtherFiles& files,
                                             const relief::HeightField& field) {
     const auto ray = static_cast<std::size_t>(other.ray);

@@ -1,5 +1,5 @@
-// The ray that is looked at: the chosen pixel's, as the production tracer logged it, or one of somebody else's tracer,
-// from its files.
+// The ray shown in the panes: the chosen pixel's, as logged by the method, or a ray from files of another program's
+// tracer.
 #pragma once
 
 #include <memory>
@@ -14,37 +14,37 @@ namespace reliefui {
 
 struct PixelTrace {
     relief::PixelChoice pixel;
-    bool onRelief = false;  // false: no polygon covers the pixel; the rest is empty then
+    bool onRelief = false;  // false: no polygon covers the pixel, and the other members are empty
     relief::ViewRay ray;
     relief::Hit hit;
     std::vector<relief::Step> steps;
     std::uint32_t reads = 0;
-    int baseLevel = 0;            // what the method traced instead of the heights, see Tracer::baseLevel
-    bool fromFile = false;        // the steps are somebody else's
-    bool hidden = false;          // somebody is guessing: hit and steps were taken out
-    relief::Hit exact;            // of the same ray
-    relief::Judgement judgement;  // of these steps by it
+    int baseLevel = 0;            // pyramid level that the method traced instead of the heights, see Tracer::baseLevel
+    bool fromFile = false;        // the steps come from another program's files
+    bool hidden = false;          // the user is guessing: hit and steps were removed
+    relief::Hit exact;            // exact hit of the same ray
+    relief::Judgement judgement;  // of the steps, compared with `exact`
 
-    // What breakpoints are held against.
+    // The data against which breakpoints are checked.
     relief::StoppedRay stopped() const {
         const bool departs = judgement.kind != relief::Departure::None;
         return {&steps, judgement.overshoot, departs ? std::optional<std::size_t>(judgement.step) : std::nullopt};
     }
 };
 
-// The two files of somebody else's tracer.
+// Contents of the two files of another program's tracer.
 struct OtherFiles {
-    relief::OtherTracer from;  // which files; their ray and `shown` mean nothing here
+    relief::OtherTracer from;  // the files' paths; its members for the ray and `shown` are unused
     relief::RayBlock rays;
     relief::StepLog log;
 };
-// Throws InputError with file and line.
+// Throws InputError that names file and line.
 std::shared_ptr<const OtherFiles> readOtherFiles(const relief::OtherTracer& other);
 
-// The ray's log by the method; the pixel's ray, or (with files) the ray of the files.
+// Traces the pixel's ray or, if there are files, the chosen ray of the files, and logs the method's steps.
 struct RayTraces {
-    PixelTrace shown;                         // what all panes show
-    std::shared_ptr<const PixelTrace> other;  // of the files; null: there are none
+    PixelTrace shown;                         // shown in all panes
+    std::shared_ptr<const PixelTrace> other;  // ray and steps from the files; null without files
     std::size_t otherRays = 0;
 };
 RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest& request, const relief::Tracer& tracer,

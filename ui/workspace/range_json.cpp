@@ -16,7 +16,7 @@ using relief::Message;
 using relief::MessageId;
 
 constexpr double kMostValue = 1e9;
-constexpr double kLeastPercent = 0.001;  // between percentiles
+constexpr double kLeastPercent = 0.001;  // smallest difference of two percentiles
 
 const std::vector<std::string> kScales{"linear", "log"};
 const std::vector<std::string> kEnds{"all", "percentile", "own"};

@@ -1,8 +1,8 @@
-// The colour ranges of pictures in a scenario: the object `ranges` beside the panes' states, with a member for each
-// picture whose range somebody has chosen:
+// The colour ranges in a scenario: the object `ranges`, next to the panes' states, with a member for each picture whose
+// range the user has changed:
 //   "steps": {"scale": "log", "ends": "percentile", "low": 1, "high": 99, "threshold": 30}
-// scale: "linear" or "log"; ends: "all", "percentile" (low and high are percent) or "own" (low and high are values);
-// threshold: values up to it share one colour. What is not given is as in the picture's standard.
+// scale: "linear" or "log"; ends: "all", "percentile" (low and high in percent) or "own" (low and high are values);
+// threshold: values up to it share one colour. Missing members have the picture's standard value.
 #pragma once
 
 #include "painting/color_range.h"
@@ -11,13 +11,13 @@
 
 namespace reliefui {
 
-// As the state of a pane (workspace/pane_store.h).
+// Has the form of a pane's state (workspace/pane_store.h).
 struct RangesState {
     static constexpr const char* kName = "ranges";
     ColorRanges ranges;
 
     void read(relief::JsonReader reader);
-    // relief::InputError for ends that enclose nothing.
+    // Throws relief::InputError for an empty range.
     void check(const std::string& subject) const;
     relief::Json json() const;
     bool operator==(const RangesState&) const = default;

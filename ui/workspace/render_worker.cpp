@@ -12,11 +12,11 @@ namespace reliefui {
 
 namespace {
 
-// The hand rests this long: the full picture is drawn though nothing said that the drag has ended.
+// If a drag pauses for this long, the full picture is drawn, although the end of the drag was not reported.
 constexpr auto kRest = std::chrono::milliseconds(150);
 constexpr auto kBetweenProgress = std::chrono::milliseconds(50);
 
-// Pixels of a dragged picture are drawn for no longer than this, where a coarser one can be had.
+// Limit for drawing the pixels of a picture during a drag, if a coarser one is possible.
 constexpr auto kTooSlow = std::chrono::milliseconds(200);
 
 QString notesOf(const relief::Assets& assets) {
@@ -84,7 +84,7 @@ void RenderWorker::cancel() {
     const std::lock_guard lock(mutex_);
     std::optional<RenderJob> dropped;
     dropped.swap(nextRender_);
-    // Its coarse picture may be on the way still.
+    // The job's coarse picture may still be on its way to the receiver.
     if (!dropped) dropped.swap(toRefine_);
     toRefine_.reset();
     if (dropped) post([this, version = dropped->version] { listener_.failure({version, {}}); });
@@ -104,8 +104,8 @@ void RenderWorker::postProgress(std::string_view what, double fraction) {
     {
         const std::lock_guard lock(progressMutex_);
         const auto now = Clock::now();
-        if (fraction >= 0 && now - progressTold_ < kBetweenProgress) return;
-        progressTold_ = now;
+        if (fraction >= 0 && now - lastProgress_ < kBetweenProgress) return;
+        lastProgress_ = now;
     }
     post([this, text = QString::fromUtf8(what.data(), static_cast<int>(what.size())), fraction] {
         listener_.progress(text, fraction);
@@ -159,8 +159,8 @@ void RenderWorker::run(const std::stop_token& quit) {
     }
 }
 
-// failed: with the problem in one line, or with nothing where the user cancelled. Work that newer work has cancelled
-// says nothing.
+// Runs body(). On an error, calls failed() with a one-line description; if the user cancelled, with an empty string.
+// Work cancelled by newer work is not reported.
 template <class Body>
 void RenderWorker::guarded(const Body& body, const std::function<void(const QString& problem)>& failed) {
     QString problem;
@@ -196,30 +196,31 @@ void RenderWorker::runLoad(const LoadJob& job, relief::Work& work) {
         });
     if (work.stopped() && result.problem.isEmpty()) {
         const std::lock_guard lock(mutex_);
-        if (!userCancel_) return;  // replaced by a newer one
+        if (!userCancel_) return;  // replaced by a newer load
         result.cancelled = true;
     }
     post([this, result] { listener_.loaded(result); });
 }
 
-// The renderer says "frame" where the pixels begin: what comes before is made once, and worth waiting for.
+// The renderer reports "frame" when it starts drawing pixels. Earlier stages, such as building maps, run once and are
+// not limited.
 void RenderWorker::watch(std::string_view what) {
     if (what != "frame") return;
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
     if (!drawingSince_) drawingSince_ = now;
-    if (running_ != Running::Moving || patient_ || now - *drawingSince_ < kTooSlow) return;
+    if (running_ != Running::Moving || noCoarser_ || now - *drawingSince_ < kTooSlow) return;
     tooSlow_ = true;
     stop_.request_stop();
 }
 
-// What was stopped took at least so long.
+// Tells the renderer that the cancelled frame takes at least the time it has run.
 void RenderWorker::learnFromCancelled(const RenderJob& job) {
     const std::lock_guard lock(mutex_);
     if (userCancel_ || !drawingSince_) return;
     const bool coarser = maker_.gaveUp(std::chrono::duration<double>(Clock::now() - *drawingSince_).count());
     if (!tooSlow_) return;
-    patient_ = !coarser;
+    noCoarser_ = !coarser;
     if (!nextRender_) nextRender_ = job;
 }
 
@@ -232,8 +233,8 @@ void RenderWorker::drawMoving(const RenderJob& job, SnapshotOrder order, relief:
     const auto snapshot = maker_.make(order, work);
     post([this, snapshot] { listener_.snapshot(snapshot); });
     const std::lock_guard lock(mutex_);
-    patient_ = false;
-    // Cancelled when nothing looked for it any more: the coarse picture stays.
+    noCoarser_ = false;
+    // Cancelled too late to be noticed by the drawing: the coarse picture stays, and no full one follows.
     if (userCancel_) return post([this, version = job.version] { listener_.failure({version, {}}); });
     if (!snapshot->coarse || nextRender_) return;
     toRefine_ = job;

@@ -1,7 +1,6 @@
-// The thread on which everything is computed. The latest request wins: a newer one cancels a full picture in the
-// making; the pictures of a drag are finished, so that it is seen while it goes on, except that one which takes far too
-// long gives way to a coarser one.
-// Results are handed over on the receiver's thread, in order.
+// The thread that computes snapshots and loads files. The latest request wins: a newer one cancels a full picture in
+// progress. Pictures of a drag are completed, so that the view follows the drag, unless one takes far too long: it is
+// cancelled and drawn coarser. Results are delivered on the receiver's thread, in order.
 #pragma once
 
 #include <chrono>
@@ -28,12 +27,12 @@ struct RenderJob {
     relief::Scenario scenario;
     std::uint64_t version = 0;
     Layer layer = Layer::Color;
-    bool lastStep = false;  // the ray's last step is the chosen one
-    bool live = false;      // something is being dragged: a picture in time now, the full one when it rests
-    relief::PyramidKind levels = relief::PyramidKind::Max;  // what the pyramid's pane shows
+    bool lastStep = false;  // choose the ray's last step
+    bool live = false;      // part of a drag: draw a picture in time first, and the full one when the drag rests
+    relief::PyramidKind levels = relief::PyramidKind::Max;  // shown in the pyramid pane
 };
 
-// What is loaded before it becomes part of the open scenario: its pictures, and the scenario itself if `path` is given.
+// Loads what a new scenario needs before it is opened: its pictures, and the scenario itself if `path` is given.
 struct LoadJob {
     std::uint64_t id = 0;
     relief::Scenario scenario;
@@ -44,38 +43,38 @@ struct LoadJob {
 struct LoadResult {
     std::uint64_t id = 0;
     relief::Scenario scenario;
-    QString notes;    // what was done to the heights, for people; may be empty
-    QString problem;  // one line; empty: done, or cancelled
+    QString notes;    // what was done to the heights, as text for the user; may be empty
+    QString problem;  // one line; empty if the load succeeded or was cancelled
     bool cancelled = false;
 };
 
 struct RenderFailure {
     std::uint64_t version = 0;
-    QString problem;  // one line; empty: cancelled by the user
+    QString problem;  // one line; empty if the user cancelled
 };
 
-// Called on the receiver's thread.
+// All members are called on the receiver's thread.
 struct WorkerListener {
     std::function<void(std::shared_ptr<const Snapshot>)> snapshot;
     std::function<void(const RenderFailure&)> failure;
     std::function<void(const LoadResult&)> loaded;
-    std::function<void(const QString& what, double fraction)> progress;  // fraction < 0: done
+    std::function<void(const QString& what, double fraction)> progress;  // fraction < 0: finished
 };
 
 class RenderWorker {
   public:
-    // Listeners are called on the calling thread, which is the receiver's.
+    // Must be called on the receiver's thread, on which the listener is then called.
     RenderWorker(const QObject* receiver, WorkerListener listener, relief::AssetStore store);
     ~RenderWorker();
     RenderWorker(const RenderWorker&) = delete;
     RenderWorker& operator=(const RenderWorker&) = delete;
 
     void render(RenderJob job);
-    // The drag has ended: the full picture now.
+    // Reports the end of a drag: the full picture is drawn at once.
     void settle();
-    // A newer load replaces an older one that is not done.
+    // Replaces an earlier load that is not finished.
     void load(LoadJob job);
-    // Stops everything that is running or waiting; each says so to the listener.
+    // Cancels all running and waiting work; each part is reported to the listener as cancelled.
     void cancel();
     void cancelLoad();
 
@@ -102,20 +101,20 @@ class RenderWorker {
     std::condition_variable_any wake_;
     std::optional<LoadJob> nextLoad_;
     std::optional<RenderJob> nextRender_;
-    std::optional<RenderJob> toRefine_;  // was drawn coarse
+    std::optional<RenderJob> toRefine_;  // was drawn coarse; the full picture follows
     Clock::time_point refineAt_;
-    bool resting_ = true;  // nothing is being dragged
+    bool resting_ = true;  // no drag in progress
     Running running_ = Running::Nothing;
-    std::stop_source stop_;    // of what is running
-    bool userCancel_ = false;  // it was stopped by the user, not by newer work
+    std::stop_source stop_;    // of the running job
+    bool userCancel_ = false;  // stopped by the user, not by newer work
     std::optional<Clock::time_point> drawingSince_;
-    bool tooSlow_ = false;  // it was stopped to be drawn coarser
-    bool patient_ = false;  // nothing is coarser: it is waited for
+    bool tooSlow_ = false;    // stopped in order to be drawn coarser
+    bool noCoarser_ = false;  // no coarser picture is possible, so the drawing time is not limited
 
     std::mutex progressMutex_;
-    Clock::time_point progressTold_;
+    Clock::time_point lastProgress_;
 
-    std::jthread thread_;  // last: ends before the rest
+    std::jthread thread_;  // last member: the thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

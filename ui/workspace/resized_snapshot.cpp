@@ -28,7 +28,7 @@ std::shared_ptr<const Snapshot> resized(const std::shared_ptr<const Snapshot>& s
     relief::Scenario scenario = inSize(own, width, std::max(1, static_cast<int>(std::lround(own.height * scale))));
     relief::FrameRequest request = relief::frameRequest(scenario, snapshot->assets);
     request.counts = snapshot->layer.layer == Layer::Steps;
-    // Of a frame with all its stages, as `relief render` of large pictures was measured to take.
+    // Memory of a frame with all its stages, measured for `relief render` of large pictures.
     constexpr std::uint64_t kBytesPerPixel = 96;
     relief::requireMemory(relief::byteProduct({kBytesPerPixel, static_cast<std::uint64_t>(scenario.width),
                                                static_cast<std::uint64_t>(scenario.height)}),

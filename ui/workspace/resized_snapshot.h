@@ -1,4 +1,4 @@
-// The same view in another size, as figures show it.
+// Renders the current view at another size, for figures.
 #pragma once
 
 #include <memory>
@@ -7,12 +7,12 @@
 
 namespace reliefui {
 
-// The scenario with a picture of another size; the chosen pixel is the one at the same place of it.
+// Changes the size of the scenario's picture and moves the chosen pixel to the same relative position.
 relief::Scenario inSize(relief::Scenario scenario, int width, int height);
 
-// The snapshot with a picture `width` pixels wide, of the same shape, see inSize(): frame, picture and layer are
-// rendered anew; the chosen pixel's ray stays the one that was traced. The snapshot itself where it is of
-// that width. Throws MemoryError before it is taken, InputError, Cancelled. Any thread.
+// Renders the snapshot's frame, picture and layer again, `width` pixels wide with the same aspect ratio, see inSize().
+// The trace of the chosen pixel's ray is not repeated. Returns the snapshot itself if it already has this width. Throws
+// MemoryError before allocating, InputError, Cancelled. May be called on any thread.
 std::shared_ptr<const Snapshot> resized(const std::shared_ptr<const Snapshot>& snapshot, int width, relief::Work& work);
 
 }  // namespace reliefui

@@ -24,7 +24,7 @@ QString prefix() {
 
 SessionFiles::SessionFiles(const QString& base)
     : base_(base), lock_(std::make_unique<QLockFile>(base + QStringLiteral(".lock"))) {
-    lock_->setStaleLockTime(0);  // a window may be open for days
+    lock_->setStaleLockTime(0);  // locks never expire: a window may be open for days
 }
 
 SessionFiles SessionFiles::begin() {
@@ -76,7 +76,7 @@ void SessionFiles::setStarting(bool starting) {
     }
 }
 
-// The lock last: without it the others would look left behind.
+// The lock is removed last: other windows take files without a lock for those of a crashed one.
 void SessionFiles::remove() {
     QFile::remove(scenarioFile());
     QFile::remove(layoutFile());

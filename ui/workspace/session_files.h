@@ -1,12 +1,12 @@
-// The files of one run of the window, so that a crash costs seconds of work. They lie beside the settings and are
-// called unfinished-ID with these endings:
+// Files of one session of the window, so that a crash loses only seconds of work. They are stored next to the settings,
+// as unfinished-ID with these extensions:
 //
-//   json       the scenario, as saved last; an ordinary scenario file
-//   ini        where the panes were
-//   lock       names the process while it runs: a window never touches the files of another one that is running
-//   starting   there while the program opens the last state and has not shown it for some seconds
+//   json       the scenario as last saved; an ordinary scenario file
+//   ini        the layout of the panes
+//   lock       names the process while it runs: a window never touches the files of another running one
+//   starting   exists until the program has shown the last state for some seconds
 //
-// A clean end removes them; those of a process that is gone were left by a crash. For one thread.
+// A clean exit removes them; files whose process no longer runs are from a crash. For use on one thread.
 #pragma once
 
 #include <memory>
@@ -20,20 +20,20 @@ namespace reliefui {
 
 class SessionFiles {
   public:
-    // Of this run. Where nothing can be written, held() is false.
+    // Creates the files of this session. If nothing can be written, held() is false.
     static SessionFiles begin();
-    // Of runs that did not end cleanly and left a scenario, the newest first. They are locked: no other window offers
-    // them as long as these objects live. Of many only the newest are kept. If one ended while it was opening the last
-    // state (lastState()), that state becomes its scenario: the next start does not try it again unasked.
+    // Sessions that did not end cleanly and left a scenario, newest first; only the newest are kept. They are locked:
+    // other windows do not offer them while these objects exist. If a session ended while it was opening the last state
+    // (lastState()), that state becomes its scenario, so that the next start does not open it again without asking.
     static std::vector<SessionFiles> leftBehind();
 
-    // Takes the lock if it is free; returns held().
+    // Acquires the lock if it is free; returns held().
     bool take();
     bool held() const { return lock_->isLocked(); }
     QString scenarioFile() const { return base_ + QStringLiteral(".json"); }
     QString layoutFile() const { return base_ + QStringLiteral(".ini"); }
     QDateTime savedAt() const;
-    // The run was opening the last state when it ended.
+    // Returns true if the session ended while opening the last state.
     bool failedToStart() const { return failedToStart_; }
     void setStarting(bool starting);
     void remove();
@@ -42,7 +42,7 @@ class SessionFiles {
     explicit SessionFiles(const QString& base);
     QString startingFile() const { return base_ + QStringLiteral(".starting"); }
 
-    QString base_;  // path without its ending
+    QString base_;  // path without extension
     std::unique_ptr<QLockFile> lock_;
     bool failedToStart_ = false;
 };

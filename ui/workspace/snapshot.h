@@ -1,4 +1,4 @@
-// One state of everything on screen, made by the worker and looked at by the views. Immutable, shared.
+// The complete state shown on screen, computed by the worker and displayed by the views. Immutable and shared.
 #pragma once
 
 #include <cstdint>
@@ -20,28 +20,30 @@
 namespace reliefui {
 
 struct Snapshot {
-    std::uint64_t version = 0;  // of the scenario
+    std::uint64_t version = 0;  // version of the scenario
     relief::Scenario scenario;
     relief::Assets assets;
-    std::shared_ptr<const relief::FrameRequest> request;  // of the frame, as it was drawn: coarse, if coarse
-    bool coarse = false;                                  // drawn with less, or smaller, while something is dragged
-    std::shared_ptr<const relief::Frame> frame;           // of the coarse size, if coarse
-    QImage picture;                                       // the frame as shown; its size is the frame's
-    LayerPicture layer;                                   // what the result view was asked to show instead of it
-    std::shared_ptr<const relief::Tracer> tracer;         // of the frame
-    relief::Guarantee guarantee = relief::Guarantee::Approximate;  // of the method with these options
-    std::size_t methodBytes = 0;                                   // of its maps
-    std::optional<relief::BoundedError> bounded;                   // of a full frame that skips within a bound
-    double ellipseOff = 0;                                         // of a full frame: ellipseError()
-    std::shared_ptr<const PixelFootprint> footprint;               // of the pixel; null where it has no hit
-    PixelTrace trace;                                              // in full-size pixels, also when coarse
-    std::shared_ptr<const PixelTrace> other;                       // of somebody else's tracer; null: no files are open
-    std::size_t otherRays = 0;                                     // that the files have
-    std::shared_ptr<const relief::MaxPyramidMap> maxima;           // over the cells of the field
-    // Over the texels; of large pictures only if they are shown.
+    std::shared_ptr<const relief::FrameRequest> request;  // request of the frame as it was drawn (reduced if `coarse`)
+    bool coarse = false;                                  // drawn at lower quality or resolution during a drag
+    std::shared_ptr<const relief::Frame> frame;           // has the reduced size if `coarse`
+    QImage picture;                                       // the frame as shown; has the frame's size
+    LayerPicture layer;                                   // layer shown instead of the picture in the result view
+    std::shared_ptr<const relief::Tracer> tracer;         // the frame's tracer
+    relief::Guarantee guarantee = relief::Guarantee::Approximate;  // guarantee of the method with its options
+    std::size_t methodBytes = 0;                                   // memory of the method's maps
+    // only for full frames that skip work within an error bound
+    std::optional<relief::BoundedError> bounded;
+    double ellipseOff = 0;                            // ellipseError() of a full frame
+    std::shared_ptr<const PixelFootprint> footprint;  // footprint of the chosen pixel; null without a hit
+    PixelTrace trace;                                 // in full-size pixels, even if `coarse`
+    // ray of another program's tracer; null if no files are open
+    std::shared_ptr<const PixelTrace> other;
+    std::size_t otherRays = 0;                            // number of rays in the files
+    std::shared_ptr<const relief::MaxPyramidMap> maxima;  // over the cells of the field
+    // Over the texels; for large pictures only the one that is shown.
     std::shared_ptr<const relief::Pyramid> means;
     std::shared_ptr<const relief::Pyramid> minima;
-    std::shared_ptr<relief::MapCache> maps;  // that were built for it, and take more
+    std::shared_ptr<relief::MapCache> maps;  // contains the maps built for this snapshot; further maps may be added
 
     bool has(relief::PyramidKind levels) const {
         return levels == relief::PyramidKind::Mean  ? means != nullptr

@@ -14,12 +14,13 @@ namespace reliefui {
 
 namespace {
 
-// A dragged frame has to be on the screen within 33 ms; painting and the panes take their part of it.
+// Time budget of a frame during a drag: it has to be on the screen within 33 ms, part of which is needed for painting
+// and the panes.
 constexpr double kMovingSeconds = 0.020;
-// A coarse picture comes before a full one that takes so many times longer.
+// A coarse picture is drawn first if the full one is expected to take this many times the budget.
 constexpr double kCoarseFirst = 9;
 
-// Everything on which the frame's buffers depend.
+// Compares everything on which the frame's buffers depend.
 bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
     relief::Scenario c = relief::withNotesOf(b, a);
     c.pixel = a.pixel;
@@ -28,17 +29,18 @@ bool sameFrame(const relief::Scenario& a, const relief::Scenario& b) {
     return a == c;
 }
 
-// Texels up to which all pyramids are at hand; a larger picture's would take a gigabyte that nobody looks at.
+// Number of texels up to which all three pyramids are built; for larger pictures, those not shown would waste about 1
+// GB.
 constexpr std::size_t kAllLevels = std::size_t{1} << 24;
 
-// Texels of reliefs that are made by hand.
+// Largest number of texels of a relief for editing by hand.
 constexpr std::size_t kByHand = std::size_t{32} * 32;
 
 std::shared_ptr<const relief::Pyramid> pyramidOf(relief::PyramidKind kind, const relief::HeightField& field,
                                                  const relief::Pyramid* before, relief::MapCache& maps,
                                                  relief::Work& work) {
     const char* name = kind == relief::PyramidKind::Min ? "min-pyramid" : "mean-pyramid";
-    constexpr std::uint64_t kBytes = 5;  // levels above the heights, and sums of means
+    constexpr std::uint64_t kBytes = 5;  // bytes per texel: levels above the heights, and sums of the means
     const std::uint64_t need = relief::bytesForTexels(field, kBytes);
     return maps.get<relief::Pyramid>({name, field.sharedHeights()}, need, work, [&](relief::Work& w) {
         const bool edit = before != nullptr && before->level(0).width() == field.width() &&
@@ -86,8 +88,8 @@ bool SnapshotMaker::draw(Shown& shown, const SnapshotOrder& order, const relief:
     const relief::MovingLevel& last = shown.drawn.level;
     const bool same = level_.number == last.number && level_.factor == last.factor && level_.filter == last.filter;
     if (same && shown.is(order.scenario, assets)) return false;
-    shown.scenario.reset();              // until all of it is there: it may be stopped
-    if (&shown == &full_) coarse_ = {};  // may be as large
+    shown.scenario.reset();              // set again when complete, because drawing may be cancelled
+    if (&shown == &full_) coarse_ = {};  // frees memory: may be as large as the full one
     shown.drawn = order.moving ? renderer_.draw(request, level_, work) : renderer_.settled(request, work);
     shown.assets = assets;
     shown.layer = makeLayer(Layer::Color, *shown.drawn.frame, *shown.drawn.request, *maps_, work);
@@ -112,18 +114,18 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     const auto begun = Clock::now();
     const double built = buildSeconds(work);
     const relief::Scenario& scenario = order.scenario;
-    auto snapshot = makeFreedAside<Snapshot>();
+    auto snapshot = makeFreedInBackground<Snapshot>();
     snapshot->version = order.version;
     snapshot->scenario = scenario;
     snapshot->assets = store_.load(scenario.pictures, work);
-    const relief::FrameRequest asked = request(order, snapshot->assets);
-    makePyramids(asked.field, work);
+    const relief::FrameRequest fullRequest = request(order, snapshot->assets);
+    makePyramids(fullRequest.field, work);
     const bool coarser = order.moving && !full_.is(scenario, snapshot->assets);
-    level_ = coarser ? renderer_.levelFor(asked) : relief::MovingLevel{0, asked.filter};
+    level_ = coarser ? renderer_.levelFor(fullRequest) : relief::MovingLevel{0, fullRequest.filter};
     snapshot->coarse = level_.number > 0;
 
     Shown& shown = snapshot->coarse ? coarse_ : full_;
-    const bool drawn = draw(shown, order, asked, snapshot->assets, work);
+    const bool drawn = draw(shown, order, fullRequest, snapshot->assets, work);
     relief::ProgressiveRenderer::Picture& picture = shown.drawn;
     if (order.layer == Layer::Steps) picture.frame = renderer_.counted(picture, work);
     if (shown.layer.layer != order.layer) {
@@ -144,7 +146,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     snapshot->methodBytes = picture.tracer->bytes();
     describe(*snapshot, order, work);
     if (order.moving && drawn) {
-        // Maps take what they take: coarser pictures do not make them faster.
+        // Time for building maps is excluded, because coarser pictures would not reduce it.
         const double all = std::chrono::duration<double>(Clock::now() - begun).count();
         renderer_.took(std::max(all - (buildSeconds(work) - built), relief::pixelSeconds(*picture.frame, work)));
     }
@@ -161,11 +163,11 @@ void SnapshotMaker::makePyramids(const relief::HeightField& field, relief::Work&
     small_.means = pyramidOf(relief::PyramidKind::Mean, field, small_.means.get(), *maps_, work);
 }
 
-// The pixel's ray, its footprint, and what the panes show of the relief.
+// Adds the pixel's ray, its footprint, and the pyramids shown in the panes.
 void SnapshotMaker::describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work) {
     const relief::Scenario& scenario = order.scenario;
     const relief::FrameRequest& request = *snapshot.request;
-    // In full-size pixels, also when the frame is coarse.
+    // The trace uses full-size pixels, even if the frame is coarse.
     RayTraces traces = traceRay(scenario, relief::frameRequest(scenario, snapshot.assets), *snapshot.tracer,
                                 otherFiles(scenario), *maps_, work);
     snapshot.trace = std::move(traces.shown);

@@ -1,5 +1,5 @@
-// Makes snapshots: the frame, the layer, the pixel's trace and the pyramids of one scenario. Lives on the worker's
-// thread; keeps what can be used again.
+// Computes snapshots: the frame, the layer, the pixel's trace and the pyramids of a scenario. Lives on the worker's
+// thread and reuses what has not changed.
 #pragma once
 
 #include <memory>
@@ -14,34 +14,37 @@ struct SnapshotOrder {
     relief::Scenario scenario;
     std::uint64_t version = 0;
     Layer layer = Layer::Color;
-    bool moving = false;    // as coarse as a dragged frame's time asks for
-    bool lastStep = false;  // the ray's last step is the chosen one, whatever the scenario says
-    relief::PyramidKind levels = relief::PyramidKind::Max;  // what the pyramid's pane shows
+    bool moving = false;                                    // draw as coarsely as the time budget of a drag requires
+    bool lastStep = false;                                  // choose the ray's last step instead of the scenario's
+    relief::PyramidKind levels = relief::PyramidKind::Max;  // shown in the pyramid pane
 };
 
 class SnapshotMaker {
   public:
     explicit SnapshotMaker(relief::AssetStore store = {});
 
-    // Loads the pictures; on an error nothing changes.
+    // Loads the pictures. Throws on an error and then changes nothing.
     relief::Assets load(const relief::Pictures& pictures, relief::Work& work) { return store_.load(pictures, work); }
 
-    // Whether the full picture will take so long that a coarse one is worth drawing first. Throws as make() does.
+    // Returns true if the full picture is expected to take so long that a coarse one should be drawn first. Throws as
+    // make() does.
     bool takesLong(const SnapshotOrder& order, relief::Work& work);
 
-    // Throws InputError, Cancelled.
+    // Computes the snapshot. Throws InputError, Cancelled.
     std::shared_ptr<const Snapshot> make(const SnapshotOrder& order, relief::Work& work);
-    // make() was stopped, its frame so long in the making. Whether a moving one is coarser the next time.
+    // Reports that make() was cancelled after its frame had been drawn for this time. Returns true if the next frame of
+    // a drag will be coarser.
     bool gaveUp(double seconds);
 
   private:
-    // What is shown, coarse and full: a settled picture is not computed again after a drag that came back to it.
+    // The last picture of either kind (coarse, full), so that the full one need not be drawn again after a drag that
+    // returned to it.
     struct Shown {
         relief::ProgressiveRenderer::Picture drawn;
         std::optional<relief::Scenario> scenario;
         relief::Assets assets;
         QImage picture;
-        LayerPicture layer;  // the one shown last
+        LayerPicture layer;  // the layer rendered last
         std::optional<relief::BoundedError> bounded;
         double ellipseOff = 0;
 
@@ -49,10 +52,10 @@ class SnapshotMaker {
     };
 
     relief::FrameRequest request(const SnapshotOrder& order, const relief::Assets& assets);
-    // Whether it was drawn, and not there already.
+    // Draws the picture unless `shown` already holds it; returns whether it was drawn.
     bool draw(Shown& shown, const SnapshotOrder& order, const relief::FrameRequest& request,
               const relief::Assets& assets, relief::Work& work);
-    // Its pyramids, of a small relief with what an edit leaves shared.
+    // Builds the pyramids of a small relief; after an edit, unchanged levels are shared with the previous ones.
     void makePyramids(const relief::HeightField& field, relief::Work& work);
     void describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work);
     const OtherFiles* otherFiles(const relief::Scenario& scenario);
@@ -60,8 +63,8 @@ class SnapshotMaker {
     relief::AssetStore store_;
     std::shared_ptr<relief::MapCache> maps_ = std::make_shared<relief::MapCache>();
     relief::ProgressiveRenderer renderer_;
-    relief::MovingLevel level_;                // of the frame that was begun last
-    std::shared_ptr<const OtherFiles> other_;  // that were read last
+    relief::MovingLevel level_;                // level of the last frame that was begun
+    std::shared_ptr<const OtherFiles> other_;  // the files read last
     Shown full_;
     Shown coarse_;
     FilteredPicture filtered_;
@@ -69,7 +72,7 @@ class SnapshotMaker {
         std::shared_ptr<const relief::MaxPyramidMap> maxima;
         std::shared_ptr<const relief::Pyramid> minima, means;
     };
-    Pyramids small_;  // of the small relief that was drawn last
+    Pyramids small_;  // pyramids of the last small relief
 };
 
 }  // namespace reliefui

@@ -10,8 +10,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kWall = "stone_wall_bricks102";
-// Its ray skips on five levels and goes down once in vain: level 4, texel (21, 15), where it comes up again at step 7,
-// the chosen one. The window's tests hold this to be so.
+// The ray of this pixel skips on five levels and descends once in vain: at level 4, texel (21, 15), from which it
+// ascends again at step 7, the chosen one. The window's tests check this.
 constexpr relief::PixelChoice kWallPixel{340, 320};
 constexpr int kWallStep = 7;
 constexpr relief::PixelChoice kBricksPixel{400, 300};
@@ -60,9 +60,9 @@ relief::Scenario startScenario(const std::string& datasets) {
     scenario.light.elevation = 36;
     scenario.light.intensity = 1.6;
     if (!datasets.empty()) scenario.pictures = picturesIn((fs::path(datasets) / kWall).string());
-    // The light falls on the relief that the ray meets, not on the finer one of the normal map.
+    // The light must shade the relief that the rays meet, not the finer one of the normal map.
     scenario.pictures.normal.clear();
-    // Whose errors are seen at once.
+    // Two methods whose errors are visible at once.
     scenario.comparison.others = {{"layers", {}}, {"offset", {}}};
     scenario.pixel = kWallPixel;
     scenario.step = kWallStep;

@@ -1,4 +1,4 @@
-// What is seen first: the shipped stone wall, with a pixel chosen whose ray is worth a look.
+// The scenario of the first start: the shipped stone wall, with a pixel whose ray is instructive.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace reliefui {
 
-// The folder of the shipped pictures: beside the program, where it is installed, or in the source; empty if none.
-// programFolder: where the running program lies.
+// Folder of the shipped pictures: next to the installed program, or in the source tree; empty if not found.
+// programFolder: folder of the running program.
 std::string datasetsFolder(const std::string& programFolder);
 
-// Without the shipped pictures: procedural bricks.
+// Uses procedural bricks if the shipped pictures are missing.
 relief::Scenario startScenario(const std::string& datasets);
 
-// The pictures of a folder of the shipped kind (height.*, color.*, normal_gl.*); height empty if there is none.
+// The pictures of a folder laid out like the shipped ones (height.*, color.*, normal_gl.*); the height is empty if
+// there is none.
 relief::Pictures picturesIn(const std::string& folder);
 
 }  // namespace reliefui

@@ -1,4 +1,5 @@
-// What the headers of panes' states need to name how they are read and written; see workspace/pane_store.h.
+// Forward declarations for headers of panes' states that declare how they are read and written; see
+// workspace/pane_store.h.
 #pragma once
 
 #include <string>

@@ -13,10 +13,10 @@ namespace reliefui {
 
 namespace {
 
-// Empty, or in one line why it cannot be written.
+// Returns an empty string on success, otherwise a one-line explanation.
 QString writeState(const relief::Scenario& scenario, const QVariantMap& layout, const QString& scenarioFile,
                    const QString& layoutFile) {
-    // First: who finds the scenario finds its layout.
+    // The layout is written first: whoever finds a scenario can rely on its layout.
     QSettings settings(layoutFile, QSettings::IniFormat);
     for (auto value = layout.begin(); value != layout.end(); ++value) settings.setValue(value.key(), value.value());
     settings.sync();
@@ -28,7 +28,7 @@ QString writeState(const relief::Scenario& scenario, const QVariantMap& layout, 
     }
 }
 
-// The step may have been taken back to the last one of the ray.
+// Ignores the step, which may have been clamped to the last one of the ray.
 bool sameButStep(relief::Scenario a, const relief::Scenario& b) {
     a.step = b.step;
     return a == b;
@@ -40,7 +40,7 @@ StateKeeper::StateKeeper(Workspace* workspace, SessionFiles files, const relief:
                          std::function<QVariantMap()> layout)
     : workspace_(workspace), files_(std::move(files)), saved_(beginning), layout_(std::move(layout)) {
     writer_.setMaxThreadCount(1);
-    connect(&timer_, &QTimer::timeout, this, &StateKeeper::look);
+    connect(&timer_, &QTimer::timeout, this, &StateKeeper::checkForChanges);
     for (const auto changed : {&Workspace::scenarioChanged, &Workspace::notesChanged, &Workspace::panesChanged}) {
         connect(workspace_, changed, this, &StateKeeper::checkAdopted);
     }
@@ -58,18 +58,18 @@ void StateKeeper::adopt(SessionFiles left, const relief::Scenario& scenario) {
     checkAdopted();
 }
 
-// Pictures that are gone keep it from being shown; then its files stay.
+// Notes when the restored scenario is shown. If its pictures are missing, it never is, and its files are kept.
 void StateKeeper::checkAdopted() {
     if (adopted_ && sameButStep(workspace_->scenario(), adoptedScenario_)) adoptedShown_ = true;
 }
 
-void StateKeeper::look() {
+void StateKeeper::checkForChanges() {
     if (writing_ || workspace_->version() == 0) return;
     State now{workspace_->scenario(), layout_()};
     const auto snapshot = workspace_->snapshot();
     if (!shown_) layoutSaved_ = now.layout;
     if (!shown_ && snapshot && !snapshot->coarse) {
-        // Some seconds after its picture the state has proved that it can be opened.
+        // The first full picture has been there for some seconds, so the state can be opened safely.
         shown_ = true;
         files_.setStarting(false);
     }
@@ -91,7 +91,8 @@ void StateKeeper::write(State state) {
 void StateKeeper::written(const State& state, const QString& fault) {
     writing_ = false;
     if (!fault.isEmpty()) {
-        if (!std::exchange(told_, true)) Q_EMIT problem(tr("What you do is not saved while you work: %1").arg(fault));
+        if (!std::exchange(reported_, true))
+            Q_EMIT problem(tr("What you do is not saved while you work: %1").arg(fault));
         return;
     }
     saved_ = state.scenario;

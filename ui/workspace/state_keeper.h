@@ -1,6 +1,6 @@
-// Saves the state of the window while somebody works in it, so that a crash costs seconds: what has changed is looked
-// for every few seconds and written on a thread of its own into the files of the session. A clean end makes it the last
-// state (keepState()), with which the next window begins.
+// Autosave: saves the state of the window during work, so that a crash loses only seconds. Every few seconds, changes
+// are written to the session's files by a thread of its own. A clean exit stores the state as the last state
+// (keepState()), with which the next window starts.
 #pragma once
 
 #include <functional>
@@ -21,23 +21,25 @@ class Workspace;
 class StateKeeper : public QObject {
     Q_OBJECT
   public:
-    // layout: where the panes are now. `beginning`: the scenario that the window was started with, worth no file.
+    // layout: returns the current layout of the panes. `beginning`: the scenario with which the window started, which
+    // is not saved.
     StateKeeper(Workspace* workspace, SessionFiles files, const relief::Scenario& beginning,
                 std::function<QVariantMap()> layout);
-    // Waits for what is being written. Files that were not removed by end() stay.
+    // Waits for pending writes. Files not removed by end() are kept.
     ~StateKeeper() override;
 
     static constexpr int kEveryMs = 3000;
     // For tests.
     void setInterval(int ms) { timer_.setInterval(ms); }
 
-    // Keeps the files that somebody has chosen to restore until what they hold is in the files of this session.
+    // Keeps the files of a restored session until their contents have been saved in those of this session.
     void adopt(SessionFiles left, const relief::Scenario& scenario);
-    // After the window was closed. Returns in one line why the state cannot be written; then the session's files stay.
+    // Call this after the window was closed. Returns an empty string on success, otherwise a one-line explanation; in
+    // that case the session's files are kept.
     std::string end();
 
   signals:
-    void problem(const QString& oneLine);  // it cannot be written; said once
+    void problem(const QString& oneLine);  // the state cannot be written; emitted once
 
   private:
     struct State {
@@ -45,7 +47,7 @@ class StateKeeper : public QObject {
         QVariantMap layout;
     };
 
-    void look();
+    void checkForChanges();
     void checkAdopted();
     void write(State state);
     void written(const State& state, const QString& fault);
@@ -58,9 +60,9 @@ class StateKeeper : public QObject {
     std::optional<SessionFiles> adopted_;
     relief::Scenario adoptedScenario_;
     bool adoptedShown_ = false;
-    bool shown_ = false;  // the first full picture
+    bool shown_ = false;  // the first full picture has been shown
     bool writing_ = false;
-    bool told_ = false;
+    bool reported_ = false;
     QTimer timer_;
     QThreadPool writer_;
 };

@@ -16,7 +16,7 @@ namespace reliefui {
 
 namespace {
 
-// Nothing has to be computed for it.
+// Returns true if the scenarios differ only in parts that need no computation.
 bool onlyNotesDiffer(const relief::Scenario& a, const relief::Scenario& b) {
     return a == relief::withNotesOf(b, a);
 }
@@ -27,14 +27,15 @@ void clampPixel(relief::Scenario& scenario) {
     scenario.pixel->y = std::clamp(scenario.pixel->y, 0, std::max(0, scenario.height - 1));
 }
 
-// Whether there is something to be loaded from the one for the other: heights drawn by hand are at hand.
+// Returns true if pictures have to be loaded for the change; heights drawn by hand are already in memory.
 bool needsLoading(const relief::Pictures& from, const relief::Pictures& to) {
     relief::Pictures same = to;
     if (!from.drawn.empty() && !to.drawn.empty()) same.drawn = from.drawn;
     return !(same == from);
 }
 
-// Beyond the core's own checks: a picture that would take this machine's memory is a slip of the hand in a window.
+// Limit of the picture's size, in addition to the core's own checks: larger values entered in a window are probably
+// typing errors, and would need the machine's whole memory.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
 void checkForWindow(const relief::Scenario& scenario, const StateReaders* readers) {
@@ -60,7 +61,7 @@ Workspace::Workspace(std::shared_ptr<const StateReaders> readers, QObject* paren
     style_.language = uiLanguage();
 }
 
-// Ends the worker's thread: what runs is cancelled, and waited for.
+// Ends the worker's thread: cancels the running job and waits for it.
 Workspace::~Workspace() {
     worker_.reset();
 }
@@ -76,29 +77,29 @@ void Workspace::start(const relief::Scenario& scenario, relief::AssetStore store
 }
 
 void Workspace::change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey, bool live) {
-    relief::Scenario wanted = relief::keptApart(scenario_, scenario);
-    clampPixel(wanted);
-    if (wanted == scenario_ || past_.empty()) return;
+    relief::Scenario requested = relief::keptApart(scenario_, scenario);
+    clampPixel(requested);
+    if (requested == scenario_ || past_.empty()) return;
     try {
-        checkForWindow(wanted, readers_.get());
+        checkForWindow(requested, readers_.get());
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
-        Q_EMIT scenarioChanged();  // controls go back to what is
+        Q_EMIT scenarioChanged();  // resets the controls to the actual values
         return;
     }
-    if (needsLoading(scenario_.pictures, wanted.pictures)) {
-        load({0, Action::Change, wanted, what, mergeKey, {}});
+    if (needsLoading(scenario_.pictures, requested.pictures)) {
+        load({0, Action::Change, requested, what, mergeKey, {}});
         return;
     }
     if (pending_ && (pending_->action == Action::Undo || pending_->action == Action::Redo)) {
         pending_.reset();
         worker_->cancelLoad();
     }
-    // Who looks at the end of the ray goes on doing so when the ray changes.
+    // If the chosen step was the ray's last one, it stays the last one when the ray changes.
     const bool atEnd = snapshot_ && scenario_.step >= lastStep(*snapshot_);
-    if (atEnd && !keepStep_ && !onlyNotesDiffer(wanted, scenario_)) toLastStep_ = true;
-    past_.push({wanted, what, mergeKey});
-    apply(wanted, live);
+    if (atEnd && !keepStep_ && !onlyNotesDiffer(requested, scenario_)) toLastStep_ = true;
+    past_.push({requested, what, mergeKey});
+    apply(requested, live);
 }
 
 void Workspace::apply(const relief::Scenario& scenario, bool live) {
@@ -113,7 +114,7 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
     scenario_ = scenario;
     if (panes) Q_EMIT panesChanged();
     if (notesOnly) {
-        if (recolor) requestRender(false);  // of what is drawn already, in other colours
+        if (recolor) requestRender(false);  // recolours the existing picture
         if (agreed) good_ = past_;
         if (step) Q_EMIT stepChanged(scenario_.step);
         if (notes) Q_EMIT notesChanged();
@@ -126,10 +127,10 @@ void Workspace::apply(const relief::Scenario& scenario, bool live) {
 
 void Workspace::requestRender(bool live) {
     waiting_ = true;
-    asked_.emplace_back(version_, past_);
-    if (asked_.size() > kMostAsked) asked_.pop_front();
+    requests_.emplace_back(version_, past_);
+    if (requests_.size() > kMostRequested) requests_.pop_front();
     worker_->render({scenario_, version_, layer_, toLastStep_, live, levels_});
-    tellBusy();
+    reportBusy();
 }
 
 void Workspace::settle() {
@@ -138,49 +139,49 @@ void Workspace::settle() {
 }
 
 void Workspace::choosePixel(int x, int y) {
-    relief::Scenario wanted = scenario_;
-    wanted.pixel = relief::PixelChoice{x, y};
-    clampPixel(wanted);
-    if (wanted.pixel == scenario_.pixel || past_.empty()) return;
+    relief::Scenario requested = scenario_;
+    requested.pixel = relief::PixelChoice{x, y};
+    clampPixel(requested);
+    if (requested.pixel == scenario_.pixel || past_.empty()) return;
     toLastStep_ = raysFromEnd_;
-    // The search is looked at before its answer.
-    if (!raysFromEnd_) wanted.step = 0;
-    // One entry a click; arrows in a row are one as well, as they follow each other without a settle().
+    // Start at the beginning of the search, not at its result.
+    if (!raysFromEnd_) requested.step = 0;
+    // Each click is one undo entry. Arrow keys in succession share one, because no settle() comes between them.
     keepStep_ = true;
-    change(wanted, changeName([] { return tr("Choose pixel"); }), QStringLiteral("pixel"));
+    change(requested, changeName([] { return tr("Choose pixel"); }), QStringLiteral("pixel"));
     keepStep_ = false;
 }
 
 void Workspace::chooseStep(int step) {
     if (!snapshot_ || snapshot_->trace.steps.empty() || guessing_) return;
-    relief::Scenario wanted = scenario_;
-    wanted.step = std::clamp(step, 0, lastStep(*snapshot_));
-    if (wanted.step == scenario_.step) return;
+    relief::Scenario requested = scenario_;
+    requested.step = std::clamp(step, 0, lastStep(*snapshot_));
+    if (requested.step == scenario_.step) return;
     toLastStep_ = false;
-    past_.push({wanted, tr("Choose step"), QStringLiteral("step")});
-    apply(wanted, false);
+    past_.push({requested, tr("Choose step"), QStringLiteral("step")});
+    apply(requested, false);
 }
 
 void Workspace::setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what) {
-    relief::Scenario wanted = scenario_;
-    wanted.breakpoints = std::move(breakpoints);
-    change(wanted, what);
+    relief::Scenario requested = scenario_;
+    requested.breakpoints = std::move(breakpoints);
+    change(requested, what);
 }
 
 void Workspace::setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what) {
-    relief::Scenario wanted = scenario_;
-    wanted.bookmarks = std::move(bookmarks);
-    change(wanted, what);
+    relief::Scenario requested = scenario_;
+    requested.bookmarks = std::move(bookmarks);
+    change(requested, what);
 }
 
 void Workspace::goTo(const relief::Bookmark& bookmark) {
-    relief::Scenario wanted = scenario_;
-    wanted.camera = bookmark.camera;
-    wanted.pixel = bookmark.pixel;
-    wanted.step = bookmark.step;
+    relief::Scenario requested = scenario_;
+    requested.camera = bookmark.camera;
+    requested.pixel = bookmark.pixel;
+    requested.step = bookmark.step;
     toLastStep_ = false;
     keepStep_ = true;
-    change(wanted, changeName([to = QString::fromStdString(bookmark.name)] { return tr("Go to %1").arg(to); }));
+    change(requested, changeName([to = QString::fromStdString(bookmark.name)] { return tr("Go to %1").arg(to); }));
     keepStep_ = false;
 }
 
@@ -195,7 +196,7 @@ void Workspace::setGuessing(bool on) {
 void Workspace::hideAnswer() {
     hidden_.reset();
     if (!guessing_ || !snapshot_) return;
-    auto hidden = makeFreedAside<Snapshot>(*snapshot_);
+    auto hidden = makeFreedInBackground<Snapshot>(*snapshot_);
     hidden->trace.steps.clear();
     hidden->trace.hit = relief::Hit::none(relief::Outcome::Unset);
     hidden->trace.judgement = {};
@@ -246,7 +247,7 @@ void Workspace::load(Pending pending) {
         pending.action == Action::Open && pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
     pending_ = std::move(pending);
     worker_->load({pending_->id, pending_->scenario, json ? pending_->path : QString(), readers_});
-    tellBusy();
+    reportBusy();
 }
 
 void Workspace::finishLoad(const LoadResult& result) {
@@ -255,8 +256,8 @@ void Workspace::finishLoad(const LoadResult& result) {
     pending_.reset();
     if (result.cancelled || !result.problem.isEmpty()) {
         if (!result.problem.isEmpty()) Q_EMIT problem(result.problem);
-        Q_EMIT scenarioChanged();  // controls go back to what is
-        tellBusy();
+        Q_EMIT scenarioChanged();  // resets the controls to the actual values
+        reportBusy();
         return;
     }
     pending.scenario = result.scenario;
@@ -264,11 +265,11 @@ void Workspace::finishLoad(const LoadResult& result) {
         checkForWindow(pending.scenario, readers_.get());
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
-        tellBusy();
+        reportBusy();
         return;
     }
     accept(pending);
-    tellBusy();  // where only notes differ, nothing is rendered
+    reportBusy();  // nothing is rendered if only notes differ
     if (!result.notes.isEmpty()) Q_EMIT notice(result.notes);
     if (pending.action == Action::Open && !pending.path.isEmpty()) Q_EMIT opened(pending.path);
 }
@@ -283,7 +284,7 @@ void Workspace::accept(const Pending& pending) {
     } else {
         const bool wholeScenario = pending.whole || pending.path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
         if (!past_.empty() && !wholeScenario) {
-            // What was turned while the pictures were loading stays turned.
+            // Changes made while the pictures were loading are kept.
             scenario = scenario_;
             scenario.pictures = pending.scenario.pictures;
         }
@@ -324,12 +325,12 @@ void Workspace::cancel() {
     if (!worker_) return;
     worker_->cancel();
     if (snapshot_ && snapshot_->version == version_) waiting_ = false;  // a coarse picture stays
-    tellBusy();
+    reportBusy();
 }
 
 void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (snapshot_ && snapshot->version < snapshot_->version) return;
-    // The numbers are another list's.
+    // The index refers to the list of another footprint.
     if (!snapshot_ || snapshot_->footprint != snapshot->footprint) texel_.reset();
     snapshot_ = std::move(snapshot);
     hideAnswer();
@@ -344,20 +345,20 @@ void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
         if (!snapshot_->coarse) waiting_ = false;
         good_ = past_;
         goodVersion_ = version_;
-        asked_.clear();
+        requests_.clear();
     } else {
-        // Of a change that others have followed: what is gone back to, should they be cancelled.
-        while (!asked_.empty() && asked_.front().first < snapshot_->version) asked_.pop_front();
-        if (!asked_.empty() && asked_.front().first == snapshot_->version) {
-            good_ = std::move(asked_.front().second);
+        // A snapshot of an older version: it becomes the state to return to if the later changes are cancelled.
+        while (!requests_.empty() && requests_.front().first < snapshot_->version) requests_.pop_front();
+        if (!requests_.empty() && requests_.front().first == snapshot_->version) {
+            good_ = std::move(requests_.front().second);
             goodVersion_ = snapshot_->version;
         }
     }
     Q_EMIT snapshotChanged();
-    // A step was chosen while the worker was busy: it stays chosen.
+    // A step chosen while the worker was busy is kept.
     if (snapshot_->version == version_ && snapshot_->scenario.step != scenario_.step)
         Q_EMIT stepChanged(scenario_.step);
-    tellBusy();
+    reportBusy();
 }
 
 void Workspace::fail(const RenderFailure& failure) {
@@ -365,10 +366,10 @@ void Workspace::fail(const RenderFailure& failure) {
     if (!failure.problem.isEmpty()) Q_EMIT problem(failure.problem);
     waiting_ = false;
     if (goodVersion_ != version_) goBack();
-    tellBusy();
+    reportBusy();
 }
 
-// The last state that was shown comes back, with the history it had.
+// Returns to the last state that was shown, with its history.
 void Workspace::goBack() {
     if (good_.empty()) return;
     toLastStep_ = false;
@@ -378,7 +379,7 @@ void Workspace::goBack() {
     Q_EMIT panesChanged();
     const bool shown = snapshot_ && snapshot_->version == goodVersion_;
     version_ = shown ? goodVersion_ : ++lastVersion_;
-    asked_.clear();
+    requests_.clear();
     Q_EMIT scenarioChanged();
     if (!shown) requestRender(false);
 }
@@ -399,11 +400,11 @@ bool Workspace::busy() const {
     return pending_.has_value() || waiting_;
 }
 
-void Workspace::tellBusy() {
-    if (busy() == toldBusy_) return;
-    toldBusy_ = busy();
-    Q_EMIT busyChanged(toldBusy_);
-    // Whether a first picture is to come is seen in the panes.
+void Workspace::reportBusy() {
+    if (busy() == reportedBusy_) return;
+    reportedBusy_ = busy();
+    Q_EMIT busyChanged(reportedBusy_);
+    // Panes without a snapshot show whether the first one is being computed.
     if (!snapshot_) Q_EMIT styleChanged();
 }
 

@@ -1,10 +1,10 @@
-// The window's one model: the open scenario, the chosen pixel, ray and step, undo as a history of scenario values, and
-// the render worker. Views look at it and ask it for changes; they never talk to each other.
+// The window's only model: the open scenario, the chosen pixel, ray and step, the undo history of scenario values, and
+// the render worker. Views observe it and request changes; they never communicate with each other.
 //
-// Everything that computes runs on the worker's thread; the latest request wins. Results carry the version of the
-// scenario they were made from, and arrive together, so that panes never mix two states. Pictures are loaded before
-// they become part of the scenario; whatever turns out impossible later takes the scenario back to the last state that
-// was shown: window and scenario never disagree.
+// All computation runs on the worker's thread; the latest request wins. Results carry the version of the scenario they
+// were made from and arrive as a whole, so that panes never mix two states. Pictures are loaded before they become part
+// of the scenario. If a change later proves impossible, the scenario returns to the last state that was shown, so that
+// window and scenario always agree.
 #pragma once
 
 #include <cstdint>
@@ -32,53 +32,53 @@ struct RenderFailure;
 class Workspace : public QObject {
     Q_OBJECT
   public:
-    // readers: of the panes' states, which scenarios are checked with; null: they are taken as they stand.
+    // readers: check the panes' states in scenarios; null: states are accepted unchecked.
     explicit Workspace(std::shared_ptr<const StateReaders> readers = nullptr, QObject* parent = nullptr);
     ~Workspace() override;
 
-    // The first scenario. `store`: pictures that are loaded already.
+    // Opens the first scenario and starts the worker. `store`: pictures that are already loaded.
     void start(const relief::Scenario& scenario, relief::AssetStore store = {});
 
     const relief::Scenario& scenario() const { return scenario_; }
     std::uint64_t version() const { return version_; }
-    // The newest complete state; null before the first.
+    // The newest complete state; null before the first one.
     std::shared_ptr<const Snapshot> snapshot() const { return guessing_ && hidden_ ? hidden_ : snapshot_; }
 
-    // A new scenario value. Changes with the same non-empty mergeKey in a row (a drag) become one step of undo. While
-    // `live`, a coarse picture is drawn first. An impossible value is refused with problem() and changes nothing.
+    // Changes the scenario. Consecutive changes with the same non-empty mergeKey, such as a drag, form one step of
+    // undo. While `live`, a coarse picture is drawn first. An invalid value is refused with problem() and changes
+    // nothing.
     void change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey = {}, bool live = false);
-    // Ends a run of merged changes (mouse released): the full picture is drawn.
+    // Ends a series of merged changes (mouse released), and draws the full picture.
     void settle();
-    // Chooses a pixel (clamped to the picture) and the first step of its ray, or a step. Part of the undo history as
-    // well.
+    // Chooses a pixel (clamped to the picture) and the first step of its ray, or a step. Both are part of the undo
+    // history.
     void choosePixel(int x, int y);
     void chooseStep(int step);
-    // The last step instead, of each pixel that is chosen; not part of the scenario.
+    // Choose the last step instead, for each pixel. Not part of the scenario.
     bool raysFromEnd() const { return raysFromEnd_; }
     void setRaysFromEnd(bool on) { raysFromEnd_ = on; }
 
-    // Where stepping stops, and pixels worth coming back to: entries of the undo history as well, nothing is rendered.
+    // Changes breakpoints or bookmarks. They are part of the undo history, but nothing is rendered.
     void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
     void setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what);
-    // Its camera, pixel and step.
+    // Sets camera, pixel and step to those of the bookmark.
     void goTo(const relief::Bookmark& bookmark);
 
-    // The texel of the footprint's list that is pointed at, so that all panes that name one name it; none: the pointer
-    // is elsewhere. Not part of the scenario; nothing is computed anew.
+    // Index of the texel under the pointer in the footprint's list, so that all panes that show it highlight it;
+    // std::nullopt if the pointer is elsewhere. Not part of the scenario; nothing is computed.
     std::optional<std::size_t> texel() const { return texel_; }
     void pointAtTexel(std::optional<std::size_t> texel);
 
-    // While somebody guesses where the ray hits, snapshots come without its hit and its steps; not part of the
-    // scenario.
+    // While the user guesses where the ray hits, snapshots come without its hit and steps. Not part of the scenario.
     bool guessing() const { return guessing_; }
     void setGuessing(bool on);
 
-    // What the result view shows of the frame; not part of the scenario.
+    // The layer shown in the result view. Not part of the scenario.
     Layer layer() const { return layer_; }
     void setLayer(Layer layer);
-    // The pyramid that is looked at: of large pictures no other is built.
+    // The pyramid that is shown; for large pictures only this one is built.
     void setLevels(relief::PyramidKind levels);
-    // How panes are drawn (theme, projector, language); not part of the scenario.
+    // How panes are drawn (theme, projector, language). Not part of the scenario.
     const Style& style() const { return style_; }
     void setStyle(const Style& style);
 
@@ -87,20 +87,20 @@ class Workspace : public QObject {
     QString undoText() const { return canUndo() ? past_.current().what : QString(); }
     QString redoText() const { return canRedo() ? past_.redone().what : QString(); }
 
-    // Opens a picture (height map) or a scenario file (.json). On an error: problem(), everything as it was.
+    // Opens a picture (height map) or a scenario file (.json). On an error, emits problem() and changes nothing.
     void open(const QString& path);
-    // A whole scenario, its step included, as if it were opened from a file; `what` names it in the history.
+    // Opens a whole scenario, including its step, as if from a file; `what` is its name in the history.
     void show(const relief::Scenario& scenario, const QString& what);
     void save(const QString& path);
-    // What takes long beside the pictures, such as figures; cancel() cancels it, too.
+    // Long tasks other than rendering, such as figure export; cancel() cancels them as well.
     BackgroundTasks& tasks() { return tasks_; }
-    QString traceCommand() const;  // the `relief trace` line of the chosen pixel
+    QString traceCommand() const;  // the `relief trace` command for the chosen pixel
     bool busy() const;
-    // What a pane says while there is no picture: it is being computed, or none is open.
+    // Message for panes without a snapshot: it is being computed, or no picture is open.
     relief::MessageId whyEmpty() const {
         return busy() ? relief::MessageId::DrawCompareDrawing : relief::MessageId::DrawNoPicture;
     }
-    // Pictures of a scenario that is asked for are being read: it is not there yet.
+    // Returns true while pictures of a requested scenario are being loaded; scenario() is still the old one.
     bool loading() const { return pending_.has_value(); }
 
   public slots:
@@ -109,24 +109,24 @@ class Workspace : public QObject {
     void cancel();
 
   signals:
-    void scenarioChanged();      // at once, before anything is computed
+    void scenarioChanged();      // emitted at once, before anything is computed
     void snapshotChanged();      // a new state is on screen
     void stepChanged(int step);  // only the chosen step changed
     void notesChanged();         // only breakpoints or bookmarks changed
-    void panesChanged();         // what is chosen in the panes; by undo, too, or with another scenario
-    void texelChanged();         // another one is pointed at
+    void panesChanged();         // the panes' states changed, possibly by undo or with another scenario
+    void texelChanged();         // the pointer is over another texel
     void guessingChanged(bool on);
-    void styleChanged();                                  // repaint
-    void progress(const QString& what, double fraction);  // fraction < 0: done
-    void problem(const QString& oneLine);                 // to be shown; nothing changed
-    void notice(const QString& oneLine);                  // to be shown; what was done to the pictures
+    void styleChanged();                                  // panes have to be repainted
+    void progress(const QString& what, double fraction);  // fraction < 0: finished
+    void problem(const QString& oneLine);                 // message for the user; nothing was changed
+    void notice(const QString& oneLine);                  // message for the user about what was done to the pictures
     void opened(const QString& path);                     // a file was opened
     void busyChanged(bool busy);
 
   private:
     const std::shared_ptr<const StateReaders> readers_;
     enum class Action : std::uint8_t { Start, Open, Change, Undo, Redo };
-    // What happens when the pictures that it needs are loaded.
+    // A change that waits until its pictures are loaded.
     struct Pending {
         std::uint64_t id = 0;
         Action action = Action::Change;
@@ -134,7 +134,7 @@ class Workspace : public QObject {
         QString what;
         QString mergeKey;
         QString path;
-        bool whole = false;  // nothing of what is now stays
+        bool whole = false;  // replaces the whole scenario, not only its pictures
     };
 
     void load(Pending pending);
@@ -147,31 +147,31 @@ class Workspace : public QObject {
     void fail(const RenderFailure& failure);
     void goBack();
     void requestRender(bool live);
-    void tellBusy();
+    void reportBusy();
 
     relief::Scenario scenario_;
     std::uint64_t version_ = 0;
-    std::uint64_t lastVersion_ = 0;  // versions that turned out impossible are not given again
-    bool toLastStep_ = false;        // the ray's last step becomes the chosen one when it is known
+    std::uint64_t lastVersion_ = 0;  // last version number given; numbers of failed changes are not used again
+    bool toLastStep_ = false;        // choose the ray's last step as soon as it is known
     bool raysFromEnd_ = false;
-    bool keepStep_ = false;  // what is being changed says which step is the chosen one
+    bool keepStep_ = false;  // the change in progress sets the step itself
     std::shared_ptr<const Snapshot> snapshot_;
-    std::shared_ptr<const Snapshot> hidden_;  // the same while somebody guesses
+    std::shared_ptr<const Snapshot> hidden_;  // snapshot_ without the answer, while the user guesses
     Layer layer_ = Layer::Color;
     relief::PyramidKind levels_ = relief::PyramidKind::Max;
     std::optional<std::size_t> texel_;
     bool guessing_ = false;
     Style style_;
     History past_;
-    History good_;  // as it was for what is shown
-    // As it was for what the worker was asked, the latest; older than what is shown: none.
-    static constexpr std::size_t kMostAsked = 32;
-    std::deque<std::pair<std::uint64_t, History>> asked_;
+    History good_;  // history of the state that is shown
+    // Histories of the latest requests to the worker, by version; those older than the state shown are removed.
+    static constexpr std::size_t kMostRequested = 32;
+    std::deque<std::pair<std::uint64_t, History>> requests_;
     std::uint64_t goodVersion_ = 0;
     std::optional<Pending> pending_;
     std::uint64_t lastLoad_ = 0;
     bool waiting_ = false;  // for a full picture of the current version
-    bool toldBusy_ = false;
+    bool reportedBusy_ = false;
     std::unique_ptr<RenderWorker> worker_;
     BackgroundTasks tasks_{this};
 };

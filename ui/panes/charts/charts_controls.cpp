@@ -1,4 +1,5 @@
-// The controls of the charts pane: measure or cancel, by itself or not, which methods, which error, which charts.
+// Controls of the charts pane: start or cancel measuring, measure automatically, which methods, which error, which
+// charts.
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -36,7 +37,7 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
     column->addWidget(bar);
     column->addWidget(canvas_, 1);
     canvas_->installEventFilter(this);
-    connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ChartsView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ChartsView::draw);
     connect(canvas_, &DrawingCanvas::clicked, this, [this] {

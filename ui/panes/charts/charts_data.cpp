@@ -6,11 +6,11 @@ namespace reliefui {
 
 namespace {
 
-// Enough for a median that differs by less than its spread, few enough for a second.
+// Enough rays for a median whose error is below the spread, few enough to measure a method in about a second.
 constexpr std::size_t kRays = 8192;
 constexpr int kRounds = 7;
 
-// What the rays depend on.
+// The part of the scenario on which the rays depend.
 relief::Scenario raysOf(const relief::Scenario& scenario) {
     const relief::Scenario standard;
     relief::Scenario part = relief::withNotesOf(scenario, standard);
@@ -56,7 +56,7 @@ std::vector<relief::MethodChoice> methodsToMeasure(const Snapshot& snapshot, boo
     for (const relief::MeasuredMethod& method : relief::defaultMethods()) {
         if (withMaps || !method.buildsMaps) add(method.choice);
     }
-    // As it is in this view: base=auto is a level there.
+    // The method as resolved for this view: base=auto has become a level.
     if (isTracer(snapshot.request->method)) add(snapshot.request->method);
     return methods;
 }

@@ -29,7 +29,7 @@ Role roleOf(BarKind kind) {
 }
 
 HistogramPicture emptyHistogram(const Box& room, std::int64_t most, Message title) {
-    constexpr double kTop = 17;  // points
+    constexpr double kTop = 17;  // in points
     HistogramPicture picture;
     picture.countHigh = std::max(std::ceil(std::log10(static_cast<double>(std::max<std::int64_t>(most, 1)))), 1.0);
     picture.drawing.bounds = room;
@@ -38,7 +38,7 @@ HistogramPicture emptyHistogram(const Box& room, std::int64_t most, Message titl
     const chart::Axes axes(picture.drawing, picture.plot, room);
     axes.left(picture.counts(), true);
     axes.sides();
-    // What the numbers count stands below them, in the corner that is free; small enough for it in either language.
+    // The label of the count axis stands in the free corner below its numbers, at a size that fits in either language.
     const Message counted(MessageId::DrawChartRays);
     picture.drawing.add({}, Role::Legend,
                         Label{.at = {picture.plot.x0, picture.plot.y1},
@@ -80,7 +80,7 @@ HistogramPicture stepsHistogram(const FrameHistograms& data, std::int64_t chosen
     if (data.steps.empty()) return picture;
     const Box& plot = picture.plot;
     const double side = plot.width() / static_cast<double>(data.steps.size());
-    constexpr double kGap = 0.08;  // between bars
+    constexpr double kGap = 0.08;  // between bars, as a share of their width
     for (std::size_t b = 0; b < data.steps.size(); ++b) {
         const double x = plot.x0 + side * static_cast<double>(b);
         const auto low = static_cast<double>(b) * data.stepWidth;
@@ -92,7 +92,7 @@ HistogramPicture stepsHistogram(const FrameHistograms& data, std::int64_t chosen
                          b});
     }
     const double range = static_cast<double>(data.steps.size()) * data.stepWidth;
-    // Marks of single numbers stand below the middles of their bars, of wider bins where they begin.
+    // Bins of a single number have their tick at the middle of the bar, wider bins at its left edge.
     const double shift = data.stepWidth == 1 ? 0.5 : 0;
     const chart::Scale numbers{.low = -shift,
                                .high = range - shift,
@@ -119,7 +119,7 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
         room, most,
         Message(MessageId::DrawChartErrors, {{"right", countText(share)}, {"most", countText(data.largest)}}));
     const Box& plot = picture.plot;
-    constexpr double kSingle = 16;  // width of the bars of exact and of wrong rays
+    constexpr double kSingle = 16;  // width of the bars for exact rays and for wrong outcomes, in points
     constexpr double kGap = 10;
     const double inner0 = plot.x0 + 4 + kSingle + kGap;
     const double inner1 = plot.x1 - 4 - kSingle - kGap;
@@ -136,7 +136,7 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
         const auto edge = [&](std::size_t n) {
             return std::pow(10.0, data.lowDecade + static_cast<double>(n) / FrameHistograms::kErrorBins);
         };
-        // Side by side: on a logarithmic scale one above the other would say nothing.
+        // The two bars stand side by side: stacked bars cannot be read on a logarithmic scale.
         addBar(picture, {BarKind::Before,
                          {x + 0.06 * side, plot.y0, x + 0.5 * side, plot.y1},
                          edge(b),
@@ -150,7 +150,7 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
                          data.behind[b],
                          b});
     }
-    // As far as the word of the bar beside it.
+    // The axis ends before the label of the bar for wrong outcomes.
     const double end = std::min(inner1, plot.x1 - 4 - kSingle / 2 - chart::widthOf(wrong) / 2 - 9);
     const double decades = (end - inner0) / (side * FrameHistograms::kErrorBins);
     chart::Axes(picture.drawing, plot, room)
@@ -160,7 +160,7 @@ HistogramPicture errorHistogram(const FrameHistograms& data, const Box& room) {
 
 namespace {
 
-// Side by side where that gives the parts a better shape.
+// The parts are placed side by side if that gives them a better aspect ratio.
 struct Rooms {
     Box pareto, steps, errors;
 };
@@ -177,7 +177,7 @@ Rooms rooms(ChartsShown shown, double width, double height) {
         out.pareto = wide ? Box{0, 0, kParetoShare * width, height} : Box{0, 0, width, kParetoShare * height};
         rest = wide ? Box{out.pareto.x1 + kGap, 0, width, height} : Box{0, out.pareto.y1 + kGap, width, height};
     }
-    // Beside the chart one above the other, else side by side.
+    // Next to the chart, one above the other; otherwise side by side.
     const Point middle = rest.center();
     if (rest.width() > 1.3 * rest.height()) {
         out.steps = {rest.x0, rest.y0, middle.x - kGap / 2, rest.y1};

@@ -13,8 +13,8 @@ std::shared_ptr<const Figure> chartsFigure(std::shared_ptr<const ChartsSource> s
     const auto layers = [source](double width, double height, const Style& style) {
         return std::vector{chartsPicture(*source, width, height, style.language).drawing};
     };
-    constexpr double kPareto = 0.68;  // names beside their marks
-    constexpr double kAll = 0.95;     // and histograms below
+    constexpr double kPareto = 0.68;  // aspect of the Pareto chart, with names next to the marks
+    constexpr double kAll = 0.95;     // aspect with histograms below
     const double aspect = source->shown == ChartsShown::Pareto ? kPareto : kAll;
     return chartFigure({legend, layers, aspect, aspect - 0.1}, std::move(caption));
 }
@@ -24,7 +24,7 @@ std::shared_ptr<const Figure> measuredCharts(std::shared_ptr<const Snapshot> sna
     auto charts = std::make_shared<ChartsSource>();
     charts->histograms = histogramsOf(*snapshot, work);
     charts->chosenSteps = chosenSteps(*snapshot);
-    // As the pane begins: building all maps of a large picture takes minutes.
+    // The pane's default: building all maps of a large picture takes minutes.
     constexpr bool kWithMaps = false;
     charts->pareto =
         paretoSource(*snapshot, measureView(*snapshot, kWithMaps, work), relief::parseErrorMeasure(error, "--error"));

@@ -1,4 +1,4 @@
-// What is chosen in the charts' pane.
+// The user's choices in the charts pane.
 #pragma once
 
 #include <string>

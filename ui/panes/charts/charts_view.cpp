@@ -34,7 +34,8 @@ void ChartsView::showSnapshot() {
     const PauseLog::Part part("charts");
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
     if (snapshot && snapshot->coarse) {
-        // What is dragged has the processors for itself; the full picture comes here again.
+        // Nothing is measured during a drag, which needs all processors; the full picture at its end starts measuring
+        // again.
         job_->drop();
         measuring_ = false;
         return showBusy();
@@ -56,8 +57,9 @@ void ChartsView::showSnapshot() {
     showBusy();
 }
 
-// What took seconds to measure stays as long as it is of the relief and the view that are open: it is small.
-void ChartsView::letGo() {
+// Measurements took seconds and need little memory, so they are kept while they match the relief and view that are
+// open.
+void ChartsView::releaseContents() {
     job_->drop();
     measuring_ = false;
     measuredNow_.reset();
@@ -67,24 +69,24 @@ void ChartsView::letGo() {
     const std::shared_ptr<const Snapshot> now = workspace_->snapshot();
     if (measured_ && !(now && now->request && measured_->of(*now))) measured_.reset();
     picture_ = {};
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
-// Where it is wanted, and not there yet.
+// Starts measuring if it is enabled and the results are missing.
 void ChartsView::startMeasuring() {
     const relief::MethodChoice& method = snapshot_->request->method;
     const bool tracer = relief::findTracer(method.name).kind == relief::MethodKind::Tracer;
     const bool all = !maps_->isChecked() || (measured_ && measured_->withMaps);
     const bool there = measured_ && all && measured_->of(*snapshot_) && (!tracer || measured_->has(method));
-    // A click on another pixel is no reason to begin anew.
+    // Choosing another pixel does not restart a measurement in progress.
     const bool underway = measuring_ && sameMeasurement(*measuredNow_, *snapshot_);
     if (there || underway || !live_->isChecked()) return showBusy();
     measure();
 }
 
 void ChartsView::measure() {
-    if (!snapshot_ || !snapshot_->frame || !inSight()) return;
+    if (!snapshot_ || !snapshot_->frame || !isOnScreen()) return;
     auto made = std::make_shared<MeasuredView>();
     const auto work = [made, snapshot = snapshot_, maps = maps_->isChecked()](relief::Work& w) {
         *made = measureView(*snapshot, maps, w);
@@ -105,7 +107,7 @@ void ChartsView::measure() {
 
 void ChartsView::cancel() {
     if (!job_->busy()) return;
-    setLive(false);  // or it would begin again at once
+    setLive(false);  // otherwise it would start again at once
     job_->cancel();
 }
 
@@ -124,7 +126,7 @@ void ChartsView::adopt() {
     maps_->setChecked(pane_.maps);
     if (pane_.shown != before.shown) canvas_->resetZoom();
     if (pane_.shown != before.shown || pane_.error != before.error) draw();
-    if (pane_.maps != before.maps) measuring_ = false;  // what is underway is not what is wanted now
+    if (pane_.maps != before.maps) measuring_ = false;  // the measurement in progress is no longer the one needed
     if (pane_.maps != before.maps || (pane_.live && !before.live)) refresh();
 }
 
@@ -159,11 +161,12 @@ ChartsSource ChartsView::source() const {
 void ChartsView::draw() {
     const PauseLog::Part part("charts: drawing");
     if (!snapshot_ || !snapshot_->request) return;
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
     const ChartsSource now = source();
-    // The legend first: what it needs is not left to the charts. Where it would take too much it is left out.
+    // The legend is laid out first and the charts get the remaining room. A legend that would take too much is left
+    // out.
     constexpr double kMostLegend = 0.3;
     const auto legend = canvas_->showLegend(chartsLegend(now, canvas_->legendWidth(), style.language), kMostLegend);
     const QSizeF room = canvas_->room();
@@ -195,11 +198,11 @@ void ChartsView::choose(std::size_t point) {
         *worst = relief::worstPixel(*snapshot->frame, *snapshot->request, method, *snapshot->maps, w);
     };
     const auto done = [this, worst, method] {
-        relief::Scenario wanted = workspace_->scenario();
-        wanted.method = method;
-        if (*worst) wanted.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
-        workspace_->change(wanted, changeName([] { return tr("Choose method and its worst pixel"); }));
-        refresh();  // what was stopped for this
+        relief::Scenario changed = workspace_->scenario();
+        changed.method = method;
+        if (*worst) changed.pixel = relief::PixelChoice{(*worst)->x, (*worst)->y};
+        workspace_->change(changed, changeName([] { return tr("Choose method and its worst pixel"); }));
+        refresh();  // restarts the measurement that was interrupted for this
     };
     measuring_ = false;
     job_->start({work, done});
@@ -218,20 +221,20 @@ void ChartsView::chooseOf(const HistogramBar& bar) {
         const std::optional<relief::PixelChoice> now = workspace_->scenario().pixel;
         const auto at = std::find_if(pixels->begin(), pixels->end(),
                                      [&](const auto& p) { return now && p.x == now->x && p.y == now->y; });
-        // Another one of the bar that is looked at already.
+        // The next pixel of this bar, if one of its pixels is already chosen.
         const auto next = at == pixels->end() || at + 1 == pixels->end() ? pixels->begin() : at + 1;
         if (next != pixels->end()) {
-            workspace_->settle();  // each click is a step of undo by itself
+            workspace_->settle();  // each click is a separate step of undo
             workspace_->choosePixel(next->x, next->y);
         }
-        refresh();  // what was stopped for this
+        refresh();  // restarts the measurement that was interrupted for this
     };
     measuring_ = false;
     job_->start({work, done});
     showBusy();
 }
 
-// Speed never without its error.
+// Always states the speed together with the error.
 QString ChartsView::textOf(const relief::ParetoPoint& point) const {
     QString text =
         tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
@@ -241,7 +244,7 @@ QString ChartsView::textOf(const relief::ParetoPoint& point) const {
     return text;
 }
 
-// Its range and count, and that it can be clicked.
+// The bar's range and count, and the hint that it can be clicked.
 QString ChartsView::textOf(const HistogramBar& bar) const {
     return bar.rays > 0 ? tr("%1 · click: a pixel of them").arg(rangeOf(bar)) : rangeOf(bar);
 }
@@ -267,7 +270,7 @@ QString ChartsView::rangeOf(const HistogramBar& bar) {
     return {};
 }
 
-void ChartsView::tell(const QPointF& widget) {
+void ChartsView::readOut(const QPointF& widget) {
     const ChartsReading at = chartsReading(picture_, canvas_->toDrawing(widget));
     if (at.point && measured_ && *at.point < measured_->table.points.size()) {
         return setReadout(textOf(measured_->table.points[*at.point]));

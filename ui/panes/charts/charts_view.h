@@ -1,6 +1,6 @@
-// Run time against error of the methods on the rays of this view, and histograms of its steps and errors. All of it is
-// computed on a thread of the pane's own, while nothing is dragged. A click on a method chooses it and the pixel where
-// it is farthest from the exact hit.
+// Run time against error of the methods on the rays of this view, and histograms of the frame's steps and errors. All
+// of it is computed on a thread of the pane's own, except during drags. A click on a method chooses it and the pixel
+// where its error is largest.
 #pragma once
 
 #include <memory>
@@ -29,32 +29,32 @@ class ChartsView : public FigureView {
 
     DrawingCanvas* canvas() const { return canvas_; }
     const ChartsPicture& picture() const { return picture_; }
-    // What was measured last; null: nothing yet.
+    // The last measurements; null if there are none yet.
     const MeasuredView* measured() const { return measured_.get(); }
     const relief::FrameHistograms* histograms() const { return histograms_.get(); }
-    // Nothing is waited for.
+    // Returns true if no computation is pending.
     bool settled() const;
 
   public slots:
     void measure();
     void cancel() override;
-    // Measures again by itself when the view changes.
+    // Measures automatically when the view changes.
     void setLive(bool on);
     void setWithMaps(bool on);
     void setShown(reliefui::ChartsShown shown);
     void setMeasure(relief::ErrorMeasure measure);
-    // The method of a mark, and its worst pixel.
+    // Chooses the method of a mark, and its worst pixel.
     void choose(std::size_t point);
-    // A pixel of a bar: the one with most steps or farthest off; again: the next.
+    // Chooses a pixel of a bar: first the one with the most steps or the largest error, then the next one.
     void chooseOf(const reliefui::HistogramBar& bar);
 
   protected:
     void showSnapshot() override;
     bool outdated() const override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     bool eventFilter(QObject* object, QEvent* event) override;
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     void makeBar();
@@ -65,9 +65,9 @@ class ChartsView : public FigureView {
         pane.*choice = value;
         change(pane);
     }
-    void adopt();  // what the scenario says
+    void adopt();  // takes over the scenario's state of this pane
     void startMeasuring();
-    void draw();  // another pixel, room or style
+    void draw();  // draws again for another pixel, size or style
     void showEmpty();
     void showBusy();
     QString textOf(const relief::ParetoPoint& point) const;
@@ -84,16 +84,16 @@ class ChartsView : public FigureView {
     QComboBox* error_ = nullptr;
 
     std::shared_ptr<const Snapshot> snapshot_;
-    std::shared_ptr<const relief::Frame> counted_;  // that the histograms are of
+    std::shared_ptr<const relief::Frame> counted_;  // the frame of the histograms
     std::shared_ptr<const relief::FrameHistograms> histograms_;
     std::shared_ptr<const MeasuredView> measured_;
     ChartsPane pane_;
     ChartsPicture picture_;
     QPointF released_;
     bool measuring_ = false;
-    std::shared_ptr<const Snapshot> measuredNow_;  // while it is
-    double fraction_ = 0;                          // of what is being measured
-    std::unique_ptr<LatestJob> job_;               // last: ends before the rest
+    std::shared_ptr<const Snapshot> measuredNow_;  // snapshot of the measurement in progress
+    double fraction_ = 0;                          // progress of the measurement, 0 to 1
+    std::unique_ptr<LatestJob> job_;               // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

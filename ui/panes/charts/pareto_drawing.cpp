@@ -12,9 +12,9 @@ using relief::Message;
 using relief::MessageId;
 using relief::ParetoPoint;
 
-constexpr double kTop = 32;  // points, above the plot
+constexpr double kTop = 32;  // in points, above the plot
 constexpr double kMarkSize = 9;
-constexpr double kReach = 9;  // of a click
+constexpr double kReach = 9;  // pick radius of a click, in points
 
 MessageId measureTitle(relief::ErrorMeasure measure) {
     constexpr MessageId kTitles[] = {MessageId::DrawChartErrorMean, MessageId::DrawChartErrorP95,
@@ -22,14 +22,14 @@ MessageId measureTitle(relief::ErrorMeasure measure) {
     return kTitles[static_cast<std::size_t>(measure)];
 }
 
-// What is no number lies above all others.
+// Returns false for 0, infinity and NaN, which have no place on the logarithmic scale.
 bool measurable(double error) {
     return error > 0 && std::isfinite(error);
 }
 
 void setRanges(ParetoFrame& frame, const ParetoSource& source) {
-    constexpr double kAround = 0.06;     // of the range, left and right
-    constexpr double kLeastRange = 0.3;  // decades
+    constexpr double kAround = 0.06;     // margin at the left and right, as a share of the range
+    constexpr double kLeastRange = 0.3;  // in decades
     double timeLow = 9, timeHigh = -9, errorLow = 99, errorHigh = -99;
     for (const ParetoPoint& point : source.table.points) {
         timeLow = std::min(timeLow, std::log10(point.nanoseconds));
@@ -46,7 +46,7 @@ void setRanges(ParetoFrame& frame, const ParetoSource& source) {
     const double middle = (timeLow + timeHigh) / 2;
     frame.timeLow = middle - range * (0.5 + kAround);
     frame.timeHigh = middle + range * (0.5 + kAround);
-    constexpr double kHeadroom = 0.12;  // decades: no mark lies on the frame
+    constexpr double kHeadroom = 0.12;  // in decades; keeps the marks clear of the frame
     frame.errorLow = std::floor(errorLow - kHeadroom);
     frame.errorHigh = std::max(std::ceil(errorHigh + kHeadroom), frame.errorLow + 1);
 }
@@ -56,7 +56,7 @@ Drawing axes(const ParetoSource& source, const ParetoFrame& frame) {
     drawing.bounds = frame.whole;
     const chart::Axes errors(drawing, frame.plot, frame.whole);
     errors.corner(Message(measureTitle(source.measure)));
-    // Below the methods without any error.
+    // The time axis lies below the row of methods without error.
     Box all = frame.plot;
     all.y1 = std::max(frame.whole.y1 - chart::kBottom, all.y1);
     for (const chart::Tick& tick : chart::ticks(frame.times(), chart::Side::Below)) {
@@ -74,7 +74,8 @@ Drawing axes(const ParetoSource& source, const ParetoFrame& frame) {
     return drawing;
 }
 
-// The Pareto front of one form, as a staircase: the least time in which any method of the form reaches an error.
+// The Pareto front of one form (scalar or SIMD), as a staircase: the shortest time in which a method of this form
+// reaches an error.
 std::vector<Point> frontLine(const ParetoSource& source, relief::Form form, const ParetoFrame& frame,
                              const std::vector<ParetoMark>& marks) {
     std::vector<Point> ends;
@@ -84,7 +85,8 @@ std::vector<Point> frontLine(const ParetoSource& source, relief::Form form, cons
     std::sort(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y > b.y); });
     std::vector<Point> line;
     for (const Point& end : ends) {
-        if (!line.empty() && end.y <= line.back().y) continue;  // there for fewer wrong outcomes
+        // not dominated only because it has fewer wrong outcomes
+        if (!line.empty() && end.y <= line.back().y) continue;
         if (line.empty()) {
             line.push_back({end.x, frame.plot.y0});
         } else {
@@ -100,7 +102,7 @@ Role roleOf(const ParetoSource& source, const ParetoMark& mark) {
     return mark.dominated || source.old ? Role::Layer : Role::Series;
 }
 
-// The middle half of the rounds.
+// Interquartile range of the rounds.
 Box whisker(const ParetoSource& source, const ParetoFrame& frame, const ParetoMark& mark) {
     const ParetoPoint& point = source.table.points[mark.point];
     const double factor = source.table.cells == 1 ? 1 + point.spread / 2 : 1;
@@ -112,7 +114,7 @@ Box whisker(const ParetoSource& source, const ParetoFrame& frame, const ParetoMa
 void addMark(Drawing& drawing, const ParetoSource& source, const ParetoFrame& frame, const ParetoMark& mark) {
     const ParetoPoint& point = source.table.points[mark.point];
     const Role role = roleOf(source, mark);
-    // Of one measurement only: a mean has no quartiles.
+    // Only for a single measurement: means over several have no quartiles.
     if (source.table.cells == 1) {
         const Box line = whisker(source, frame, mark);
         drawing.add({}, role, Polyline{{{line.x0, mark.at.y}, {line.x1, mark.at.y}}, false}, Emphasis::Faint);
@@ -123,7 +125,7 @@ void addMark(Drawing& drawing, const ParetoSource& source, const ParetoFrame& fr
                 Marker{mark.at, shape, mark.dominated ? 0.75 * kMarkSize : kMarkSize});
 }
 
-// Names beside their marks, as near as they find room; farther ones with a line to the mark.
+// Places the names next to their marks, as near as possible; those farther away get a line to the mark.
 class Names {
   public:
     Names(const ParetoSource& source, ParetoPicture& picture) : source_(source), picture_(picture) {}
@@ -157,7 +159,7 @@ class Names {
         return true;
     }
 
-    // Pieces of the front's line, and spreads, that the name would lie on.
+    // Number of segments of the fronts, and of whiskers, that the name would cover.
     int crossings(const Box& box) const {
         int count = 0;
         for (const ParetoMark& mark : picture_.marks) {
@@ -182,7 +184,7 @@ class Names {
         const std::string name = point.label(source_.table.bothForms());
         const double width = textWidth(name);
         constexpr double kNone = 1e9;
-        constexpr double kCrossing = 26;  // points that a name goes farther to stand clear
+        constexpr double kCrossing = 26;  // cost of covering a line, as an equivalent distance in points
         double best = kNone;
         for (int row = 0; row <= 14; ++row) {
             for (const double sign : {-1.0, 1.0}) {
@@ -197,7 +199,7 @@ class Names {
                 }
             }
         }
-        if (best == kNone) return;  // hover tells it
+        if (best == kNone) return;  // no free place; the name appears on hover
         const bool left = mark.label.x1 < mark.at.x;
         const double y = mark.label.center().y;
         const Role role = roleOf(source_, mark);
@@ -245,13 +247,13 @@ Message paretoTitle(const relief::ParetoTable& table) {
 
 double ParetoFrame::yAt(double texels) const {
     if (texels == 0) return zero;
-    // No number: no ray hits where `exact` does.
+    // Not a number: no ray hits where `exact` does.
     if (!std::isfinite(texels)) return plot.y0;
     return errors().at(texels);
 }
 
 ParetoFrame paretoFrame(const ParetoSource& source, const Box& room) {
-    constexpr double kMostZeroRoom = 0.42;  // of the plot
+    constexpr double kMostZeroRoom = 0.42;  // as a share of the plot's height
     ParetoFrame frame;
     frame.whole = room;
     setRanges(frame, source);
@@ -259,9 +261,9 @@ ParetoFrame paretoFrame(const ParetoSource& source, const Box& room) {
     const double bottom = frame.plot.y1;
     std::size_t zeros = 0;
     for (const ParetoPoint& point : source.table.points) zeros += point.errorOf(source.measure) == 0 ? 1 : 0;
-    // Their names need room above and below them.
-    const double wanted = zeros == 0 ? 0 : 24 + 12.0 * static_cast<double>(zeros - 1);
-    const double below = std::min(wanted, kMostZeroRoom * frame.plot.height());
+    // Their names need room above and below the marks.
+    const double needed = zeros == 0 ? 0 : 24 + 12.0 * static_cast<double>(zeros - 1);
+    const double below = std::min(needed, kMostZeroRoom * frame.plot.height());
     frame.plot.y1 = bottom - below;
     frame.zero = bottom - below / 2;
     return frame;
@@ -281,7 +283,7 @@ ParetoPicture paretoPicture(const ParetoSource& source, const Box& room) {
              dominated[p],
              Box{}});
     }
-    // Times compare within a form only: each has a line of its own.
+    // Times are comparable only within a form, so each form has a front of its own.
     picture.front = frontLine(source, relief::Form::Simd, picture.frame, picture.marks);
     picture.scalarFront = frontLine(source, relief::Form::Scalar, picture.frame, picture.marks);
     if (picture.front.empty()) std::swap(picture.front, picture.scalarFront);

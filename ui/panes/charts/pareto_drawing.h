@@ -1,5 +1,5 @@
-// The Pareto chart: run time against error of methods, both logarithmic, a mark a method with its name. Methods without
-// any error have a row of their own below the scale.
+// The Pareto chart: run time against error of methods, both logarithmic, with one labelled mark per method. Methods
+// without error have a row of their own below the scale.
 #pragma once
 
 #include <optional>
@@ -16,19 +16,19 @@ struct ParetoSource {
     relief::ParetoTable table;
     relief::ErrorMeasure measure = relief::ErrorMeasure::Mean;
     relief::Message title;
-    std::string current;  // name of the method that is marked as chosen; empty: none
-    bool old = false;     // measured before the last change: all is drawn faintly
+    std::string current;  // name of the highlighted method; empty: none
+    bool old = false;     // measured before the last change; everything is drawn faintly
 };
-// The title of a table that was read from a file.
+// Title of a table that was read from a file.
 relief::Message paretoTitle(const relief::ParetoTable& table);
 
-// Where what lies, in points.
+// Layout of the chart, in points.
 struct ParetoFrame {
     Box whole;
-    Box plot;            // of errors above 0
-    double zero = 0;     // y of those of 0
-    bool zeros = false;  // there are any
-    double timeLow = 0;  // decimal logarithms of nanoseconds and texels at the sides
+    Box plot;            // area of errors above 0
+    double zero = 0;     // y of errors equal to 0
+    bool zeros = false;  // there are methods without error
+    double timeLow = 0;  // decimal logarithms of the times (ns) and errors (texels) at the plot's sides
     double timeHigh = 1;
     double errorLow = 0;
     double errorHigh = 1;
@@ -41,7 +41,7 @@ struct ParetoFrame {
 ParetoFrame paretoFrame(const ParetoSource& source, const Box& room);
 
 struct ParetoMark {
-    std::size_t point = 0;  // of the table
+    std::size_t point = 0;  // index in the table
     Point at;
     bool dominated = false;
     Box label;
@@ -49,16 +49,16 @@ struct ParetoMark {
 struct ParetoPicture {
     ParetoFrame frame;
     std::vector<ParetoMark> marks;
-    std::vector<Point> front;        // its line, from the fastest on
-    std::vector<Point> scalarFront;  // where both forms were measured: that of the scalar one
+    std::vector<Point> front;        // Pareto front, starting with the fastest method
+    std::vector<Point> scalarFront;  // front of the scalar form, if both forms were measured
     Drawing drawing;
 };
 ParetoPicture paretoPicture(const ParetoSource& source, const Box& room);
 
-// What the marks are, and where it was measured.
+// Adds the explanation of the marks, and on what was measured.
 void addParetoLegend(LegendRows& rows, const ParetoSource& source);
 
-// The point whose mark or name is there.
+// The point whose mark or name is at this place.
 std::optional<std::size_t> paretoPointAt(const ParetoPicture& picture, Point at);
 
 }  // namespace reliefui

@@ -1,4 +1,4 @@
-// The controls of the compare pane: what is compared, how it is shown, against what.
+// Controls of the compare pane: what is compared, how it is shown, and against which reference.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -18,7 +18,7 @@ namespace reliefui {
 
 namespace {
 
-// Two rows of controls stand above: the window is to fit on 800 lines.
+// In pixels. Small, because the window must fit a screen of 800 lines and there are two rows of controls.
 constexpr int kLeastPicture = 80;
 
 }  // namespace
@@ -32,7 +32,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
         coarseRunning_ = false;
         ++run_;
         if (view_ && view_->complete && !view_->coarse && !outdated()) {
-            // Measuring the rates was cancelled: there are none.
+            // Only measuring the rates was cancelled: the view is complete without them.
             auto unrated = std::make_shared<ComparedView>(*view_);
             unrated->rated = true;
             view_ = std::move(unrated);
@@ -53,7 +53,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
     column->addWidget(modes);
     makeModeBar();
     column->addWidget(makeOptions());
-    // Pictures that would be too small are scrolled.
+    // The area scrolls if the pictures would become too small.
     auto* const area = new QScrollArea(this);
     area->setObjectName(QStringLiteral("compare-area"));
     area->setAccessibleName(accessibleName());
@@ -72,7 +72,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
         pictures_->relayout();
     });
     connect(workspace, &Workspace::panesChanged, this, [this] {
-        if (!outOfSight()) proceed();
+        if (!markStaleIfHidden()) proceed();
     });
     connect(workspace, &Workspace::styleChanged, pictures_, &ComparePictures::relayout);
     showControls();
@@ -81,7 +81,7 @@ CompareView::CompareView(Workspace* workspace, QWidget* parent)
 
 CompareView::~CompareView() = default;
 
-// The names may be longer than the pane is wide; the buttons stay in sight.
+// The choosers may be wider than the pane and scroll; the buttons stay visible.
 QWidget* CompareView::makeMethodBar() {
     auto* const whole = new QWidget(this);
     auto* const row = new QHBoxLayout(whole);
@@ -128,7 +128,7 @@ void CompareView::makeModeBar() {
     range_ = new RangeButton(
         workspace_, [this] { return pictures_->errors(); }, this);
     bar_->addWidget(range_);
-    connect(pictures_, &ComparePictures::rangeWanted, range_, &RangeButton::open);
+    connect(pictures_, &ComparePictures::rangeRequested, range_, &RangeButton::open);
     rate_ = new QDoubleSpinBox(this);
     rate_->setObjectName(QStringLiteral("compare-rate"));
     rate_->setLocale(QLocale::c());
@@ -147,7 +147,7 @@ void CompareView::makeModeBar() {
     auto* const against = new QLabel(tr("against"), this);
     bar_->addWidget(against);
     reference_ = addChooser(bar_, "compare-reference", tr("What the pictures are measured against"));
-    // What errs least is another one of every subject.
+    // The reference with the least error has another name for each subject.
     reference_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     reference_->addItem(QString());
     reference_->addItem(QStringLiteral("A"));
@@ -172,7 +172,7 @@ void CompareView::makeModeBar() {
     });
 }
 
-// With what can be compared.
+// Fills the lists with the variations of the current subject.
 void CompareView::fillChoosers() {
     const relief::CompareSubject subject = workspace_->scenario().comparison.subject;
     if (offered_ == subject) return;
@@ -180,7 +180,7 @@ void CompareView::fillChoosers() {
     for (std::size_t n = 0; n < choosers_.size(); ++n) {
         choosers_[n]->clear();
         for (const std::string& text : relief::variationNames(subject)) {
-            // The scenario's own heights are those of its file.
+            // The scenario's own heights (A) are always those of its file.
             if (n == 0 && text == relief::kQuantised) continue;
             const QString name = QString::fromStdString(text);
             choosers_[n]->addItem(QChar(static_cast<char>('A' + n)) + QStringLiteral(" ") + name, name);
@@ -188,7 +188,7 @@ void CompareView::fillChoosers() {
     }
 }
 
-// As the scenario has it.
+// Sets the controls to the scenario's values.
 void CompareView::showControls() {
     const relief::Scenario& scenario = workspace_->scenario();
     const relief::Comparison& how = scenario.comparison;

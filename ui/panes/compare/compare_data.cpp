@@ -18,7 +18,7 @@ class CompareText {
 
 using relief::CompareSubject;
 
-// All on which the picture depends that has this choice in the place of the scenario's own.
+// The scenario of a picture, reduced to what the picture depends on, with this choice in place of the scenario's own.
 relief::Scenario shownBy(const relief::Scenario& whole, const relief::MethodChoice& choice) {
     const CompareSubject subject = whole.comparison.subject;
     relief::Scenario scenario = relief::varied(whole, subject, choice);
@@ -59,7 +59,7 @@ const QImage& ComparedPicture::shown(const relief::Comparison& how, bool referen
     const bool errors = how.mode == relief::CompareMode::Difference && !reference;
     if (!errors) return picture;
     const QImage& map = how.measure == relief::CompareMeasure::L1 ? l1Picture : flipPicture;
-    return map.isNull() ? picture : map;  // coarse, or not measured yet: the picture itself
+    return map.isNull() ? picture : map;  // while coarse or not measured yet, the picture itself
 }
 
 std::string comparedName(std::size_t number, CompareSubject subject, const relief::MethodChoice& choice) {
@@ -70,21 +70,22 @@ bool ComparedView::isReference(const ComparedPicture& picture) const {
     return picture.shows == against;
 }
 
-bool ComparedView::current(const relief::Scenario& wanted, std::size_t number) const {
-    const std::vector<relief::MethodChoice> all = relief::comparedOf(wanted);
-    return number < pictures.size() && number < all.size() && pictures[number].shows == shownBy(wanted, all[number]);
+bool ComparedView::current(const relief::Scenario& requested, std::size_t number) const {
+    const std::vector<relief::MethodChoice> all = relief::comparedOf(requested);
+    return number < pictures.size() && number < all.size() && pictures[number].shows == shownBy(requested, all[number]);
 }
 
-bool ComparedView::measured(const relief::Scenario& wanted, std::size_t number) const {
-    return complete && !coarse && current(wanted, number) && against == shownBy(wanted, comparedReference(wanted));
+bool ComparedView::measured(const relief::Scenario& requested, std::size_t number) const {
+    return complete && !coarse && current(requested, number) &&
+           against == shownBy(requested, comparedReference(requested));
 }
 
 bool ComparedView::of(const Snapshot& snapshot) const {
-    const relief::Scenario& wanted = snapshot.scenario;
-    const std::size_t count = relief::comparedOf(wanted).size();
+    const relief::Scenario& requested = snapshot.scenario;
+    const std::size_t count = relief::comparedOf(requested).size();
     bool all = complete && frame == snapshot.frame && count == pictures.size() &&
-               against == shownBy(wanted, comparedReference(wanted));
-    for (std::size_t n = 0; n < count && all; ++n) all = current(wanted, n);
+               against == shownBy(requested, comparedReference(requested));
+    for (std::size_t n = 0; n < count && all; ++n) all = current(requested, n);
     return all;
 }
 
@@ -116,7 +117,7 @@ Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::M
     return at;
 }
 
-// Of all but A, which is the snapshot's.
+// Renders all pictures except A, which is the snapshot's.
 void Comparer::fill(ComparedPicture& picture, const Snapshot& snapshot, relief::Work& work) {
     const relief::HeightField& field = snapshot.request->field;
     const bool method = snapshot.scenario.comparison.subject == CompareSubject::Methods;
@@ -137,7 +138,7 @@ void Comparer::fill(ComparedPicture& picture, const Snapshot& snapshot, relief::
 std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, const ComparedView* before,
                                                    const Listener& made, relief::Work& work) {
     ++calls_;
-    auto view = makeFreedAside<ComparedView>();
+    auto view = makeFreedInBackground<ComparedView>();
     const relief::Scenario& scenario = snapshot.scenario;
     const CompareSubject subject = scenario.comparison.subject;
     view->scenario = scenario;
@@ -162,7 +163,7 @@ std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, con
             fill(picture, snapshot, work);
         }
         view->pictures[n] = std::move(picture);
-        if (made && !view->coarse) made(makeFreedAside<ComparedView>(*view));
+        if (made && !view->coarse) made(makeFreedInBackground<ComparedView>(*view));
     }
     if (!snapshot.coarse) {
         const relief::MethodChoice reference = comparedReference(scenario);
@@ -172,7 +173,7 @@ std::shared_ptr<const ComparedView> Comparer::view(const Snapshot& snapshot, con
     view->rated = std::none_of(view->pictures.begin(), view->pictures.end(),
                                [](const ComparedPicture& picture) { return picture.traces && !picture.problem; });
     view->complete = true;
-    // Buffers of what is not looked at any more.
+    // Renderers not used in the last calls are dropped.
     constexpr int kKept = 4;
     std::erase_if(rendered_, [&](const auto& entry) { return entry.second.used + kKept < calls_; });
     return view;

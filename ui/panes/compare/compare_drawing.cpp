@@ -14,10 +14,10 @@ using relief::CompareMode;
 using relief::Message;
 using relief::MessageId;
 
-constexpr double kGap = 6;     // points, between tiles
-constexpr double kTitle = 15;  // a line of text
+constexpr double kGap = 6;     // between tiles, in points
+constexpr double kTitle = 15;  // line height of a tile's name
 constexpr double kLine = 12;
-constexpr double kAbove = 3;             // numbers below pictures that share a place
+constexpr double kAbove = 3;             // gap between pictures that share a place and the numbers below
 constexpr const char* kBetween = "   ";  // numbers in a line
 
 std::string figures(double value) {
@@ -25,7 +25,7 @@ std::string figures(double value) {
     return relief::numberText(value, 3);
 }
 
-// The numbers in as many lines as it takes.
+// Distributes the numbers over as many lines as needed.
 std::vector<std::string> lines(const std::vector<std::string>& numbers, double width) {
     std::vector<std::string> out;
     const auto textOf = [](const std::string& line) { return textWidth(line); };
@@ -46,7 +46,7 @@ bool beside(const CompareSource& source) {
 struct Grid {
     int columns = 1;
     int rows = 1;
-    double scale = 0;  // width of a picture
+    double scale = 0;  // width of a picture, in points
 };
 
 std::size_t mostLines(const CompareSource& source, double width, relief::Language language) {
@@ -61,7 +61,7 @@ double tileText(const CompareSource& source, double width, relief::Language lang
     return kTitle + kLine * static_cast<double>(mostLines(source, width, language));
 }
 
-// The one whose pictures are largest.
+// The grid with the largest pictures.
 Grid gridOf(const CompareSource& source, double width, double height, relief::Language language) {
     Grid best;
     const int count = static_cast<int>(source.tiles.size());
@@ -102,7 +102,7 @@ void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relie
     }
 }
 
-// In the middle of the picture: why there is none, or that this one is to be replaced.
+// Adds a message in the middle of the picture: why there is none, or that it is going to be replaced.
 void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
     const std::optional<Message>& text = tile.veiled ? tile.pending : tile.missing;
     if (!text) return;
@@ -114,7 +114,7 @@ void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
                       .plate = tile.veiled});
 }
 
-// Below pictures that share a place: name and numbers of one.
+// Lines for one of the pictures that share a place: its name and numbers.
 std::vector<std::string> numberLines(const CompareTile& tile, double width, relief::Language language) {
     std::vector<std::string> all{tile.name};
     for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
@@ -139,7 +139,7 @@ CompareLayout tiled(const CompareSource& source, double width, double height, re
         const auto row = static_cast<double>(static_cast<int>(n) / grid.columns);
         const Box cell{column * (w + kGap), row * (h + kGap), column * (w + kGap) + w, row * (h + kGap) + h};
         Box room{cell.x0, cell.y0 + kTitle, cell.x1, cell.y1 - text};
-        // No higher than the picture: its numbers stand right below it.
+        // No higher than the picture, so that the numbers follow directly below it.
         room.y1 = std::max(room.y0 + 1, std::min(room.y1, room.y0 + room.width() * source.aspect));
         addTitle(layout.drawing, source.tiles[n], cell, language);
         addNumbers(layout.drawing, source.tiles[n], {cell.x0, room.y1 + 1, cell.x1, cell.y1}, language);
@@ -158,12 +158,12 @@ std::vector<std::string> stackedNumbers(const CompareTile& tile, double width, r
     return lines(all, width);
 }
 
-// All in one place; the numbers of each in a line below.
+// All pictures in one place, with the numbers of each in lines below.
 CompareLayout stacked(const CompareSource& source, double width, double height, relief::Language language) {
     CompareLayout layout;
     const std::size_t count = source.tiles.size();
     layout.lines = linesBelow(source, width, language);
-    // As large as the picture: dividers divide it, not what lies beside it.
+    // The box equals the picture, because dividers are positioned relative to it.
     const double most = std::max(1.0, height - kLine * static_cast<double>(layout.lines) - kAbove);
     const double side = std::min(width, most / source.aspect);
     const Box room{(width - side) / 2, 0, (width + side) / 2, side * source.aspect};
@@ -210,7 +210,7 @@ CompareLayout stacked(const CompareSource& source, double width, double height, 
     return layout;
 }
 
-// None where differences are not shown.
+// std::nullopt if no differences are shown.
 std::optional<RangedValues> scaleOf(const CompareSource& source, relief::Language language) {
     if (source.mode != CompareMode::Difference || !source.errors) return std::nullopt;
     RangedValues values = *source.errors;
@@ -260,7 +260,7 @@ std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Languag
 }
 
 double compareLeastHeight(const CompareSource& source, double width, relief::Language language) {
-    constexpr double kLeastPicture = 80;  // points, its width
+    constexpr double kLeastPicture = 80;  // smallest width of a picture, in points
     const double picture = kLeastPicture * source.aspect;
     if (!beside(source)) {
         std::size_t below = 0;
@@ -312,7 +312,7 @@ Drawing compareLegend(const CompareSource& source, double width, relief::Languag
         RangedValues none;
         none.spread = std::make_shared<const ValueSpread>();
         Drawing scale = rangeLegend(scaleOf(source, language).value_or(none), width);
-        // Not measured yet: its room alone, so that pictures stay where they are.
+        // Not measured yet: only the room is reserved, so that the pictures do not move later.
         if (!source.errors) scale.items.clear();
         rows.block(std::move(scale));
     }

@@ -1,5 +1,5 @@
-// How far the compared pictures are from their reference, in numbers and in colours; and the same pictures rendered
-// anew for a page.
+// Errors of the compared pictures against their reference, as numbers and as colours; and rendering the same pictures
+// again for a page.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ using relief::CompareMeasure;
 using relief::CompareSubject;
 
 constexpr CompareMeasure kMeasures[] = {CompareMeasure::L1, CompareMeasure::Flip};
-// Values of a spread, beyond which counts are estimates.
+// Sample size of the spread of values; with more, counts are estimates.
 constexpr std::size_t kMostSpread = std::size_t{1} << 20;
 
 std::shared_ptr<const relief::FloatImage> l1Errors(const relief::ColorImage& a, const relief::ColorImage& b) {
@@ -36,7 +36,7 @@ const std::shared_ptr<const relief::FloatImage>& errorsOf(const ComparedPicture&
 }
 
 QImage colored(const relief::FloatImage& errors, const ColorScale& scale) {
-    const Style style;  // the map of counts is the same in both themes
+    const Style style;  // the theme does not matter: the map of counts is the same in both
     QImage image(errors.width(), errors.height(), QImage::Format_RGB32);
     for (int y = 0; y < errors.height(); ++y) {
         auto* const line = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -74,7 +74,7 @@ void color(ComparedView& view, const ColorRanges& ranges) {
     }
 }
 
-// The snapshot in another size, as this choice of the comparison's subject makes it.
+// The snapshot at another size, with this choice of the comparison's subject.
 std::shared_ptr<const Snapshot> resizedAs(const Snapshot& snapshot, const relief::MethodChoice& choice, int width,
                                           relief::Work& work) {
     const CompareSubject subject = snapshot.scenario.comparison.subject;
@@ -114,7 +114,7 @@ void Comparer::measure(ComparedView& view, const relief::Frame& reference, relie
 }
 
 std::shared_ptr<const ComparedView> recolored(const ComparedView& view, const ColorRanges& ranges) {
-    auto other = makeFreedAside<ComparedView>(view);
+    auto other = makeFreedInBackground<ComparedView>(view);
     color(*other, ranges);
     return other;
 }

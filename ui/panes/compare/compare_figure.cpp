@@ -8,14 +8,14 @@ namespace reliefui {
 
 namespace {
 
-// Pictures in two columns where there are four.
+// Four pictures are placed in two columns.
 int columnsOf(const CompareSource& source) {
     const bool beside = source.mode == relief::CompareMode::Tiles || source.mode == relief::CompareMode::Difference;
     const auto count = static_cast<int>(source.tiles.size());
     return !beside ? 1 : count == 4 ? 2 : count;
 }
 
-// Points: what the pictures and their words get of a page so wide, and how high both are with the legend.
+// Width, in points, available for pictures and text on this page, and their height including the legend.
 double roomOf(const FigurePage& page) {
     return page.widthMm / kMmPerPoint - kFigureMargins;
 }
@@ -23,7 +23,7 @@ double heightOf(const CompareSource& source, const FigurePage& page) {
     const double width = roomOf(page);
     const relief::Language language = page.style.language;
     const double legend = compareLegend(source, width, language).bounds.height();
-    // A page of pixels is rounded to whole ones, which must not narrow the pictures.
+    // The width is rounded to whole pixels, which must not make the pictures narrower.
     const double pixel = page.widthMm / kMmPerPoint / page.pixels();
     return compareHeight(source, width, language) + legend + kFigureMargins + kFigureMargin + pixel;
 }
@@ -52,15 +52,17 @@ std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snap
         const bool methods = snapshot->scenario.comparison.subject == relief::CompareSubject::Methods;
         throw EmptyFigure("compare", methods ? relief::MessageId::ExportNoMethods : relief::MessageId::ExportNoOthers);
     }
-    return computedFigure([snapshot, view, shown](const FigurePage& wanted, relief::Work& work) {
+    return computedFigure([snapshot, view, shown](const FigurePage& requested, relief::Work& work) {
         auto measured = view;
         if (!measured) measured = withRates(*Comparer().view(*snapshot, nullptr, {}, work), *snapshot, work);
         CompareSource source = compareSource(*measured, snapshot->scenario, shown);
         source.columns = columnsOf(source);
-        const double height = heightOf(source, wanted);
-        // The room of a picture, as it will be laid.
-        const double width = compareLayout(source, roomOf(wanted), height, wanted.style.language).rooms[0].width();
-        const std::vector<QImage> pictures = redrawnPictures(*measured, *snapshot, wanted.picturePixels(width), work);
+        const double height = heightOf(source, requested);
+        // Width of a picture in the final layout.
+        const double width =
+            compareLayout(source, roomOf(requested), height, requested.style.language).rooms[0].width();
+        const std::vector<QImage> pictures =
+            redrawnPictures(*measured, *snapshot, requested.picturePixels(width), work);
         const auto paint = [snapshot, source, pictures](QPainter& painter, const Box& page, const Style& style) {
             paintRedrawn(painter, pictures, comparePage(source, page, style, true), page, style, snapshot->scenario);
         };

@@ -6,8 +6,8 @@
 
 namespace reliefui {
 
-// The pictures are rendered anew in the size they have on the page. Numbers and scale are the view's, as the pane shows
-// them; without a view they are measured in the size of the scenario. shown: of flicker.
+// The pictures are rendered again at their size on the page. Numbers and scale are the view's, as shown in the pane;
+// without a view they are measured at the scenario's size. shown: index of the picture in flicker mode.
 std::shared_ptr<const Figure> compareFigure(std::shared_ptr<const Snapshot> snapshot,
                                             std::shared_ptr<const ComparedView> view, std::size_t shown);
 

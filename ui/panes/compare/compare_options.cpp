@@ -1,4 +1,4 @@
-// The options of what is compared, made from descriptions, side by side.
+// The options of the compared choices, side by side, generated from their descriptions.
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -14,7 +14,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kMostHeight = 190;  // pixels: the pictures want the rest
+constexpr int kMostHeight = 190;  // in pixels; the rest is for the pictures
 
 }  // namespace
 
@@ -79,12 +79,12 @@ void CompareView::setOption(std::size_t number, const QString& name, const QStri
     relief::MethodChoice choice = number == 0 ? relief::ownVariation(scenario, subject) : others[number - 1];
     const std::string key = name.toStdString();
     const std::string value = text.toStdString();
-    // Another method inside has options of its own.
+    // Options of a nested method are replaced if another one is chosen.
     const auto before = choice.options.find(key);
     const bool same = before != choice.options.end() && before->second == value;
     if (!same) std::erase_if(choice.options, [&](const auto& option) { return option.first.starts_with(key + "."); });
     choice.options[key] = value;
-    // Some pixel models take more samples.
+    // Some pixel models need more samples.
     if (subject == relief::CompareSubject::Filters) {
         choice = relief::ownVariation(relief::varied(scenario, subject, choice), subject);
     }

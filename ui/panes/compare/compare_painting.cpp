@@ -10,12 +10,12 @@ namespace reliefui {
 
 namespace {
 
-// Of the page's height: what explains must leave room for what is explained.
+// Largest share of the page's height for the legend, so that enough remains for the pictures.
 constexpr double kMostLegend = 0.14;
-constexpr int kVeil = 150;         // of 255
-constexpr double kLeastSide = 10;  // points
+constexpr int kVeil = 150;         // opacity, of 255
+constexpr double kLeastSide = 10;  // in points
 
-// Qt's own reduction looks at four pixels only; detail that a method lost must not come from that.
+// Qt's own downscaling averages only four pixels, which could remove detail that then seems to be lost by a method.
 void drawReduced(QPainter& painter, const QImage& image, const QRectF& target, bool smooth) {
     const double scale = target.width() / std::max(1, image.width());
     constexpr double kHalf = 0.6;
@@ -25,7 +25,7 @@ void drawReduced(QPainter& painter, const QImage& image, const QRectF& target, b
         painter.drawImage(target, image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
         return;
     }
-    // Pixels stay sharp when enlarged.
+    // Enlarged pixels keep sharp edges.
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1 || smooth);
     painter.drawImage(target, image);
 }
@@ -38,7 +38,7 @@ ComparePage comparePage(const CompareSource& source, const Box& page, const Styl
     const double legendWidth = page.width() / unit - 2 * kFigureMargin;
     parts.legend = compareLegend(source, legendWidth, style.language);
     if (!whole && parts.legend.bounds.height() * unit > kMostLegend * page.height()) {
-        // What the numbers are they say themselves; what the colours are only the scale.
+        // The numbers are self-explanatory, so the pane's legend only contains the colour scale.
         parts.legend = compareScale(source, legendWidth, style.language);
     }
     parts.room = figureRoom(parts.legend, page, style);
@@ -50,8 +50,8 @@ ComparePage comparePage(const CompareSource& source, const Box& page, const Styl
 
 namespace {
 
-// The rooms of pictures that are seen, in the painter's units, between ground and legend below and words above them.
-// draw: puts picture n into its room, clipped to what of it is seen.
+// Paints everything except the pictures: background and legend below them, text above them. draw: called for each
+// visible picture n to paint it into its box (in the painter's units), clipped to the visible part.
 void paintAround(QPainter& painter, const ComparePage& parts, const Box& page, const Style& style,
                  const std::function<void(std::size_t n, const QRectF& room)>& draw) {
     const ViewMap map{style.pixelsPerPoint(), parts.room.x0, parts.room.y0};

@@ -1,4 +1,4 @@
-// The comparison as it is painted on the screen and into figures.
+// Painting of the comparison, on the screen and in figures.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,20 @@
 
 namespace reliefui {
 
-// Layout and pictures in a page of the painter's units; the legend below.
+// Layout and legend on a page, in the painter's units.
 struct ComparePage {
     CompareLayout layout;
     Drawing legend;
-    Box room;                // of the layout, in the painter's units
-    double leastHeight = 0;  // of the page, below which pictures are too small; in the painter's units
+    Box room;                // box of the layout, in the painter's units
+    double leastHeight = 0;  // smallest page height at which the pictures are large enough; in the painter's units
 };
-// whole: the legend has all the room that it wants; else no more than a pane can spare.
+// whole: the legend gets all the room it needs; otherwise only what a pane can spare.
 ComparePage comparePage(const CompareSource& source, const Box& page, const Style& style, bool whole);
-// For a screen. place: where the whole picture lies for a room.
+// Paints on the screen. place: maps a picture's box to the rectangle of the whole picture at the current zoom.
 void paintCompare(QPainter& painter, const ComparedView& view, const relief::Comparison& how, const ComparePage& parts,
                   const Box& page, const Style& style, std::optional<relief::PixelChoice> pixel,
                   const std::function<QRectF(const QRectF& room)>& place);
-// For a page, with pictures that were rendered for it: each of their pixels is there as it is, on a page of pixels
-// once.
+// Paints a page with pictures rendered for it; on a page of pixels, each of their pixels is copied exactly once.
 void paintRedrawn(QPainter& painter, const std::vector<QImage>& pictures, const ComparePage& parts, const Box& page,
                   const Style& style, const relief::Scenario& scenario);
 

@@ -1,4 +1,4 @@
-// The pictures of the compare pane: what is seen, and what the mouse does there.
+// The pictures of the compare pane: painting and mouse and key events.
 #include <algorithm>
 #include <cmath>
 
@@ -21,8 +21,8 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kReach = 6;  // points to a divider
-// Until a picture that is not what is wanted any more is veiled: one that moves is replaced sooner.
+constexpr double kReach = 6;  // pick distance of a divider, in points
+// Delay before an outdated picture is veiled; during a drag it is replaced sooner.
 constexpr int kVeilMs = 150;
 
 }  // namespace
@@ -37,7 +37,7 @@ ComparePictures::ComparePictures(Workspace* workspace, QWidget* parent) : Pictur
     });
 }
 
-relief::Scenario ComparePictures::wanted() const {
+relief::Scenario ComparePictures::currentScenario() const {
     relief::Scenario scenario = workspace()->scenario();
     if (dragged_) scenario.comparison.dividers = dividers_;
     return scenario;
@@ -55,17 +55,17 @@ void ComparePictures::setProgress(double fraction) {
     const bool part = fraction > 0 && fraction < 1;
     constexpr double kHundred = 100;
     pending_.stopped = false;
-    sayPending(part ? relief::Message(relief::MessageId::DrawComparePendingPart,
-                                      {{"percent", static_cast<int>(fraction * kHundred)}})
-                    : relief::Message(relief::MessageId::DrawComparePending));
+    setPendingText(part ? relief::Message(relief::MessageId::DrawComparePendingPart,
+                                          {{"percent", static_cast<int>(fraction * kHundred)}})
+                        : relief::Message(relief::MessageId::DrawComparePending));
 }
 
 void ComparePictures::setStopped() {
     pending_.stopped = true;
-    sayPending(relief::Message(relief::MessageId::DrawCompareStopped));
+    setPendingText(relief::Message(relief::MessageId::DrawCompareStopped));
 }
 
-void ComparePictures::sayPending(relief::Message text) {
+void ComparePictures::setPendingText(relief::Message text) {
     pending_.text = std::move(text);
     relayout();
 }
@@ -94,8 +94,8 @@ void ComparePictures::relayout() {
         } else if (!pending_.veil && !veil_.isActive()) {
             veil_.start(kVeilMs);
         }
-        CompareSource source = compareSource(*view_, wanted(), shown_, pending_);
-        // Numbers that are not there yet come back to where they were.
+        CompareSource source = compareSource(*view_, currentScenario(), shown_, pending_);
+        // Reserves as many text lines as before: the numbers will return to the same place.
         if ((late || view_->coarse) && mode_ == source.mode) source.lines = lines_;
         ComparePage parts = comparePage(source, page, workspace()->style(), false);
         errors_ = std::move(source.errors);
@@ -165,7 +165,7 @@ void ComparePictures::paintEvent(QPaintEvent*) {
                          QString::fromStdString(text));
     } else {
         const Box page{0, 0, double(width()), double(height())};
-        paintCompare(painter, *view_, wanted().comparison, {layout_, legend_, room_}, page, style,
+        paintCompare(painter, *view_, currentScenario().comparison, {layout_, legend_, room_}, page, style,
                      workspace()->scenario().pixel, [this](const QRectF& room) { return pictureIn(room); });
     }
     if (!hasFocus()) return;
@@ -180,9 +180,10 @@ void ComparePictures::resizeEvent(QResizeEvent* event) {
 }
 
 std::optional<RangedValues> ComparePictures::errors() const {
-    if (!errors_ || wanted().comparison.mode != relief::CompareMode::Difference) return std::nullopt;
+    if (!errors_ || currentScenario().comparison.mode != relief::CompareMode::Difference) return std::nullopt;
     RangedValues values = *errors_;
-    values.name = relief::sentence(compareErrorName(wanted().comparison.measure), workspace()->style().language);
+    values.name =
+        relief::sentence(compareErrorName(currentScenario().comparison.measure), workspace()->style().language);
     return values;
 }
 
@@ -200,7 +201,7 @@ QRectF ComparePictures::legendBar() const {
 
 void ComparePictures::mousePressEvent(QMouseEvent* event) {
     const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
-    if (plain && legendBar().contains(event->localPos())) return Q_EMIT rangeWanted();
+    if (plain && legendBar().contains(event->localPos())) return Q_EMIT rangeRequested();
     const auto divider = plain ? dividerAt(event->localPos()) : std::nullopt;
     if (!divider) return PictureView::mousePressEvent(event);
     dividers_ = layout_.dividers;
@@ -213,7 +214,7 @@ void ComparePictures::mouseMoveEvent(QMouseEvent* event) {
         setCursor(over ? Qt::SplitHCursor : Qt::ArrowCursor);
         return PictureView::mouseMoveEvent(event);
     }
-    // Undone, or another way of comparing, while the button was down.
+    // The dividers changed during the drag, by undo or another mode.
     if (!dragsFit()) return dragged_.reset();
     const QRectF room = onScreen(layout_.rooms.front());
     const std::size_t n = *dragged_;
@@ -237,7 +238,7 @@ void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     relayout();
 }
 
-// Alt with left and right moves the divider, with up and down takes another one; Shift: in larger steps.
+// Alt with left or right moves the divider, Alt with up or down selects another one; Shift: larger steps.
 bool ComparePictures::moveDivider(QKeyEvent* event) {
     constexpr double kStep = 0.01;
     constexpr double kFarStep = 0.1;
@@ -265,13 +266,14 @@ bool ComparePictures::moveDivider(QKeyEvent* event) {
     return true;
 }
 
-// A letter shows that picture alone where one is shown at a time.
+// In modes that show one picture at a time, a letter selects it.
 void ComparePictures::keyPressEvent(QKeyEvent* event) {
     if (moveDivider(event)) return;
     const int number = event->key() - Qt::Key_A;
     const bool letter = event->modifiers() == Qt::NoModifier && number >= 0 && view_ &&
                         number < static_cast<int>(view_->pictures.size());
-    if (!letter || wanted().comparison.mode != relief::CompareMode::Flicker) return PictureView::keyPressEvent(event);
+    if (!letter || currentScenario().comparison.mode != relief::CompareMode::Flicker)
+        return PictureView::keyPressEvent(event);
     Q_EMIT flickerStopped();
     setShown(static_cast<std::size_t>(number));
 }
@@ -286,7 +288,7 @@ QStringList ComparePictures::readouts(relief::PixelChoice pixel) const {
     return lines;
 }
 
-void ComparePictures::tellHover(QPointF at) {
+void ComparePictures::readOutHover(QPointF at) {
     const auto pixel = pixelAt(at);
     Q_EMIT hovered(pixel ? readouts(*pixel).join(QStringLiteral(" · ")) : QString());
 }

@@ -1,4 +1,4 @@
-// How fast the compared methods and filters are, on what the view shows.
+// Speed of the compared methods and filters on the rays or pixels of the view.
 #include "measuring/bench/filter_queries.h"
 #include "measuring/bench/pareto.h"
 #include "measuring/bench/view_bench.h"
@@ -14,7 +14,7 @@ namespace {
 using relief::CompareSubject;
 
 constexpr int kRounds = 7;
-// Pixels that filters are timed on, at most: some of a frame's tiles.
+// Largest number of pixels used to time filters: some of the frame's tiles.
 constexpr std::size_t kFilteredPixels = 16384;
 
 void addMethodRates(ComparedView& view, const Snapshot& snapshot, relief::Work& work) {
@@ -50,7 +50,7 @@ void addFilterRates(ComparedView& view, const Snapshot& snapshot, relief::Work& 
     const std::vector<glm::ivec2> pixels = relief::sampledTiles(*snapshot.frame, kFilteredPixels);
     const relief::FilterQueries queries(*snapshot.frame, *snapshot.request, pixels);
     if (filters.empty() || queries.size() == 0) return;
-    queries.rates(filters, 1, work);  // warms up
+    queries.rates(filters, 1, work);  // warm-up
     const auto rates = queries.rates(filters, kRounds, work);
     view.rays = queries.size();
     for (std::size_t f = 0; f < filters.size(); ++f) timed[f]->rate = relief::quantile(rates[f], 0.5) / 1e6;
@@ -59,7 +59,7 @@ void addFilterRates(ComparedView& view, const Snapshot& snapshot, relief::Work& 
 }  // namespace
 
 std::shared_ptr<const ComparedView> withRates(const ComparedView& view, const Snapshot& snapshot, relief::Work& work) {
-    auto timed = makeFreedAside<ComparedView>(view);
+    auto timed = makeFreedInBackground<ComparedView>(view);
     const CompareSubject subject = view.scenario.comparison.subject;
     if (subject == CompareSubject::Methods) addMethodRates(*timed, snapshot, work);
     if (subject == CompareSubject::Filters) addFilterRates(*timed, snapshot, work);

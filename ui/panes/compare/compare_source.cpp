@@ -1,4 +1,4 @@
-// What the pane says of the compared pictures, beside them and under the pointer.
+// Text of the pane about the compared pictures, next to them and under the pointer.
 #include <algorithm>
 
 #include <QCoreApplication>

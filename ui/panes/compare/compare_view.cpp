@@ -46,23 +46,23 @@ void CompareView::showSnapshot() {
         return;
     }
     if (view_ && view_->of(*snapshot)) {
-        snapshot_ = snapshot;  // another pixel, perhaps
+        snapshot_ = snapshot;  // possibly with another pixel
         pictures_->relayout();
         return proceed();
     }
-    // A coarse picture has another filter: it says nothing of the filters.
+    // A coarse picture uses a cheaper filter, so it cannot be used to compare filters.
     if (snapshot->coarse && snapshot->scenario.comparison.subject == relief::CompareSubject::Filters) {
         job_->drop();
         ++run_;
         return pictures_->setProgress(0);
     }
-    // A coarse picture in the making is finished first: a drag is to be seen while it goes on.
+    // A coarse picture in progress is completed, so that the pane follows the drag.
     if (coarseRunning_ && snapshot->coarse) return;
     startView();
 }
 
-// The frames of all methods, and the buffers they are made with.
-void CompareView::letGo() {
+// Releases the frames of all methods and their renderers.
+void CompareView::releaseContents() {
     job_->drop();
     ++run_;
     flicker_.stop();
@@ -81,17 +81,17 @@ void CompareView::startView() {
         snapshot_ = snapshot;
         pictures_->show(view_, {});
     };
-    // While it is being made: one picture after the other.
+    // Shows the view while it is being made, picture by picture.
     const auto part = [this, show, run = ++run_, parts = parts_.address()](std::shared_ptr<const ComparedView> view) {
         parts.post([this, show, run, view = std::move(view)] {
-            if (run == run_ && inSight()) show(view);
+            if (run == run_ && isOnScreen()) show(view);
         });
     };
     const auto work = [=, comparer = comparer_, before = view_](relief::Work& w) {
         *made = comparer->view(*snapshot, before.get(), part, w);
     };
     const auto done = [=, this] {
-        ++run_;  // no part comes after the whole
+        ++run_;  // ignores parts that arrive after the whole view
         coarseRunning_ = false;
         show(*made);
         if (workspace_->snapshot() != snapshot) return refresh();
@@ -134,7 +134,7 @@ void CompareView::change(const relief::Comparison& comparison, const QString& wh
     workspace_->change(scenario, what);
 }
 
-// What has nothing to be compared with yet gets what is compared most.
+// If nothing is compared for this subject yet, adds the most common choice.
 void CompareView::setSubject(relief::CompareSubject subject) {
     relief::Scenario scenario = workspace_->scenario();
     scenario.comparison.subject = subject;
@@ -170,7 +170,7 @@ void CompareView::setChoice(std::size_t number, const QString& name) {
     std::vector<relief::MethodChoice>& others = relief::othersOf(scenario.comparison);
     const std::vector<relief::MethodChoice> all = relief::comparedOf(scenario);
     if (number >= all.size() || all[number].name == name.toStdString()) return;
-    // Options belong to their method or filter: another one does not inherit them.
+    // Options belong to a method or filter; another one starts with its defaults.
     relief::MethodChoice choice{name.toStdString(), {}};
     const auto there = std::find_if(others.begin(), others.end(),
                                     [&](const auto& one) { return relief::sameVariation(subject, one, choice); });
@@ -223,11 +223,11 @@ void CompareView::setReference(relief::CompareReference reference) {
 }
 
 void CompareView::tick() {
-    if (outOfSight()) return flicker_.stop();
+    if (markStaleIfHidden()) return flicker_.stop();
     pictures_->setShown(pictures_->shown() + 1);
 }
 
-void CompareView::tell(const QPointF& widget) {
+void CompareView::readOut(const QPointF& widget) {
     menuAt_ = widget.toPoint();
 }
 
@@ -241,7 +241,7 @@ void CompareView::addToMenu(QMenu& menu) {
                    [this, n = *number] { swapWithA(n); });
 }
 
-// With the numbers of the pane: there are none while they are being measured.
+// Uses the numbers shown in the pane; there are none while they are being measured.
 std::shared_ptr<const Figure> CompareView::figure() const {
     const bool ready = view_ && view_->complete && !view_->coarse && view_->rated && !outdated();
     return ready ? compareFigure(snapshot_, view_, pictures_->shown()) : nullptr;

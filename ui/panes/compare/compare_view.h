@@ -1,6 +1,6 @@
-// Two to four methods, filters, mappings or maps of heights on one camera: side by side, divided, one after the other,
-// or only how they differ; below each how far it is from a reference and how fast. Everything is rendered and measured
-// on a thread of the pane's own.
+// Compares two to four methods, filters, mappings or height maps with the same camera: side by side, in one picture
+// with dividers, alternating, or as differences; below each picture its error against a reference and its speed.
+// Everything is rendered and measured on a thread of the pane's own.
 #pragma once
 
 #include <memory>
@@ -23,35 +23,35 @@ namespace reliefui {
 class OptionsForm;
 class RangeButton;
 
-// The pictures, with the grammar of the result. Dividers are dragged.
+// The pictures, with the same mouse and keys as the result view, and draggable dividers.
 class ComparePictures : public PictureView {
     Q_OBJECT
   public:
     explicit ComparePictures(Workspace* workspace, QWidget* parent = nullptr);
 
-    // Null: `why` is said instead.
+    // Shows a view; null: shows the message `why` instead.
     void show(std::shared_ptr<const ComparedView> view, relief::MessageId why);
     const ComparedView* view() const { return view_.get(); }
     const CompareLayout& layoutNow() const { return layout_; }
-    // Of flicker.
+    // Index of the visible picture in flicker mode.
     std::size_t shown() const { return shown_; }
     void setShown(std::size_t number);
-    // Of the job that makes what is pending; 0: it has just begun.
+    // Progress of the pending pictures, 0 to 1; 0: just started.
     void setProgress(double fraction);
     void setStopped();
-    // Whether a picture is seen that is not what the scenario wants in its place.
+    // Returns true if a visible picture does not belong to the current scenario.
     bool outdated() const;
     bool veiled() const { return pending_.veil; }
-    // The middle of a pixel in one of the pictures, if it is seen there.
+    // Position of a pixel's centre in one of the pictures, if it is visible there.
     std::optional<QPointF> pixelIn(std::size_t number, relief::PixelChoice pixel) const;
-    // Which picture is under the point.
+    // Index of the picture at this point.
     std::optional<std::size_t> pictureAt(QPointF widget) const;
     void relayout();
-    // The scale of differences that is on the screen; none: there is none.
+    // The scale of differences on the screen; std::nullopt if there is none.
     std::optional<RangedValues> errors() const;
 
   signals:
-    void rangeWanted();  // the bar of colours was clicked
+    void rangeRequested();  // the colour bar was clicked
     void hovered(const QString& readout);
     void flickerStopped();
 
@@ -65,17 +65,17 @@ class ComparePictures : public PictureView {
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
     QRectF roomAt(QPointF widget) const override;
-    void tellHover(QPointF at) override;
+    void readOutHover(QPointF at) override;
 
   private:
-    // The scenario, with a divider where it is dragged to.
-    relief::Scenario wanted() const;
-    void sayPending(relief::Message text);
+    // The scenario, with the divider's current position during a drag.
+    relief::Scenario currentScenario() const;
+    void setPendingText(relief::Message text);
     double unit() const { return workspace()->style().pixelsPerPoint(); }
     QRectF onScreen(const Box& points) const;
     std::optional<std::size_t> dividerAt(QPointF widget) const;
     bool moveDivider(QKeyEvent* event);
-    QRectF legendBar() const;  // of its colours, on the widget; empty: there is none
+    QRectF legendBar() const;  // colour bar in widget coordinates; empty: there is none
     bool dragsFit() const { return layout_.dividers.size() == dividers_.size(); }
     QStringList readouts(relief::PixelChoice pixel) const;
 
@@ -84,13 +84,13 @@ class ComparePictures : public PictureView {
     CompareLayout layout_;
     Drawing legend_;
     std::optional<RangedValues> errors_;
-    Box room_;               // of the layout on this widget
-    std::size_t lines_ = 0;  // of numbers, when it was drawn last, this way
+    Box room_;               // box of the layout on this widget
+    std::size_t lines_ = 0;  // text lines of the last layout in this mode
     relief::CompareMode mode_{};
     std::size_t shown_ = 0;
-    std::optional<std::size_t> dragged_;  // divider
-    std::size_t held_ = 0;                // by the keyboard
-    std::vector<double> dividers_;        // while one is dragged
+    std::optional<std::size_t> dragged_;  // index of the divider being dragged
+    std::size_t held_ = 0;                // divider selected with the keyboard
+    std::vector<double> dividers_;        // positions during a drag
     ComparePending pending_;
     QTimer veil_;
 };
@@ -103,22 +103,22 @@ class CompareView : public FigureView {
 
     ComparePictures* pictures() const { return pictures_; }
     const ComparedView* view() const { return view_.get(); }
-    // Nothing is waited for.
+    // Returns true if no computation is pending.
     bool settled() const;
 
   public slots:
     void setSubject(relief::CompareSubject subject);
-    // The next one that is not there yet.
+    // Adds the next choice that is not compared yet.
     void addOther();
     void removeOther();
-    // Puts this one at the place, 0 being A. What stands at another place already changes places with it; what A is
-    // gets an option of its own, or is refused with a word.
+    // Sets the choice at a place (0 is A). A choice that is already at another place changes places with it; one equal
+    // to A gets a differing option, or is refused with a message.
     void setChoice(std::size_t number, const QString& name);
-    // An option of it, as its description names it ("inner.layers").
+    // Sets an option of a choice, by the key in its description ("inner.layers").
     void setOption(std::size_t number, const QString& name, const QString& text, bool live = false);
-    // The options of all of them, to be turned.
+    // Shows or hides the options of all choices.
     void showOptions(bool on);
-    // It becomes A, so that all panes answer for it; A takes its place.
+    // Makes it A, the method that all panes show; the previous A takes its place.
     void swapWithA(std::size_t number);
     void setMode(relief::CompareMode mode);
     void setMeasure(relief::CompareMeasure measure);
@@ -129,9 +129,9 @@ class CompareView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     void addToMenu(QMenu& menu) override;
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     QWidget* makeMethodBar();
@@ -141,18 +141,18 @@ class CompareView : public FigureView {
     void showControls();
     void change(const relief::Comparison& comparison, const QString& what);
     void startView();
-    // What is left to do for the pictures that are shown: colours in the ranges that are chosen, then rates.
+    // Continues with the next stage for the pictures shown: recolouring by the current ranges, then rates.
     void proceed();
-    // Makes another view of the one that is shown.
+    // Starts a job that derives a new view from the current one.
     void make(std::function<std::shared_ptr<const ComparedView>(relief::Work&)> work);
     void fillChoosers();
     void tick();
 
-    QHBoxLayout* bar_ = nullptr;  // the row that is being filled
+    QHBoxLayout* bar_ = nullptr;  // the row currently being filled
     ComparePictures* pictures_;
     std::vector<QComboBox*> choosers_;
-    std::optional<relief::CompareSubject> offered_;  // by the choosers
-    // Its name over its options.
+    std::optional<relief::CompareSubject> offered_;  // subject of the choosers' entries
+    // One choice's name above its options.
     struct OptionsOf {
         QWidget* whole = nullptr;
         QLabel* title = nullptr;
@@ -174,12 +174,12 @@ class CompareView : public FigureView {
 
     std::shared_ptr<const Snapshot> snapshot_;
     std::shared_ptr<const ComparedView> view_;
-    std::shared_ptr<Comparer> comparer_ = std::make_shared<Comparer>();  // the job's
+    std::shared_ptr<Comparer> comparer_ = std::make_shared<Comparer>();  // used by the job
     bool coarseRunning_ = false;
     QTimer flicker_;
-    std::uint64_t run_ = 0;  // of the job that makes pictures, which are shown one by one
+    std::uint64_t run_ = 0;  // number of the job whose pictures are shown one by one; others are ignored
     Mailbox parts_{this};
-    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+    std::unique_ptr<LatestJob> job_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

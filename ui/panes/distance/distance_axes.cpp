@@ -52,7 +52,7 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language) {
                Message(frame.axis == SliceAxis::X ? MessageId::DrawAxisY : MessageId::DrawAxisX));
     chart::Scale upwards{frame.window.y0, frame.window.y1, plot.y0, plot.y1};
     if (!level) {
-        // Of heights, what the window shows of them.
+        // The visible range of heights.
         const double slab = std::max(frame.slab, 1e-9);
         upwards.low = std::max(0.0, 1 - frame.window.y1 / slab);
         upwards.high = std::min(1.0, 1 - frame.window.y0 / slab);
@@ -79,7 +79,7 @@ Message barName(const DistancePicture& picture) {
                    {{"first", picture.kind}, {"second", picture.minus}});
 }
 
-// In the colours of a mark of the map.
+// Adds a patch in the colour of a mark of the map.
 void addPatch(LegendRows& rows, float mark, MessageId name) {
     const Box box{-5, -5, 7, 5};
     Cells patch = colorBar(box, ColorMap::Distance);
@@ -133,7 +133,7 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
     if (!source.hasRay) return rows.take();
     rows.line(Role::Ray, Message(MessageId::DrawRay));
     if (source.steps == nullptr) return rows.take();
-    // A broken promise gets its row where the slice shows it.
+    // The row for violated guarantees is added only if the slice shows one.
     rows.bodies(*source.steps, source.ray, source.exact, [&](const StepBody& body) {
         const Place3 centre = placeOnRay(source, body.lambda);
         return body.kind == StepBody::Kind::Cone ||

@@ -1,4 +1,4 @@
-// The controls of the distance map's pane, and what is done with the pointer there.
+// Controls of the distance pane, and its reaction to the pointer.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPatienceMs = 250;
+constexpr int kBusyDelayMs = 250;
 
 QString number(double value, int decimals) {
     return QString::fromStdString(relief::fixedText(value, decimals));
@@ -56,8 +56,8 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     };
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     connect(canvas_, &DrawingCanvas::clicked, this, &DistanceView::choose);
-    connect(canvas_, &DrawingCanvas::asked, this, &DistanceView::askPoint);
-    connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::tell);
+    connect(canvas_, &DrawingCanvas::pointQueried, this, &DistanceView::askPoint);
+    connect(canvas_, &DrawingCanvas::pointed, this, &DistanceView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &DistanceView::refresh);
     connect(workspace_, &Workspace::panesChanged, this, &DistanceView::adopt);
@@ -68,7 +68,7 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
 }
 
 DistanceView::~DistanceView() {
-    patience_.stop();
+    busyDelay_.stop();
 }
 
 void DistanceView::makeMapBar(QHBoxLayout* bar) {
@@ -135,7 +135,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
         connect(axes_.back(), &QToolButton::clicked, this, [this, a] {
             DistanceOptions next = options_;
             next.axis = static_cast<SliceAxis>(a);
-            next.slice.reset();  // a number of the other axis means nothing here
+            next.slice.reset();  // an index along the other axis is meaningless here
             change(next);
             showControls();
         });
@@ -167,7 +167,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
     });
 }
 
-// Over the canvas: a row of its own would change the room that is drawn for.
+// Placed over the canvas, because a row of its own would change the size of the drawing.
 void DistanceView::makeWaiting() {
     waiting_ = new QFrame(this);
     waiting_->setObjectName(QStringLiteral("distance-waiting"));
@@ -183,23 +183,23 @@ void DistanceView::makeWaiting() {
     stop_ = new QToolButton(waiting_);
     stop_->setText(tr("Cancel"));
     stop_->setToolTip(tr("Stop building the map (Esc)"));
-    again_ = new QToolButton(waiting_);
-    again_->setText(tr("Build"));
-    again_->setToolTip(tr("Build the map"));
+    retry_ = new QToolButton(waiting_);
+    retry_->setText(tr("Build"));
+    retry_->setToolTip(tr("Build the map"));
     auto* const row = new QHBoxLayout(waiting_);
     row->addWidget(what_, 1);
     row->addWidget(bar_, 1);
     row->addWidget(stop_);
-    row->addWidget(again_);
+    row->addWidget(retry_);
     waiting_->hide();
-    patience_.setSingleShot(true);
-    patience_.setInterval(kPatienceMs);
-    connect(&patience_, &QTimer::timeout, this, [this] {
+    busyDelay_.setSingleShot(true);
+    busyDelay_.setInterval(kBusyDelayMs);
+    connect(&busyDelay_, &QTimer::timeout, this, [this] {
         waiting_->show();
         placeWaiting();
     });
     connect(stop_, &QToolButton::clicked, this, &DistanceView::cancel);
-    connect(again_, &QToolButton::clicked, this, [this] {
+    connect(retry_, &QToolButton::clicked, this, [this] {
         failed_ = {};
         problem_.clear();
         refresh();
@@ -233,7 +233,7 @@ void DistanceView::choose(const ItemId& id) {
     if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
 }
 
-void DistanceView::tell(const QPointF& widget) {
+void DistanceView::readOut(const QPointF& widget) {
     if (!result_) return setReadout({});
     const DistanceSource source = distanceSource(*result_->snapshot, result_->maps);
     const DistanceFrame& frame = result_->picture.frame;
@@ -261,7 +261,7 @@ std::optional<QueryPoint> DistanceView::pointAt(const QPointF& widget) const {
     if (!result_) return std::nullopt;
     const DistanceFrame& frame = result_->picture.frame;
     const Point at = canvas_->toDrawing(widget);
-    // A cone map has no height under the pointer.
+    // In a cone map, points under the pointer have no height.
     if (frame.slopes || frame.slab <= 0 || !frame.plot.contains(at)) return std::nullopt;
     const Place3 place = fromSlice(frame.axis, frame.slab, frame.plane, frame.uvAt(at));
     const QueryPoint point{place[0], place[1], std::clamp(place[2] / frame.slab, 0.0, 1.0)};

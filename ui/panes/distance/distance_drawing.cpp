@@ -15,7 +15,7 @@ namespace {
 using relief::Message;
 using relief::MessageId;
 
-constexpr double kIsoLines = 8;  // at most that many
+constexpr double kIsoLines = 8;  // largest number of iso-lines
 
 void addCells(DistancePicture& picture, const DistanceSource& source) {
     const MapSlice& slice = picture.slice;
@@ -52,10 +52,10 @@ void addCells(DistancePicture& picture, const DistanceSource& source) {
     }
 }
 
-// The cells of the slice's grid that the window shows, unwrapped.
+// The visible range of cells of the slice's grid; unwrapped indices.
 struct CellSpan {
     int first = 0;
-    int last = 0;  // after it
+    int last = 0;  // one past the last
 };
 CellSpan spanOf(double low, double high, double start, double side, double period, int count, bool wraps) {
     if (side <= 0) return {};  // a slab without thickness
@@ -70,14 +70,14 @@ CellSpan spanOf(double low, double high, double start, double side, double perio
     return {index(low) - 1, index(high) + 2};
 }
 
-// Where cell k (unwrapped) begins; cells that the period's end cuts short are shorter.
+// Position of the start of cell k (unwrapped). The last cell of a period may be shorter.
 double placeOf(double cell, double start, double side, double period, int count, bool wraps) {
     if (!wraps) return start + cell * side;
     const double n = std::floor(cell / count);
     return start + n * period + std::min((cell - n * count) * side, period);
 }
 
-// What is buried, hatched as a cut through material is; where that can be seen.
+// Hatches the interior of the relief, as in a section drawing; omitted where hatches would be too many.
 void addHatches(DistancePicture& picture) {
     constexpr std::size_t kMost = 3000;
     const MapSlice& slice = picture.slice;
@@ -113,15 +113,15 @@ void addHatches(DistancePicture& picture) {
     for (const Box& box : boxes) picture.drawing.add({}, Role::Background, Hatch{box}, Emphasis::Faint);
 }
 
-// Values that have a line: every so many, or of a logarithmic scale 1, 2 and 5 of each power of ten.
+// Values of the iso-lines: multiples of `step`, or on a logarithmic scale 1, 2 and 5 times the powers of ten.
 struct IsoValues {
     std::vector<double> values;
     double step = 0;
     int perDecade = 0;
 };
 constexpr int kIsoTries = 3;
-constexpr double kMostIsoLength = 0.07;  // points of line on a square point
-constexpr double kLeastIsoLength = 14;   // points: shorter, a closed line is a blot
+constexpr double kMostIsoLength = 0.07;  // in points of line length per square point
+constexpr double kLeastIsoLength = 14;   // in points; shorter closed lines are not legible
 IsoValues isoValues(const ColorScale& scale, int coarser) {
     IsoValues iso;
     if (scale.logarithmic) {
@@ -156,8 +156,8 @@ double lengthOf(const std::vector<Point>& line) {
 
 // line: in points of the drawing.
 void addIsoLine(DistancePicture& picture, const IsoLine& line) {
-    constexpr double kLabelled = 46;  // points
-    // Where the cells have room for their numbers, the lines need none.
+    constexpr double kLabelled = 46;  // in points
+    // Where the cells are large enough for printed values, lines need no labels.
     constexpr double kPrinted = 24;
     const MapSlice& slice = picture.slice;
     const DistanceFrame& frame = picture.frame;
@@ -208,10 +208,10 @@ void addIsoLines(DistancePicture& picture) {
         }
         return points;
     };
-    // Fewer where they would lie so close that nothing is seen between them; none where even these do.
+    // Reduces the number of lines until they are not too dense; no lines if even the coarsest set is.
     for (int coarser = 0; coarser < kIsoTries; ++coarser) {
-        const IsoValues wanted = isoValues(picture.values.scale, coarser);
-        std::vector<IsoLine> lines = isoLines(samples, wanted.values);
+        const IsoValues iso = isoValues(picture.values.scale, coarser);
+        std::vector<IsoLine> lines = isoLines(samples, iso.values);
         for (IsoLine& line : lines) line.points = placed(line);
         std::erase_if(lines, [](const IsoLine& line) { return lengthOf(line.points) < kLeastIsoLength; });
         double length = 0;
@@ -220,16 +220,16 @@ void addIsoLines(DistancePicture& picture) {
         }
         if (length > kMostIsoLength * frame.plot.width() * frame.plot.height()) continue;
         if (!(length > 0) || lines.empty()) return;
-        picture.isoStep = wanted.step;
-        picture.isoPerDecade = wanted.perDecade;
+        picture.isoStep = iso.step;
+        picture.isoPerDecade = iso.perDecade;
         for (const IsoLine& line : lines) addIsoLine(picture, line);
         return;
     }
 }
 
-// The surface that the slice cuts: its height along an upright one.
+// The surface's outline in a vertical slice.
 std::vector<Point> heightsAlong(const DistanceSource& source, const DistanceFrame& frame) {
-    constexpr double kEach = 8;  // samples a texel
+    constexpr double kEach = 8;  // samples per texel
     constexpr double kMost = 6000;
     const relief::HeightField& field = *source.field;
     const auto height = [&](double u) {
@@ -255,7 +255,7 @@ std::vector<Point> heightsAlong(const DistanceSource& source, const DistanceFram
     return line;
 }
 
-// The surface at the height of a level slice.
+// The surface's outlines at the height of a horizontal slice.
 std::vector<std::vector<Point>> outlinesAt(const DistanceSource& source, const DistanceFrame& frame) {
     constexpr double kMostSide = 2048;
     const relief::HeightField& field = *source.field;

@@ -5,7 +5,7 @@
 #include "painting/painter.h"
 #include "panes/distance/distance_maps.h"
 #include "panes/figure_caption.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 
 namespace reliefui {
 
@@ -41,11 +41,11 @@ std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> sna
         DistanceSource source = distanceSource(*snapshot, maps);
         source.point = pointOf(*snapshot, point, work);
         const auto legend = [source, options, step](double width, relief::Language language) {
-            // What it names does not depend on the room.
+            // The legend's entries do not depend on the size.
             return distanceLegend(source, distancePicture(source, options, step, width, width / 2, language), width,
                                   language);
         };
-        // The maps hold what the source refers to.
+        // The lambda keeps the maps alive, to which the source refers.
         const auto layers = [source, maps, options, step](double width, double height, const Style& style) {
             const DistancePicture picture = distancePicture(source, options, step, width, height, style.language);
             return std::vector{picture.drawing, distanceMarks(source, picture.frame, step)};

@@ -14,7 +14,7 @@ namespace reliefui {
 DistanceOptions distanceOptions(const DistancePane& pane, const ColorRanges& ranges = {});
 DistancePane paneOf(const DistanceOptions& options);
 
-// point: whose distances are shown. Painting throws InputError for a map that there is none of.
+// point: its distances are shown. Painting throws InputError if the map cannot be built.
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point);
 

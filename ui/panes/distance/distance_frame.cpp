@@ -10,9 +10,9 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kLow = 190;  // points: lower panes have one row of words below the plot
+constexpr double kLow = 190;  // in points; lower panes have one row of text below the plot
 
-// One direction of the window: the ray's stretch and its surroundings, at least `least`, at most `most` around
+// One direction of the window: the ray's extent and its surroundings, at least `least` and at most `most` around
 // `center`.
 struct Range {
     double low = 0;
@@ -28,7 +28,7 @@ Range around(double a, double b, double center, double least, double most) {
     const double middle = std::clamp(center, range.low + most / 2, range.high - most / 2);
     return {middle - most / 2, middle + most / 2};
 }
-// Wider by the same on both sides, but not beyond the domain where nothing repeats.
+// Widens the range equally on both sides; if the picture does not repeat, it stays within the domain.
 Range widened(const Range& range, double size, const Range& domain, bool wraps) {
     Range wide{range.low - (size - range.size()) / 2, range.high + (size - range.size()) / 2};
     if (wraps || size >= domain.size()) {
@@ -45,8 +45,8 @@ struct Windows {
 
 Windows windowOf(const DistanceSource& source, const DistanceOptions& options, const DistanceFrame& frame,
                  const Place3& current, double aspect) {
-    constexpr double kLeast = 12;       // texels
-    constexpr double kFlattest = 0.35;  // a slice is at least that part of its room high
+    constexpr double kLeast = 12;       // in texels
+    constexpr double kFlattest = 0.35;  // smallest height of a slice, as a share of its room
     constexpr double kMostPeriods = 3;
     const Box domain = cellDomain(*source.field);
     const bool upright = frame.axis != SliceAxis::Z;
@@ -65,7 +65,7 @@ Windows windowOf(const DistanceSource& source, const DistanceOptions& options, c
     const Point from = toSlice(frame.axis, frame.slab, placeOnRay(source, 0));
     const Point to = toSlice(frame.axis, frame.slab, placeOnRay(source, rayEndOf(source)));
     if (!options.nearRay) {
-        // All of it, and of its copies those that the ray comes to.
+        // The whole period, extended to those periodic copies that the ray reaches.
         const auto joined = [&](const Range& all, double a, double b, double center) {
             const double most = kMostPeriods * all.size();
             Range range{std::min({all.low, a, b}), std::max({all.high, a, b})};
@@ -124,7 +124,7 @@ Place3 stepPlace(const DistanceSource& source, int step) {
 
 namespace {
 
-// Of the voxel that the step is about, if it is about one.
+// Centre of the voxel that the step examines, if it examines one.
 std::optional<double> voxelMiddle(const DistanceSource& source, int step, SliceAxis axis) {
     if (!source.hasRay || source.steps == nullptr || source.steps->empty()) return std::nullopt;
     const auto last = static_cast<int>(source.steps->size()) - 1;
@@ -135,7 +135,7 @@ std::optional<double> voxelMiddle(const DistanceSource& source, int step, SliceA
     const double middle = axis == SliceAxis::X   ? sides.center().x
                           : axis == SliceAxis::Y ? sides.center().y
                                                  : (heights.low + heights.high) / 2 * source.field->slabTexels();
-    // The outermost cells of a clamped picture have no end.
+    // The outermost cells of a clamped picture extend to infinity.
     return std::isfinite(middle) ? std::optional(middle) : std::nullopt;
 }
 
@@ -159,8 +159,8 @@ DistanceFrame distanceFrame(const DistanceSource& source, const DistanceOptions&
         frame.plane = source.first->planeOf(frame.axis, frame.slice, current);
         cut[axis] = frame.plane;
     } else {
-        // Through the step itself, so that its sphere is cut through the middle; and the voxel that it left, of which
-        // it may be at a side.
+        // The plane passes through the step, so that its sphere is cut through the centre; values are looked up in
+        // the voxel that the step examines, on whose border the step may lie.
         frame.plane = current[axis];
         cut[axis] = voxelMiddle(source, step, frame.axis).value_or(frame.plane);
         frame.slice = source.first->sliceAt(frame.axis, cut);

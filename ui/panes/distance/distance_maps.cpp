@@ -33,16 +33,16 @@ std::string shownKind(const DistanceOptions& options, const Snapshot& snapshot) 
 std::vector<MapOptions> mapOptions(const DistanceOptions& options, const Snapshot& snapshot) {
     std::vector<MapOptions> all;
     const auto used = relief::usedMap(snapshot.scenario.method);
-    relief::OptionValues wanted = used ? used->options : relief::OptionValues{};
+    relief::OptionValues requested = used ? used->options : relief::OptionValues{};
     for (const std::string& kind : {shownKind(options, snapshot), options.minus}) {
         if (kind.empty()) continue;
         const relief::MethodDescription& method = relief::findTracer(relief::methodOfMap(kind));
         MapOptions one{kind, method.defaults};
         for (const relief::OptionDescription& option : method.options) {
-            const auto given = wanted.find(option.name);
-            if (given != wanted.end() && fits(option, given->second)) one.options[option.name] = given->second;
+            const auto given = requested.find(option.name);
+            if (given != requested.end() && fits(option, given->second)) one.options[option.name] = given->second;
         }
-        wanted = one.options;
+        requested = one.options;
         all.push_back(std::move(one));
     }
     return all;
@@ -51,7 +51,7 @@ std::vector<MapOptions> mapOptions(const DistanceOptions& options, const Snapsho
 DistanceMaps distanceMaps(const Snapshot& snapshot, const DistanceOptions& options, const DistanceMaps& before,
                           relief::Work& work) {
     const relief::HeightField& field = snapshot.request->field;
-    const std::vector<MapOptions> wanted = mapOptions(options, snapshot);
+    const std::vector<MapOptions> requested = mapOptions(options, snapshot);
     const auto build = [&](const MapOptions& one) {
         return relief::buildMap(one.kind, one.options, field, *snapshot.maps, work);
     };
@@ -62,10 +62,10 @@ DistanceMaps distanceMaps(const Snapshot& snapshot, const DistanceOptions& optio
         return std::make_shared<SlicedMap>(map, field);
     };
     DistanceMaps maps;
-    maps.firstMap = build(wanted.front());
+    maps.firstMap = build(requested.front());
     maps.first = sliced(maps.firstMap, before.firstMap, before.first);
-    if (wanted.size() < 2) return maps;
-    maps.secondMap = build(wanted.back());
+    if (requested.size() < 2) return maps;
+    maps.secondMap = build(requested.back());
     maps.second = sliced(maps.secondMap, before.secondMap, before.second);
     return maps;
 }

@@ -1,4 +1,4 @@
-// The maps that the distance pane and its figures look at: found in the snapshot's cache, or built.
+// The maps shown by the distance pane and its figures: taken from the snapshot's cache, or built.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,10 @@ struct DistanceMaps {
     std::shared_ptr<SlicedMap> second;  // null: none
 };
 
-// What is shown of this kind: the one that is asked for, the map that the method walks, or the Euclidean one.
+// The kind to show: the selected one, otherwise the map used by the method, otherwise the Euclidean one.
 std::string shownKind(const DistanceOptions& options, const Snapshot& snapshot);
-// What the kinds are built with: of the options of a method that walks a map those that the kind has, too; else its
-// defaults. Of two maps the second one has the voxels of the first.
+// Options for building the maps. If the method uses a map, its options apply as far as the kind has them; otherwise the
+// defaults. The second of two maps has the same voxels as the first.
 struct MapOptions {
     std::string kind;
     relief::OptionValues options;
@@ -26,8 +26,8 @@ struct MapOptions {
 };
 std::vector<MapOptions> mapOptions(const DistanceOptions& options, const Snapshot& snapshot);
 
-// Takes a while where a map is not there yet: throws Cancelled, and InputError for what cannot be built or compared.
-// before: what was looked at last; what is the same is taken from there.
+// Finds or builds the maps, which may take long. Throws Cancelled, and InputError for maps that cannot be built or
+// compared. before: the previous maps, which are reused if they are the same.
 DistanceMaps distanceMaps(const Snapshot& snapshot, const DistanceOptions& options, const DistanceMaps& before,
                           relief::Work& work);
 DistanceSource distanceSource(const Snapshot& snapshot, const DistanceMaps& maps);

@@ -11,10 +11,10 @@ namespace {
 
 using relief::Decision;
 
-// Steps beyond these around the chosen one are not drawn: nobody could tell them apart.
+// Only this many steps around the chosen one are drawn; more could not be distinguished.
 constexpr std::size_t kMostBodies = 200;
 constexpr std::size_t kMostMarks = 400;
-constexpr int kAround = 120;  // points of a circle
+constexpr int kAround = 120;  // points of a polyline for a circle
 constexpr double kNumberSize = 0.8;
 
 class Marks {
@@ -43,7 +43,7 @@ class Marks {
         addLine(drawing_, points, frame_.plot, id, role, strength);
     }
 
-    // --- spheres and cones, where the slice cuts them
+    // --- spheres and cones, intersected with the slice
 
     void bodies() {
         const std::size_t first = chosen_ > kMostBodies ? chosen_ - kMostBodies : 0;
@@ -80,7 +80,7 @@ class Marks {
         frame_.axis == SliceAxis::Z ? coneFromAbove(k, apex, body, strength) : coneUpright(k, apex, body, strength);
     }
 
-    // The edge of the cone at the slice's height; of a map of slopes, at the height of the ray.
+    // Outline of the cone at the slice's height; for a map of slopes, at the ray's height.
     void coneFromAbove(std::size_t k, const Place3& apex, const StepBody& body, Emphasis strength) {
         const double height = frame_.slopes ? 1 - body.lambda : frame_.plane / frame_.slab;
         const double rise = height - body.apex;
@@ -99,7 +99,8 @@ class Marks {
         number(k, frame_.at(apex), strength);
     }
 
-    // A branch of a hyperbola, of a square cone its straight sides; two lines where the slice goes through the apex.
+    // Vertical section of a cone: a branch of a hyperbola, or straight sides for a square cone; two lines if the slice
+    // passes through the apex.
     void coneUpright(std::size_t k, const Place3& apex, const StepBody& body, Emphasis strength) {
         const double off = frame_.plane - apex[frame_.axis == SliceAxis::X ? 0 : 1];
         const double center = toSlice(frame_.axis, frame_.slab, apex).x;
@@ -107,7 +108,7 @@ class Marks {
         std::vector<std::vector<Point>> runs(1);
         const int samples = 2 * kAround;
         for (int n = 0; n <= samples; ++n) {
-            // Closer where it bends, and at the apex itself.
+            // Samples are denser near the apex, where the curve bends, and include the apex.
             const double f = 2.0 * n / samples - 1;
             const double u = f * std::abs(f) * (frame_.window.width() + std::abs(center - frame_.window.center().x));
             const Point towards = alongX ? Point{u, off} : Point{off, u};
@@ -139,7 +140,7 @@ class Marks {
                      strength);
     }
 
-    // --- the ray, seen along the slice's axis
+    // --- the ray, projected along the slice's axis
 
     void ray() {
         const double end = rayEndOf(source_);
@@ -153,13 +154,13 @@ class Marks {
         crossing(end);
     }
 
-    // Where the ray goes through the slice.
+    // Marks the point where the ray intersects the slice.
     void crossing(double end) {
         const double from = offPlane(frame_.axis, frame_.plane, placeOnRay(source_, 0));
         const double to = offPlane(frame_.axis, frame_.plane, placeOnRay(source_, end));
         if (from * to > 0 || from == to) return;
         const Point at = onPlot(end * from / (from - to));
-        // At the chosen step, its own mark says enough.
+        // Omitted near the chosen step, which has a mark of its own.
         constexpr double kNear = 6;
         const Point chosen = frame_.at(stepPlace(source_, static_cast<int>(chosen_)));
         if (std::hypot(chosen.x - at.x, chosen.y - at.y) < kNear) return;
@@ -204,7 +205,7 @@ class Marks {
     const DistanceSource& source_;
     const DistanceFrame& frame_;
     std::size_t chosen_;
-    Role role_ = Role::Empty;  // of the body that is being drawn
+    Role role_ = Role::Empty;  // of the sphere or cone being drawn
     Drawing drawing_;
 };
 

@@ -16,7 +16,7 @@ std::size_t index(SliceAxis axis) {
     return static_cast<std::size_t>(axis);
 }
 
-// Voxels of `footprint` cells of the grid.
+// Axis of voxels that each span `footprint` cells of the grid.
 VoxelAxis overCells(const relief::GridAxis& grid, int count, int footprint) {
     VoxelAxis axis;
     axis.count = count;
@@ -75,7 +75,7 @@ int SlicedMap::sectors() const {
 }
 
 int SlicedMap::layerOf(double h) const {
-    // A descending ray on the floor of a layer is in the one below.
+    // A descending ray at a layer's lower side belongs to the layer below.
     const double k = slab_ > 0 ? std::ceil(h / slab_ * layers()) - 1 : 0;
     return static_cast<int>(std::clamp(k, 0.0, layers() - 1.0));
 }
@@ -138,10 +138,10 @@ Place3 fromSlice(SliceAxis axis, double slabTexels, double plane, Point at) {
 
 namespace {
 
-// The columns and rows of the slice.
+// Columns and rows of the slice.
 struct SliceGrid {
     VoxelAxis u;
-    VoxelAxis v;  // of heights: from the top
+    VoxelAxis v;  // for heights, counted from the top
 };
 
 SliceGrid gridOf(const SlicedMap& map, SliceAxis axis) {
@@ -157,7 +157,8 @@ SliceGrid gridOf(const SlicedMap& map, SliceAxis axis) {
     return grid;
 }
 
-// Of two distances, or of two slopes. A mark could be a difference: NaN is none.
+// Difference of two distances or slopes. Marks are negative numbers that a difference could also equal, so NaN stands
+// for buried voxels.
 float shownValue(float value) {
     return value == StoredValues::kBuried ? std::numeric_limits<float>::quiet_NaN() : value;
 }
@@ -202,7 +203,7 @@ MapSlice mapSlice(SlicedMap& first, SlicedMap* second, const SliceOrder& order) 
     slice.periodV = grid.v.period;
     slice.wrapsU = grid.u.wraps;
     slice.wrapsV = grid.v.wraps;
-    // The colours of one map mean the same in all its slices.
+    // All slices of one map share a range, so that their colours have the same meaning.
     slice.high = second != nullptr ? static_cast<double>(most) : first.largest(order.sector);
     slice.low = second != nullptr ? -slice.high : 0;
     return slice;

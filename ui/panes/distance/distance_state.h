@@ -1,4 +1,4 @@
-// What is chosen in the pane of distance maps.
+// The user's choices in the distance pane.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@ namespace reliefui {
 
 struct DistancePane {
     static constexpr const char* kName = "distance";
-    std::string map;            // of mapKinds(); empty: the method's own
-    std::string minus;          // the map that is taken away; empty: none
+    std::string map;            // one of mapKinds(); empty: the method's own
+    std::string minus;          // kind of the map to subtract; empty: none
     std::string axis;           // "x", "y", "z"; empty: as the ray runs
-    std::optional<int> slice;   // from 0; none: the one at the step
-    std::optional<int> sector;  // from 0; none: the ray's
+    std::optional<int> slice;   // zero-based; default: the slice at the step
+    std::optional<int> sector;  // zero-based; default: the ray's
     bool lines = true;
     bool nearRay = true;
 

@@ -27,12 +27,12 @@ void DistanceView::setOptions(const DistanceOptions& options) {
     change(options);
 }
 
-// drag: what is dragged, one step of undo.
+// drag: merge key of a drag, which is one step of undo; null: none.
 void DistanceView::change(const DistanceOptions& options, const char* drag) {
     if (options == options_) return;
     workspace_->change(withState(workspace_->scenario(), paneOf(options)),
                        changeName([] { return tr("Distance map: other view"); }), QString::fromLatin1(drag));
-    showControls();  // where it was refused
+    showControls();  // resets the controls if the change was refused
 }
 
 void DistanceView::adopt() {
@@ -86,13 +86,13 @@ void DistanceView::showSnapshot() {
     } else if (now == failed_) {
         showControls();
     } else if (!(now == building_) && !snapshot_->coarse) {
-        // While something is dragged the map would be another one a moment later.
+        // Not during a drag, in which the map would soon be outdated.
         build(now);
     }
 }
 
-// The maps themselves stay in the cache, within its budget.
-void DistanceView::letGo() {
+// The maps themselves stay in the cache, within its memory budget.
+void DistanceView::releaseContents() {
     job_->drop();
     point_.drop();
     snapshot_.reset();
@@ -102,13 +102,13 @@ void DistanceView::letGo() {
     drawing_.reset();
     legend_.reset();
     result_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
     showWaiting();
 }
 
 void DistanceView::refreshStep() {
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     if (!options_.slice) {
         refresh();
     } else {
@@ -134,7 +134,7 @@ void DistanceView::build(const MapNames& names) {
     showWaiting();
 }
 
-// In points; what the canvas leaves around drawing and legend is its own.
+// Computes slice and legend in the background. Sizes are in points, without the canvas's margins.
 void DistanceView::draw() {
     constexpr double kMargin = 6;
     constexpr double kOneRow = 14;
@@ -144,14 +144,14 @@ void DistanceView::draw() {
     const int step = workspace_->scenario().step;
     const relief::Language language = workspace_->style().language;
     problem_.clear();
-    auto result = makeFreedAside<Result>();
+    auto result = makeFreedInBackground<Result>();
     result->snapshot = snapshot_;
     result->maps = maps_;
     result->point = point_.known();
     const auto work = [result, options = options_, room, step, language](relief::Work&) {
         const DistanceSource source = result->source();
         if (source.second != nullptr) result->secondSector = sectorOf(*source.second, source, options);
-        // Twice, where the legend turns out higher than one row.
+        // A second pass is needed if the legend turns out higher than one row.
         double legend = kOneRow + kMargin / 2;
         for (int n = 0; n < 2; ++n) {
             result->picture = distancePicture(source, options, step, room.width(), room.height() - legend, language);
@@ -201,10 +201,10 @@ void DistanceView::showEmpty(relief::MessageId why) {
 
 void DistanceView::fail(const QString& problem) {
     problem_ = problem.isEmpty() ? tr("The map was not built: it was cancelled.") : problem;
-    // By then there may be no picture any more.
+    // The snapshot may have gone in the meantime.
     failed_ = ready() ? namesNow() : MapNames{};
     building_ = {};
-    // What is on the screen is not what was asked for.
+    // The drawing on the screen is not the requested one, so it is removed.
     result_.reset();
     canvas_->setLayers({}, nullptr);
     showControls();
@@ -214,7 +214,7 @@ void DistanceView::cancel() {
     job_->cancel();
 }
 
-// The controls say what is shown.
+// Sets the controls to what is shown.
 void DistanceView::showControls() {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietSector(sector_);
@@ -245,14 +245,14 @@ void DistanceView::showControls() {
 
 void DistanceView::showWaiting() {
     const bool busy = job_ && job_->busy() && !building_.names.empty();
-    if (busy && !patience_.isActive() && !waiting_->isVisible()) patience_.start();
-    if (!busy) patience_.stop();
+    if (busy && !busyDelay_.isActive() && !waiting_->isVisible()) busyDelay_.start();
+    if (!busy) busyDelay_.stop();
     const bool problem = !problem_.isEmpty();
     if (!busy || problem) waiting_->setVisible(problem);
     if (problem) what_->setText(problem_);
     bar_->setVisible(!problem);
     stop_->setVisible(!problem);
-    again_->setVisible(problem);
+    retry_->setVisible(problem);
     placeWaiting();
 }
 

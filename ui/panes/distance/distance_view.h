@@ -1,7 +1,7 @@
-// The distance map's pane: slices through any map, the difference of two, and the chosen ray with the spheres and
-// cones of its steps. Maps are built and slices are cut on a thread of the pane's own; what is waited for says so, and
-// can be cancelled. A click on a step chooses it, Ctrl+click asks for the distances of
-// a point; wheel and drag zoom and move, R shows all again.
+// The distance pane: slices through any map, the difference of two, and the chosen ray with the spheres and cones of
+// its steps. Maps are built and slices computed on a thread of the pane's own; long work shows its progress and can be
+// cancelled. A click on a step chooses it, Ctrl+click shows the distances of a point; wheel and drag zoom and move, R
+// resets the view.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 #include "panes/distance/distance_maps.h"
 #include "panes/figure_view.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 #include "workspace/latest_job.h"
 
 class QComboBox;
@@ -36,9 +36,9 @@ class DistanceView : public FigureView {
     DrawingCanvas* canvas() const { return canvas_; }
     const DistanceOptions& options() const { return options_; }
     void setOptions(const DistanceOptions& options);
-    // What is on the screen; null before the first.
+    // The drawing on the screen; null before the first.
     const DistancePicture* shown() const { return result_ ? &result_->picture : nullptr; }
-    // Nothing is waited for: what is on the screen is what was asked for, or a problem is said.
+    // Returns true if no computation is pending: the screen shows the requested slice, or a problem.
     bool settled() const;
     // The point whose distances are shown; null: none.
     const PointQuery* point() const { return result_ ? result_->point.get() : nullptr; }
@@ -52,15 +52,15 @@ class DistanceView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return snapshot_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
-    void letGo() override;
+    void releaseContents() override;
     bool showsPoints() const override { return true; }
     std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
 
   private:
-    // What maps are made from.
+    // Identifies the maps: their names and the heights.
     struct MapNames {
         std::vector<std::string> names;
         std::shared_ptr<const relief::FloatImage> heights;
@@ -81,7 +81,7 @@ class DistanceView : public FigureView {
     void makeSliceBar(QHBoxLayout* bar);
     void makeWaiting();
     void placeWaiting();
-    void refreshStep();  // another step
+    void refreshStep();  // draws the marks of another step
     void build(const MapNames& names);
     void draw();
     void take(std::shared_ptr<const Result> result);
@@ -91,7 +91,7 @@ class DistanceView : public FigureView {
     void fail(const QString& problem);
     void showWaiting();
     void change(const DistanceOptions& options, const char* drag = nullptr);
-    void adopt();  // what the scenario says
+    void adopt();  // takes over the scenario's state of this pane
     void choose(const ItemId& id);
     bool ready() const;
     MapNames namesNow() const;
@@ -111,22 +111,22 @@ class DistanceView : public FigureView {
     QLabel* what_ = nullptr;
     QProgressBar* bar_ = nullptr;
     QToolButton* stop_ = nullptr;
-    QToolButton* again_ = nullptr;
-    QTimer patience_;
+    QToolButton* retry_ = nullptr;
+    QTimer busyDelay_;
 
     DistanceOptions options_;
     QString problem_;
     std::shared_ptr<const Snapshot> snapshot_;
     DistanceMaps maps_;
-    MapNames built_;     // what maps_ are of
-    MapNames building_;  // empty: nothing
-    MapNames failed_;    // not tried again until something changes
+    MapNames built_;     // identifies maps_
+    MapNames building_;  // maps being built; empty: none
+    MapNames failed_;    // maps that could not be built; not tried again until something changes
     std::shared_ptr<const Result> result_;
     std::shared_ptr<const Drawing> drawing_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<QueryPoint> query_;
-    PointAsker point_{this, [this] { refresh(); }};
-    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+    PointFinder point_{this, [this] { refresh(); }};
+    std::unique_ptr<LatestJob> job_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

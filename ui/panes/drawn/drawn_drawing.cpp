@@ -15,10 +15,10 @@ using relief::DrawnRelief;
 using relief::Message;
 using relief::MessageId;
 
-// Room for words outside the plot of a profile, in texels of a relief this wide.
+// Margin for text around the plot of a profile, as a share of the relief's width.
 constexpr double kMargin = 0.06;
 
-// The ray in the drawing, from where it enters to where it ends.
+// Adds the ray from where it enters to where it ends, repeated within the domain.
 void addRay(Drawing& drawing, const DrawnSource& source, Point from, Point to, const Box& domain) {
     const std::vector<Segment> pieces = wrapped(Segment{from, to}, domain, source.address == relief::Address::Repeat);
     for (const Segment& piece : pieces) {
@@ -55,7 +55,7 @@ DrawnPicture gridPicture(const DrawnSource& source) {
     return picture;
 }
 
-// The surface above a column's middle, as the method reads it between texels.
+// Outline of the surface along the row: the columns' steps, or heights interpolated between texel centres.
 std::vector<Point> outline(const DrawnSource& source, const DrawnPicture& picture) {
     const DrawnRelief& relief = source.relief;
     const auto y = [&](int i) {
@@ -76,12 +76,13 @@ std::vector<Point> outline(const DrawnSource& source, const DrawnPicture& pictur
     return line;
 }
 
-// Every row is the same, so that the ray's way in (s, height) is the whole truth.
-void addRayFromAside(DrawnPicture& picture, const DrawnSource& source) {
+// All rows are equal, so the ray's path in (s, height) contains all information.
+void addRayInProfile(DrawnPicture& picture, const DrawnSource& source) {
     const relief::ViewRay& ray = source.ray;
     const double end = rayEnd(source.hit, nullptr);
     const Box& body = picture.body;
-    // Only along the row: a ray that goes down all of the slab does not come in again at the top.
+    // Repeated only along the row, not vertically: a ray that leaves the slab at the bottom does not enter again at the
+    // top.
     const double low = body.y0 - body.height();
     addRay(picture.drawing, source, {ray.s0, body.y0}, {ray.s0 + end * ray.a, body.y0 + end * body.height()},
            {body.x0, low, body.x1, low + 4 * body.height()});
@@ -118,7 +119,7 @@ DrawnPicture profilePicture(const DrawnSource& source, double aspect) {
         chart::text(picture.drawing, {body.x0, body.y1 - height * body.height()},
                     plainText(relief::numberText(height, 2)), Anchor::Right, {-4, 0});
     }
-    if (source.hasRay) addRayFromAside(picture, source);
+    if (source.hasRay) addRayInProfile(picture, source);
     picture.drawing.bounds = body.grown(margin);
     return picture;
 }

@@ -1,4 +1,4 @@
-// A relief drawn by hand, texel by texel: a grid of heights as seen from above, or its profile; and the chosen ray.
+// A relief edited by hand, texel by texel: a grid of heights seen from above, or its profile; and the chosen ray.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ struct DrawnSource {
     relief::DrawnRelief relief;
     relief::Surface surface = relief::Surface::Bilinear;
     relief::Address address = relief::Address::Repeat;
-    std::optional<std::pair<int, int>> chosen;  // texel; of a profile the column, row 0
-    // Of the chosen pixel; on this very relief.
+    std::optional<std::pair<int, int>> chosen;  // chosen texel; in a profile the column, with row 0
+    // There is a ray of the chosen pixel, traced on this very relief.
     bool hasRay = false;
     relief::ViewRay ray;
     relief::Hit hit;
@@ -23,18 +23,18 @@ struct DrawnSource {
 
 struct DrawnPicture {
     Drawing drawing;
-    Box body;  // the grid, or the plot of the profile: height 0 at its lower side, 1 at its upper one
+    Box body;  // box of the grid, or of the profile's plot: height 0 at the bottom, 1 at the top
     bool profile = false;
 };
 
-// aspect: height over width of the room. An empty relief gives an empty picture.
+// aspect: height / width of the available room. An empty relief gives an empty picture.
 DrawnPicture drawnPicture(const DrawnSource& source, double aspect);
 Drawing drawnLegend(const DrawnSource& source, double width, relief::Language language);
 
-// The texel under a point of the drawing, of a profile its column and row 0.
+// The texel at a point of the drawing; in a profile its column, with row 0.
 std::optional<std::pair<int, int>> drawnTexelAt(const DrawnPicture& picture, const relief::DrawnRelief& relief,
                                                 Point at);
-// The height that a point of a profile's plot stands for, in [0, 1].
+// The height at a point of a profile's plot, in [0, 1].
 double drawnHeightAt(const DrawnPicture& picture, Point at);
 
 }  // namespace reliefui

@@ -1,4 +1,4 @@
-// The relief drawn by hand as a figure.
+// The relief edited by hand as a figure.
 #pragma once
 
 #include "panes/figure.h"

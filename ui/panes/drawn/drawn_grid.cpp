@@ -1,4 +1,4 @@
-// The relief drawn by hand as it is seen, and what mouse and keys do to it.
+// The view of the relief edited by hand, and its reaction to mouse and keys.
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +16,17 @@ namespace reliefui {
 
 namespace {
 
-// Heights are multiples of this: short to read, and in the file.
+// Heights are rounded to multiples of this, which keeps numbers short on the screen and in the file.
 constexpr double kHeightUnit = 0.001;
-constexpr double kFullDrag = 150;  // points of a drag from 0 to 1
-constexpr double kStep = 0.01;     // of a key
+constexpr double kFullDrag = 150;  // length of a drag from height 0 to 1, in points
+constexpr double kStep = 0.01;     // change of height by a key
 constexpr double kLargeStep = 0.1;
 
 double rounded(double height) {
     return std::clamp(std::round(height / kHeightUnit) / std::round(1 / kHeightUnit), 0.0, 1.0);
 }
 
-// The relief may have become another one since the texel was chosen.
+// Returns false if the relief has changed its size since the texel was chosen.
 bool holds(const relief::DrawnRelief& drawn, std::pair<int, int> texel) {
     return !drawn.empty() && texel.first < drawn.width && texel.second < (drawn.profile() ? 1 : drawn.height);
 }
@@ -82,7 +82,7 @@ void DrawnGrid::choose(std::optional<std::pair<int, int>> texel) {
     Q_EMIT chosenChanged();
 }
 
-// What is drawn is the scenario's, at once; the ray comes with its snapshot.
+// Shows the scenario's relief at once; the ray follows with the snapshot.
 void DrawnGrid::refresh() {
     const PauseLog::Part part("by hand: grid");
     const auto snapshot = workspace_->snapshot();
@@ -154,7 +154,7 @@ void DrawnGrid::mousePressEvent(QMouseEvent* event) {
     const auto texel = drawnTexelAt(picture_, drawn(), toDrawing(event->localPos()));
     choose(texel);
     if (!texel) return;
-    workspace_->settle();  // each drag is a step of undo by itself
+    workspace_->settle();  // each drag is a separate step of undo
     dragging_ = true;
     pressed_ = event->localPos();
     from_ = drawn().at(texel->first, texel->second);
@@ -166,7 +166,7 @@ void DrawnGrid::drag(QPointF at) {
         const double by = (pressed_.y() - at.y()) / (kFullDrag * workspace_->style().pixelsPerPoint());
         return setHeights(chosen_->first, chosen_->first, chosen_->second, from_ + by);
     }
-    // The pointer draws: all columns that it has come over, however fast.
+    // In a profile the pointer draws: all columns that it has passed are set, however fast it moves.
     const Point place = toDrawing(at);
     const int column = std::clamp(static_cast<int>(std::floor(place.x)), 0, drawn().width - 1);
     const int from = column == lastColumn_ ? column : lastColumn_ + (column > lastColumn_ ? 1 : -1);
@@ -177,7 +177,7 @@ void DrawnGrid::drag(QPointF at) {
 
 void DrawnGrid::mouseMoveEvent(QMouseEvent* event) {
     if (dragging_ && chosen_ && holds(drawn(), *chosen_)) drag(event->localPos());
-    tell(event->localPos());
+    readOut(event->localPos());
 }
 
 void DrawnGrid::mouseReleaseEvent(QMouseEvent* event) {
@@ -188,10 +188,10 @@ void DrawnGrid::mouseReleaseEvent(QMouseEvent* event) {
 
 void DrawnGrid::mouseDoubleClickEvent(QMouseEvent* event) {
     choose(drawnTexelAt(picture_, drawn(), toDrawing(event->localPos())));
-    if (chosen_) Q_EMIT typingWanted(nullptr);
+    if (chosen_) Q_EMIT typingRequested(nullptr);
 }
 
-// Arrows choose the next texel; + and − raise and lower it (Shift: by more).
+// Arrow keys choose a neighbouring texel; + and − raise and lower it (Shift: by more).
 bool DrawnGrid::step(int key, bool large) {
     if (!holds(drawn(), chosen_.value_or(std::pair{0, 0}))) return false;
     auto [i, j] = chosen_.value_or(std::pair{0, 0});
@@ -225,13 +225,13 @@ bool DrawnGrid::step(int key, bool large) {
     }
 }
 
-// A digit begins the height of the chosen texel.
+// A digit starts typing the height of the chosen texel.
 bool DrawnGrid::typesHeight(const QKeyEvent& event) const {
     const bool plain = (event.modifiers() & ~Qt::KeypadModifier) == 0;
     return chosen_ && plain && event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9;
 }
 
-// Elsewhere digits choose panes.
+// Claims digits, which otherwise choose panes.
 bool DrawnGrid::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && typesHeight(*static_cast<QKeyEvent*>(event))) {
         event->accept();
@@ -244,13 +244,13 @@ void DrawnGrid::keyPressEvent(QKeyEvent* event) {
     if (step(event->key(), (event->modifiers() & Qt::ShiftModifier) != 0)) return;
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (typesHeight(*event) || (chosen_ && enter)) {
-        Q_EMIT typingWanted(enter ? nullptr : event);
+        Q_EMIT typingRequested(enter ? nullptr : event);
         return;
     }
     QWidget::keyPressEvent(event);
 }
 
-void DrawnGrid::tell(QPointF at) {
+void DrawnGrid::readOut(QPointF at) {
     const auto texel = drawnTexelAt(picture_, drawn(), toDrawing(at));
     if (!texel) {
         Q_EMIT hovered({});

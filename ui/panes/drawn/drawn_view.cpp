@@ -26,8 +26,8 @@ namespace {
 
 constexpr std::array<int, 5> kSides{8, 12, 16, 24, 32};
 constexpr int kFirstSide = 16;
-constexpr double kThousand = 1000;  // heights are multiples of its inverse
-// What the list begins with, before the recipes.
+constexpr double kThousand = 1000;  // heights are multiples of 1 / kThousand
+// First entries of the list, before the recipes.
 enum StartItem { kNothing, kPicture, kFlat, kRecipes };
 
 relief::DrawnRelief drawnOf(const relief::FloatImage& image, int left, int top, int side) {
@@ -59,7 +59,7 @@ DrawnView::DrawnView(Workspace* workspace, QWidget* parent)
     column->addWidget(grid_, 1);
     connect(grid_, &DrawnGrid::hovered, this, &DrawnView::setReadout);
     connect(grid_, &DrawnGrid::chosenChanged, this, &DrawnView::showControls);
-    connect(grid_, &DrawnGrid::typingWanted, this, [this](const QKeyEvent* first) {
+    connect(grid_, &DrawnGrid::typingRequested, this, [this](const QKeyEvent* first) {
         height_->setFocus(Qt::ShortcutFocusReason);
         height_->selectAll();
         if (first == nullptr) return;
@@ -109,7 +109,7 @@ void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
         control->setAccessibleName(control->toolTip());
         (control == start_ || control == side_ ? starts : bar)->addWidget(control);
     }
-    // The pane may be as narrow as the scene's.
+    // The pane may be as narrow as the scene panel.
     start_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     start_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     bar->addStretch(1);
@@ -134,7 +134,7 @@ void DrawnView::showSnapshot() {
     showControls();
 }
 
-// As the scenario has it.
+// Sets the controls to the scenario's values.
 void DrawnView::showControls() {
     const bool there = !drawn().empty();
     profile_->setEnabled(there);
@@ -149,7 +149,7 @@ void DrawnView::showControls() {
 
 void DrawnView::set(relief::DrawnRelief drawn, const QString& what) {
     relief::Scenario scenario = workspace_->scenario();
-    // Colours and normals of another relief would lie in the wrong places.
+    // Colours and normals of the previous relief would not match this one.
     if (scenario.pictures.drawn.empty()) scenario.pictures = {};
     scenario.pictures.drawn = std::move(drawn);
     workspace_->settle();

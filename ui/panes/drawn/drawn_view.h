@@ -1,5 +1,5 @@
-// A small relief by hand: a grid of heights, or a profile that every row repeats. A texel is dragged up and down, or
-// its height is typed; in a profile the pointer draws. All other panes follow while it changes.
+// A small relief edited by hand: a grid of heights, or a profile that all rows repeat. The height of a texel is changed
+// by dragging or typing; in a profile the pointer draws. All other panes follow while it changes.
 #pragma once
 
 #include <memory>
@@ -18,12 +18,12 @@ class QToolButton;
 
 namespace reliefui {
 
-// What of the scenario and its snapshot is drawn.
+// The drawn parts of the scenario and its snapshot.
 DrawnSource drawnSource(const Snapshot& snapshot);
-// The same as a figure: the drawing fitted into the page, the legend below.
+// Paints a figure: the drawing fitted to the page, and the legend below.
 void paintDrawn(QPainter& painter, const DrawnSource& source, const Box& page, const Style& style);
 
-// The relief itself, with the mouse.
+// The editable relief.
 class DrawnGrid : public QWidget {
     Q_OBJECT
   public:
@@ -31,14 +31,14 @@ class DrawnGrid : public QWidget {
 
     std::optional<std::pair<int, int>> chosen() const { return chosen_; }
     void choose(std::optional<std::pair<int, int>> texel);
-    // The middle of a texel, of a profile the place of a height above it, on this widget.
+    // Widget coordinates of a texel's centre; in a profile, of a height at this column.
     QPointF placeOf(int i, int j, double height = 0.5) const;
     void refresh();
 
   signals:
     void chosenChanged();
-    // first: the key that began it, or none
-    void typingWanted(const QKeyEvent* first);
+    // first: the key that started it, or null
+    void typingRequested(const QKeyEvent* first);
     void hovered(const QString& readout);
 
   protected:
@@ -57,7 +57,7 @@ class DrawnGrid : public QWidget {
     Point toDrawing(QPointF widget) const;
     void setHeights(int first, int last, int row, double height);
     void drag(QPointF at);
-    void tell(QPointF at);
+    void readOut(QPointF at);
     bool step(int key, bool large);
     bool typesHeight(const QKeyEvent& event) const;
 
@@ -69,8 +69,8 @@ class DrawnGrid : public QWidget {
     std::optional<std::pair<int, int>> chosen_;
     bool dragging_ = false;
     QPointF pressed_;
-    double from_ = 0;      // the height where the drag began
-    int lastColumn_ = -1;  // of a profile that is drawn
+    double from_ = 0;      // height at the start of the drag
+    int lastColumn_ = -1;  // last column drawn in a profile
 };
 
 class DrawnView : public FigureView {
@@ -81,14 +81,15 @@ class DrawnView : public FigureView {
     DrawnGrid* grid() const { return grid_; }
 
   public slots:
-    // A relief of this many texels a side: from the picture around the chosen pixel's hit, flat, or of a recipe.
+    // Starts with a relief of this many texels per side: from the picture around the chosen pixel's hit, flat, or of a
+    // recipe.
     void startFromPicture();
     void startFlat(double height = 0);
     void startFromRecipe(const QString& recipe);
-    // Another number of texels a side; what is drawn is kept, as near as it can be.
+    // Changes the number of texels per side; the relief is resampled.
     void setSide(int side);
     void setProfile(bool on);
-    // Of the chosen texel.
+    // Sets the height of the chosen texel.
     void setHeight(double height);
 
   protected:

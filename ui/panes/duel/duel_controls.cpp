@@ -1,4 +1,4 @@
-// The duel pane's controls, and how drawing and table share its room.
+// Controls of the duel pane, and the division of its room between drawing and table.
 #include <algorithm>
 
 #include <QComboBox>
@@ -22,7 +22,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kPlaces = 3;  // beside the scenario's own method
+constexpr int kPlaces = 3;  // number of rivals of the scenario's own method
 constexpr int kColumnLetters = 21;
 constexpr int kDrawingLines = 26;
 constexpr int kLowDrawingLines = 16;
@@ -85,19 +85,19 @@ void DuelView::showChoosers() {
 }
 
 void DuelView::setRival(int place, const QString& method) {
-    relief::Scenario wanted = workspace_->scenario();
-    const std::vector<relief::MethodChoice> shown = duelRivals(wanted);
-    std::vector<relief::MethodChoice>& others = wanted.comparison.others;
+    relief::Scenario changed = workspace_->scenario();
+    const std::vector<relief::MethodChoice> shown = duelRivals(changed);
+    std::vector<relief::MethodChoice>& others = changed.comparison.others;
     const auto at = static_cast<std::size_t>(place);
-    // What is compared and no rival (it finds no hits) stays as it is.
+    // A compared choice that cannot be a rival, because it finds no hits, keeps its place.
     const auto there = at < shown.size() ? std::find(others.begin(), others.end(), shown[at]) : others.end();
     if (there != others.end() && there->name == method.toStdString()) return;
     if (method.isEmpty()) {
         if (there != others.end()) others.erase(there);
-        workspace_->change(wanted, changeName([] { return tr("Methods of the duel"); }));
+        workspace_->change(changed, changeName([] { return tr("Methods of the duel"); }));
         return showChoosers();
     }
-    relief::Scenario methods = wanted;
+    relief::Scenario methods = changed;
     methods.comparison.subject = relief::CompareSubject::Methods;
     const auto choice = relief::variedOption(methods, method.toStdString());
     if (!choice || (there == others.end() && others.size() + 1 >= relief::kMostCompared)) return showChoosers();
@@ -106,7 +106,7 @@ void DuelView::setRival(int place, const QString& method) {
     } else {
         others.push_back(*choice);
     }
-    workspace_->change(wanted, changeName([] { return tr("Methods of the duel"); }));
+    workspace_->change(changed, changeName([] { return tr("Methods of the duel"); }));
 }
 
 void DuelView::showNearRay(bool on) {
@@ -124,17 +124,18 @@ void DuelView::applyFont() {
     table_->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
 }
 
-// The drawing comes first: the table stands beside it where the pane is wide, below where it is high, else nowhere.
+// The drawing has priority: the table stands to its right in a wide pane, below it in a high one, and is hidden
+// otherwise.
 void DuelView::shareRoom() {
     const QFontMetrics letters(table_->font());
     const int line = letters.height();
     const int column = kColumnLetters * letters.averageCharWidth();
     table_->horizontalHeader()->setMinimumSectionSize(column);
     const int runs = duel_ ? static_cast<int>(duel_->runs.size()) : 1;
-    const int wanted = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
-    const bool beside = split_->width() - wanted >= kDrawingLines * line;
+    const int needed = runs * column + table_->verticalScrollBar()->sizeHint().width() + 4;
+    const bool beside = split_->width() - needed >= kDrawingLines * line;
     const bool below = split_->height() >= (kLowDrawingLines + kTableLines) * line;
-    // In the menu as well.
+    // Also available in the menu.
     for (QWidget* const part : {static_cast<QWidget*>(own_), static_cast<QWidget*>(near_)}) {
         part->setVisible(width() > kWideLines * line);
     }
@@ -142,14 +143,14 @@ void DuelView::shareRoom() {
     if (duel_) showVerdict();
     if (!beside && !below) return;
     split_->setOrientation(beside ? Qt::Horizontal : Qt::Vertical);
-    const int table = beside ? wanted : std::max(kTableLines * line, split_->height() / 4);
+    const int table = beside ? needed : std::max(kTableLines * line, split_->height() / 4);
     const int all = beside ? split_->width() : split_->height();
     split_->setSizes({all - table, table});
 }
 
 void DuelView::resizeEvent(QResizeEvent* event) {
     FigureView::resizeEvent(event);
-    // When the layout has given everything its place.
+    // Delayed until the layout is done.
     QTimer::singleShot(0, this, &DuelView::shareRoom);
 }
 

@@ -68,7 +68,7 @@ std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
     const PixelTrace& shown = snapshot->trace;
     const relief::HeightField& field = snapshot->request->field;
     duel->exact = shown.exact;
-    // The method's own name, with its options where two have the same.
+    // The method's name, with its options if another run has the same name.
     const auto nameOf = [&](const relief::MethodChoice& method) {
         std::vector<relief::MethodChoice> all = rivals;
         all.push_back(snapshot->scenario.method);

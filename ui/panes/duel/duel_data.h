@@ -1,4 +1,4 @@
-// What the duel pane shows: several methods, and somebody else's tracer, on the ray that is looked at.
+// Data of the duel pane: several methods, and another program's tracer, on the ray that is shown.
 #pragma once
 
 #include <memory>
@@ -16,22 +16,22 @@ struct Duel {
     std::vector<relief::Judgement> judgements;
     relief::LockStep steps;
     relief::Hit exact;
-    std::optional<std::size_t> first;  // the run that departs first
+    std::optional<std::size_t> first;  // index of the run that departs from the exact answer first
 
-    // The moment at which it does; nothing if all answer as exact does.
+    // The moment of the first departure; std::nullopt if all runs agree with the exact answer.
     std::optional<std::size_t> firstMoment() const;
     DuelSource source() const;
-    // How much of the ray shows that moment from near: lambda of the farthest of what matters at it; 0: all of it.
+    // The part of the ray needed to show that moment enlarged: lambda of the farthest relevant point; 0: the whole ray.
     double closeUp() const;
-    // Whether at this moment all stand within it.
+    // Returns true if all runs are within this lambda at this moment.
     bool within(double lambda, std::size_t moment) const;
 };
 
-// The methods that are set against the scenario's own: those compared; where there are none, and no other tracer
-// either, one that is worth it.
+// The methods that compete with the scenario's own: the compared ones or, if there are none and no other tracer either,
+// one chosen by default.
 std::vector<relief::MethodChoice> duelRivals(const relief::Scenario& scenario);
 
-// Builds the maps that the methods need: may take seconds. Throws Cancelled, InputError.
+// Builds the maps that the methods need, which may take seconds. Throws Cancelled, InputError.
 std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
                                      const std::vector<relief::MethodChoice>& rivals, relief::Work& work);
 

@@ -16,7 +16,7 @@ using relief::Departure;
 using relief::Message;
 using relief::MessageId;
 
-// Points.
+// Sizes in points.
 constexpr double kTrack = 26;
 constexpr double kAboveTracks = 4;
 constexpr double kMark = 6;
@@ -27,19 +27,19 @@ constexpr double kNameSize = 0.9;
 constexpr double kNumberSize = 0.8;
 constexpr double kLeastNameSize = 0.65;
 constexpr double kNameGap = 8;       // between a name and its track
-constexpr double kMostNames = 0.3;   // of the width
-constexpr double kLeastWidth = 260;  // with names beside the tracks
-constexpr double kMostTracks = 0.5;  // of the height, where they are still told apart
+constexpr double kMostNames = 0.3;   // as a share of the width
+constexpr double kLeastWidth = 260;  // with names next to the tracks
+constexpr double kMostTracks = 0.5;  // as a share of the height; the tracks remain distinguishable
 constexpr double kLeastTrack = 13;
 
-// Of all tracks, smaller letters where the longest has no room.
+// Common text size of all tracks' names; smaller if the longest one does not fit.
 double nameSize(const DuelSource& source, double width) {
     double longest = 1;
     for (const relief::DuelRun& run : *source.runs) longest = std::max(longest, textWidth(run.name, 1));
     return std::clamp((kMostNames * width - kNameGap) / longest, kLeastNameSize, kNameSize);
 }
 
-// Room for the names of the tracks, left of them.
+// Width of the tracks' names, left of the tracks.
 double namesWidth(const DuelSource& source, double width) {
     if (width < kLeastWidth) return 0;
     double longest = 0;
@@ -78,7 +78,7 @@ class DuelMarks {
     const relief::Judgement& judgement(std::size_t r) const { return (*source_.judgements)[r]; }
     std::size_t now(std::size_t r) const { return r < moment_.size() ? moment_[r] : 0; }
     double xAt(double lambda) const { return frame_.xAt(std::clamp(lambda, 0.0, frame_.lambdaEnd)); }
-    // Above the plot, closer together where there is little room.
+    // Distance of the tracks above the plot; smaller if there is little room.
     double spacing() const {
         const double room = frame_.plot.y0 - kTopRoom - kAboveTracks;
         return std::clamp(room / static_cast<double>(std::max<std::size_t>(source_.count(), 1)), 1.0, kTrack);
@@ -91,7 +91,7 @@ class DuelMarks {
     void track(std::size_t r) {
         const double y = trackY(r);
         drawing_.add({}, Role::Grid, Polyline{{{xAt(0), y}, {xAt(frame_.lambdaEnd), y}}, false});
-        name(r, y);  // before what is written along the track: that gives way
+        name(r, y);  // first, because the text along the track yields to it
         departure(r, y);
         const auto& steps = run(r).steps;
         const std::size_t current = now(r);
@@ -111,14 +111,14 @@ class DuelMarks {
         if (current < steps.size()) {
             const double x = xAt(duelPlace(steps[current]));
             add(r, stepId(current, static_cast<int>(r)), Marker{{x, y}, runShape(r), kNow}, Emphasis::Strong);
-            // Above the ring where it is the hit.
+            // Above the ring if the step is the hit.
             const bool hit = steps[current].decision == relief::Decision::Hit;
             text({x, y}, plainText(std::to_string(current + 1)), Anchor::Bottom, {0, hit ? -kRing - 1 : 1 - kNow / 2},
                  kNumberSize);
         }
     }
 
-    // Left of the track; over its end where there is no room for that.
+    // Left of the track, or at its end if there is no room.
     void name(std::size_t r, double y) {
         const bool beside = frame_.plot.x0 > chart::kLeft;
         const double x = beside ? frame_.plot.x0 : frame_.plot.x1;
@@ -126,7 +126,7 @@ class DuelMarks {
              beside ? nameSize(source_, frame_.whole.width()) : kNameSize);
     }
 
-    // The stretch that its first fault is about.
+    // Marks the section of the ray that the run's first fault concerns.
     void departure(std::size_t r, double y) {
         const relief::Judgement& fault = judgement(r);
         if (fault.kind == Departure::None) return;
@@ -135,10 +135,11 @@ class DuelMarks {
         const bool first = source_.first == r;
         drawing_.add({}, Role::Overshoot, Rectangle{box, true, 0, 3}, Emphasis::Faint);
         drawing_.add({}, Role::Overshoot, Rectangle{box, false, 0, 3}, first ? Emphasis::Strong : Emphasis::Normal);
-        // Between tracks that are close together there is no room; what went wrong is said below as well.
+        // Tracks that are close together leave no room for the title; the text below the drawing names the fault as
+        // well.
         constexpr double kLeastForTitle = 20;
         if (spacing() < kLeastForTitle) return;
-        // Not over the tracks' names, nor beyond the plot.
+        // Keeps the title clear of the tracks' names and within the plot.
         constexpr double kHalfTitle = 45;
         const double low = frame_.plot.x0 + kHalfTitle * unit_;
         const double middle =
@@ -154,7 +155,7 @@ class DuelMarks {
         drawing_.add({ItemKind::Hit, -1, 0, 0}, Role::Hit, Ring{at, 7});
     }
 
-    // Where it stands, and where it answers, on the ray itself.
+    // Marks the run's current position and its answer on the ray.
     void inSlice(std::size_t r) {
         const auto& steps = run(r).steps;
         if (now(r) < steps.size()) {
@@ -178,7 +179,7 @@ class DuelMarks {
                            .yields = true});
     }
 
-    static constexpr double kTopRoom = 14;  // for the name of the height axis
+    static constexpr double kTopRoom = 14;  // for the title of the height axis
 
     const DuelSource& source_;
     const ProfileFrame& frame_;
@@ -211,7 +212,7 @@ ProfileFrame duelFrame(const DuelSource& source, const ProfileOptions& options, 
     frame.plot.y0 += room;
     frame.plot.y1 += room;
     frame.whole.y1 += room;
-    // With the tracks it may not be low any more.
+    // The plot may have become low, so its lower margin is computed again.
     frame.plot.y1 = std::max(frame.whole.y1 - chart::bottomOf(frame.whole.height()), frame.plot.y0 + 1);
     frame.visible = frame.whole;
     return frame;

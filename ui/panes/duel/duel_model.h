@@ -1,4 +1,4 @@
-// The moments of a duel as a table: a row a moment, a column a method, the step that it takes then.
+// Table model of the duel: a row per moment, a column per method, containing the method's step at that moment.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -20,7 +20,7 @@ class DuelModel : public QAbstractTableModel {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
-    // Whether the run takes its step at this moment, or waits.
+    // Returns true if the run takes a step at this moment, false if it waits.
     bool moves(int row, std::size_t run) const;
     QString cell(int row, std::size_t run) const;
 

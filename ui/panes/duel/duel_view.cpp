@@ -25,8 +25,8 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kMostLegend = 0.12;  // of the pane's height
-constexpr int kLowLines = 20;         // of the pane
+constexpr double kMostLegend = 0.12;  // as a share of the pane's height
+constexpr int kLowLines = 20;         // a pane with fewer lines counts as low
 
 }  // namespace
 
@@ -89,7 +89,7 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     });
     connect(canvas_, &DrawingCanvas::resized, this, &DuelView::redraw);
     connect(canvas_, &DrawingCanvas::moved, this, &DuelView::redraw);
-    connect(canvas_, &DrawingCanvas::pointed, this, &DuelView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &DuelView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(workspace_, &Workspace::scenarioChanged, this, &DuelView::showChoosers);
     connect(workspace_, &Workspace::stepChanged, this, &DuelView::followStep);
@@ -114,7 +114,7 @@ void DuelView::addToMenu(QMenu& menu) {
     near->setChecked(options_.nearRay);
 }
 
-void DuelView::tell(const QPointF& widget) {
+void DuelView::readOut(const QPointF& widget) {
     if (!duel_ || !relief_) return setReadout({});
     const ProfileReading at = profileReading(source_.profile, frame_, canvas_->toDrawing(widget));
     const ItemId id = canvas_->itemAt(widget);
@@ -151,7 +151,7 @@ void DuelView::showSnapshot() {
     job_->start({work, [this, made] { adopt(*made); }});
 }
 
-void DuelView::letGo() {
+void DuelView::releaseContents() {
     job_->drop();
     duel_.reset();
     source_ = {};
@@ -160,12 +160,12 @@ void DuelView::letGo() {
     relief_.reset();
     axes_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void DuelView::adopt(std::shared_ptr<const Duel> duel) {
-    // Made anew for another style: where one stands in it stays.
+    // Recomputed only for another style: the current moment is kept.
     const bool same = duel_ && duel_->snapshot == duel->snapshot && duel_->steps.moments == duel->steps.moments;
     const double upTo = same ? source_.upTo : 0;
     const std::size_t moment = same ? moment_ : 0;
@@ -200,7 +200,7 @@ void DuelView::leaveCloseUp() {
     if (source_.upTo > 0 && !duel_->within(source_.upTo, moment_)) showUpTo(0);
 }
 
-// The first to depart in a sentence, the others in two words; their sentences in the tool tip.
+// Describes the first departure in a sentence and the others in two words; the tool tip has all sentences.
 void DuelView::showVerdict() {
     const relief::Language language = workspace_->style().language;
     const auto text = [&](const relief::Message& message) {
@@ -226,7 +226,7 @@ void DuelView::showVerdict() {
     }
     const QString first =
         duel_->first ? QStringLiteral("<b>%1</b><br>").arg(sentences[static_cast<int>(*duel_->first)]) : QString();
-    // A low pane has room for one line: the sentence is in the tool tip.
+    // A low pane has room for one line only; the sentence is in the tool tip.
     if (height() < kLowLines * fontMetrics().height() && duel_->first) {
         const std::size_t r = *duel_->first;
         others.prepend(QStringLiteral("<b>%1</b>")
@@ -241,7 +241,7 @@ void DuelView::showVerdict() {
     verdict_->setToolTip(sentences.join(QStringLiteral("<br>")));
 }
 
-// The tracks have names as well: where there is little room, it stays out.
+// The tracks are labelled as well, so the legend is left out if there is little room.
 void DuelView::showLegend() {
     legend_ =
         canvas_->showLegend(duelLegend(source_, canvas_->legendWidth(), workspace_->style().language), kMostLegend);
@@ -249,7 +249,7 @@ void DuelView::showLegend() {
 
 void DuelView::redraw() {
     const PauseLog::Part part("duel: drawing");
-    if (!duel_ || !inSight()) return;
+    if (!duel_ || !isOnScreen()) return;
     const bool home = canvas_->atHome();
     if (home) {
         showLegend();
@@ -277,7 +277,7 @@ void DuelView::goTo(std::size_t moment) {
     if (moments() == 0) return;
     moment_ = std::min(moment, moments() - 1);
     following_ = true;
-    // The window's step is that of the method whose steps all panes show.
+    // The window's step belongs to the method whose steps all panes show.
     const bool other = duel_->snapshot->trace.fromFile;
     const std::size_t run = other ? duel_->runs.size() - 1 : 0;
     workspace_->chooseStep(static_cast<int>(duel_->steps.moments[moment_][run]));
@@ -288,7 +288,7 @@ void DuelView::goTo(std::size_t moment) {
 }
 
 void DuelView::followStep(int step) {
-    if (following_ || !duel_ || !inSight()) return;
+    if (following_ || !duel_ || !isOnScreen()) return;
     const bool other = duel_->snapshot->trace.fromFile;
     const std::size_t run = other ? duel_->runs.size() - 1 : 0;
     moment_ = duel_->steps.momentOf(run, static_cast<std::size_t>(std::max(step, 0)));
@@ -314,7 +314,7 @@ void DuelView::last() {
 }
 
 void DuelView::toDivergence() {
-    // Asked for while it is being made: when it is there.
+    // If the duel is still being computed, the jump follows when it is ready.
     jump_ = !duel_ || !settled();
     if (jump_) return;
     goToDivergence();

@@ -1,5 +1,5 @@
-// Two to four methods on the ray that is looked at, in lock step: where each stands, which departs from the exact
-// answer first, and what went wrong there. The first one is the scenario's method: its step is the window's.
+// Two to four methods on the chosen ray, in lock step: the position of each, which one departs from the exact answer
+// first, and what went wrong there. The first one is the scenario's method; its step is the window's.
 #pragma once
 
 #include <memory>
@@ -32,22 +32,22 @@ class DuelView : public FigureView {
     std::size_t moment() const { return moment_; }
     QString verdict() const;
     double shownUpTo() const { return source_.upTo; }
-    // Nothing is waited for.
+    // Returns true if no computation is pending.
     bool settled() const { return !stale() && !job_->busy(); }
 
   public slots:
-    // In lock step.
+    // Stepping moves all methods in lock step.
     void first();
     void back();
     void forward();
     void last();
-    // To the first moment at which a method departs from the exact answer.
+    // Goes to the first moment at which a method departs from the exact answer.
     void toDivergence();
-    // The method in this place beside the scenario's own, 0 to 2; empty: none.
+    // Sets the rival at this place, 0 to 2; empty: none.
     void setRival(int place, const QString& method);
     void cancel() override;
 
-    // Only the heights that the ray comes through.
+    // Shows only the range of heights that the ray traverses.
     void showNearRay(bool on);
 
   protected:
@@ -55,24 +55,24 @@ class DuelView : public FigureView {
     bool outdated() const override { return duel_ && duel_->snapshot != workspace_->snapshot(); }
     void resizeEvent(QResizeEvent* event) override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
     void addToMenu(QMenu& menu) override;
 
   private:
     void makeBar(QHBoxLayout* bar);
     void makeButtons(QHBoxLayout* bar);
     void applyFont();
-    void shareRoom();  // between drawing and table
+    void shareRoom();  // divides the room between drawing and table
     void showLegend();
     void adopt(std::shared_ptr<const Duel> duel);
-    void redraw();       // another part is seen
-    void redrawMarks();  // another moment
+    void redraw();       // draws again for another visible part
+    void redrawMarks();  // draws the marks of another moment
     void goTo(std::size_t moment);
-    void showUpTo(double lambda);  // from near; 0: the whole ray
+    void showUpTo(double lambda);  // shows the ray enlarged up to lambda; 0: the whole ray
     void goToDivergence();
-    void selectMoment();  // in the table
-    void leaveCloseUp();  // where somebody has gone on beyond it
+    void selectMoment();  // selects the moment in the table
+    void leaveCloseUp();  // shows the whole ray once a run has left the enlarged part
     void followStep(int step);
     void showChoosers();
     void showVerdict();
@@ -89,7 +89,7 @@ class DuelView : public FigureView {
     QToolButton* divergence_ = nullptr;
     std::vector<QComboBox*> choosers_;
     std::shared_ptr<const Duel> duel_;
-    std::vector<relief::MethodChoice> rivals_;  // of the duel that is shown or being made
+    std::vector<relief::MethodChoice> rivals_;  // of the duel that is shown or being computed
     DuelSource source_;
     ProfileOptions options_;
     ProfileFrame frame_;
@@ -98,8 +98,8 @@ class DuelView : public FigureView {
     std::shared_ptr<const Drawing> legend_;
     std::size_t moment_ = 0;
     bool following_ = false;
-    bool jump_ = false;               // to the first divergence as soon as the duel is there
-    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+    bool jump_ = false;               // go to the first divergence as soon as the duel is ready
+    std::unique_ptr<LatestJob> job_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

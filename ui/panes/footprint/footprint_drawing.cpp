@@ -15,26 +15,26 @@ using relief::FootprintKind;
 using relief::FootprintTexel;
 using relief::LevelAxis;
 
-// Around the footprint, of its larger side, and at least so many texels.
+// Margin around the footprint, as a share of its larger side; below it a minimum in texels.
 constexpr double kAround = 0.18;
 constexpr double kLeastAround = 1.5;
-// Texels of a window along a side: more are not to be told apart on any screen.
+// Largest side of the window, in texels; more could not be distinguished on any screen.
 constexpr double kLongestWindow = 4096;
-// Of half the side of a texel, for the heaviest.
+// Diameter of the largest dot, as a share of a texel's side.
 constexpr double kLargestDot = 0.92;
-// Points: smaller dots and texels are not drawn.
+// In points; smaller dots and texels are not drawn.
 constexpr double kSmallestDot = 0.5;
 constexpr double kSmallestTexel = 4;
 constexpr std::size_t kMostDots = 3000;
 constexpr std::size_t kMostLines = 250;
 
-// Texels of one row or column that lie evenly: of one copy of the picture, or beyond its rim.
+// A run of uniformly spaced texels along a row or column: part of one periodic copy, or beyond the border.
 struct Run {
-    double start = 0;  // of the first texel
+    double start = 0;  // start of the first texel
     int first = 0;
     int count = 0;
-    bool rim = false;  // always the same texel
-    double end = 0;    // where the copy ends: its last texel may be narrow
+    bool rim = false;  // beyond the border: the same texel repeated
+    double end = 0;    // end of the periodic copy, which may cut off the last texel
 };
 
 std::vector<Run> runsOf(const LevelAxis& axis, double low, double high) {
@@ -57,7 +57,7 @@ std::vector<Run> runsOf(const LevelAxis& axis, double low, double high) {
     return runs;
 }
 
-// The texels of these runs in their colours.
+// Colours of the texels of two runs, as encoded values of ColorMap::Picture.
 std::shared_ptr<const relief::FloatImage> codes(const relief::ColorImage& colors, const Run& across, const Run& down) {
     auto image = std::make_shared<relief::FloatImage>(across.count, down.count);
     std::vector<relief::Color> row(static_cast<std::size_t>(across.count));
@@ -89,9 +89,10 @@ bool isEllipse(const PixelFootprint& f) {
     return f.log.footprint.kind == FootprintKind::Ellipse && f.listed;
 }
 
-// What has to be seen, without what is around.
+// Bounding box of everything that must be visible, without a margin.
 Box extentOf(const PixelFootprint& f) {
-    // Hidden texels and what hides them, where they are no further off than this times the ellipse's size.
+    // Hidden texels and their occluders are included if they are no farther away than this multiple of the ellipse's
+    // size.
     constexpr double kHiddenReach = 1;
     const Point centre = pointOf(f.centre());
     Box box{centre.x - 0.5, centre.y - 0.5, centre.x + 0.5, centre.y + 0.5};
@@ -114,7 +115,7 @@ Box extentOf(const PixelFootprint& f) {
     return box;
 }
 
-// The circle of `radius` pixels as the Jacobian maps it.
+// Image of the circle of `radius` pixels under the Jacobian.
 Polyline circleLine(const relief::Jacobian& j, double radius, Point centre) {
     return {ellipseLine(centre, {radius * j.ux, radius * j.vx}, {radius * j.uy, radius * j.vy})};
 }
@@ -147,11 +148,11 @@ class Marks {
         if (options_.neighbours == 0) return;
         const double shrink = std::ldexp(1.0, -f_.level());
         for (const PixelCircle& circle : f_.neighbours) {
-            if (options_.neighbours == 4 && !circle.beside) continue;
+            if (options_.neighbours == 4 && !circle.sharesSide) continue;
             const relief::Jacobian& j = circle.jacobian;
             Point at{circle.centre.x * shrink, circle.centre.y * shrink};
             if (f_.across.address == relief::Address::Repeat) {
-                // In the copy of the picture where the pixel's own is.
+                // Moved to the periodic copy in which the pixel's own footprint lies.
                 at.x += std::round((centre_.x - at.x) / f_.across.extent) * f_.across.extent;
                 at.y += std::round((centre_.y - at.y) / f_.down.extent) * f_.down.extent;
             }
@@ -195,7 +196,7 @@ class Marks {
         out_.weights = f_.log.texels.empty() || !none;
         if (!out_.weights) return;
         for (const FootprintTexel* t : seen) {
-            // What is no texel of the level has an outline of its own.
+            // Texels of other levels get an outline of their own.
             if (f_.sideOf(*t) != 1) add(Role::Neighbour, Rectangle{boxOf(*t), false, 0.4, 0}, Emphasis::Faint);
         }
         if (hidden <= kMostLines) {
@@ -206,9 +207,9 @@ class Marks {
         for (const FootprintTexel* t : seen) dot(*t);
     }
 
-    // Where the samples' rays met the relief; the area of a mark is the ray's part of the pixel.
+    // Hits of the samples' rays; the area of a mark is proportional to the ray's share of the pixel.
     void rays() {
-        constexpr double kLargest = 6;  // points
+        constexpr double kLargest = 6;  // in points
         if (f_.rays.size() > kMostDots) return;
         double greatest = 0;
         for (const RayHit& ray : f_.rays) greatest = std::max(greatest, ray.share);
@@ -218,11 +219,12 @@ class Marks {
         }
     }
 
-    // Which texels of the level these are: along the upper and the left side of what is seen.
+    // Indices of the level's texels, along the upper and left sides of the visible part.
     void numbers() {
-        constexpr double kAcross = 60;  // points between numbers
+        constexpr double kAcross = 60;  // between numbers, in points
         constexpr double kDown = 30;
-        constexpr double kHalf = 6;  // of a number's height, and what is around it: none is cut at the lower side
+        // half the height of a number with its margin; numbers that would be cut off at the bottom are omitted
+        constexpr double kHalf = 6;
         const double unit = 1 / scale_;
         const auto along = [&](double low, double high, double apart, const LevelAxis& axis, const auto& place) {
             if (!(high > low)) return;

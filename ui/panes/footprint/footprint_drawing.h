@@ -1,6 +1,6 @@
 // A pixel's footprint as a drawing: the texture's texels, the ellipse, its axes and box, each texel's weight as the
-// area of a dot, hidden texels crossed out with a line to what hides them; of supersample the hits of its rays. [TEX]
-// figs., [ANISO17]. One unit of the drawing is one texel of the level that is read, unwrapped.
+// area of a dot, hidden texels crossed out with a line to their occluder; for supersample the hits of its rays. [TEX]
+// figs., [ANISO17]. One unit is one texel of the level that is read, unwrapped.
 #pragma once
 
 #include <optional>
@@ -11,36 +11,37 @@
 namespace reliefui {
 
 struct FootprintOptions {
-    int neighbours = 0;    // 0, 4 or 8 pixels around, their ellipses
-    bool numbers = false;  // derivatives and the ellipse's coefficients in the legend: figures have the room
-    bool weights = true;   // beside it the weight function and the map of weights, where there are any
+    int neighbours = 0;  // number of neighbouring pixels whose ellipses are drawn: 0, 4 or 8
+    // list derivatives and the ellipse's coefficients in the legend, in figures, which have the room
+    bool numbers = false;
+    bool weights = true;  // show the weight function and the map of weights, if there are any
 
     bool operator==(const FootprintOptions&) const = default;
 };
 
-// The texture around the footprint; its bounds fill a room of this shape (width over height) and hold the ellipse and
-// what is seen. Under steep relief texels far away fall into the pixel and are hidden: they lie outside. beyond: how
-// much more texture there is on every side, of the bounds' sides, for a view that is moved.
+// The texture around the footprint. The bounds have this aspect (width / height) and contain the ellipse and everything
+// visible. Under steep relief, distant hidden texels also map into the pixel; they lie outside the bounds. beyond:
+// additional texture on every side, as a multiple of the bounds' sides, for views that can be moved.
 Drawing footprintTexture(const PixelFootprint& footprint, double aspect, double beyond = 0);
 
-// Dots are drawn where they are large enough to be told apart, so how much is drawn depends on what is seen.
-// seen: the part of the drawing on the screen; pointsPerTexel: its scale. chosen: the texel under the pointer.
+// Arguments of the marks. Dots are drawn where they are large enough to be distinguished, so their number depends on
+// the visible part. seen: visible part of the drawing; pointsPerTexel: its scale. chosen: texel under the pointer.
 struct FootprintMarks {
     Drawing drawing;
-    bool weights = true;  // false: too small here to be drawn
+    bool weights = true;  // false: too small to be drawn at this scale
 };
 FootprintMarks footprintMarks(const PixelFootprint& footprint, const FootprintOptions& options, const Box& seen,
                               double pointsPerTexel, std::optional<std::size_t> chosen = {});
 
-// Numbers and signs, in at most `width` points.
+// Legend of numbers and marks, at most `width` points wide.
 Drawing footprintLegend(const PixelFootprint& footprint, const FootprintOptions& options, bool weights, double width,
                         relief::Language language);
 
-// The ray's hit nearest to the point and at most `reach` texels from it; null: there is none.
+// The ray's hit nearest to the point, at most `reach` texels away; null: there is none.
 const RayHit* footprintRayAt(const PixelFootprint& footprint, Point at, double reach);
-// The listed texel under the point, the smallest of several.
+// Index of the listed texel at the point; the smallest texel if there are several.
 std::optional<std::size_t> footprintTexelAt(const PixelFootprint& footprint, Point at);
-// Where its sight is blocked, on the drawing.
+// Position, in the drawing, at which the texel's line of sight is blocked.
 Point blockerPlace(const PixelFootprint& footprint, const relief::FootprintTexel& texel);
 
 }  // namespace reliefui

@@ -10,7 +10,7 @@ namespace reliefui {
 
 namespace {
 
-// Points of the page for the weights below the footprint: plots, their legend, a margin.
+// Height, in points, of the weights below the footprint: plots, legend, margin.
 double weightsHeight(const PixelFootprint& footprint, const FootprintOptions& options, double points,
                      relief::Language language) {
     if (!options.weights || !hasWeights(footprint)) return 0;

@@ -21,7 +21,7 @@ class Rows {
         : f_(f), options_(options), rows_(width, language) {}
 
     Drawing take(bool weights) {
-        // The texture goes on below it.
+        // An opaque background hides the texture behind the legend; kFar, in points, exceeds the size of any pane.
         constexpr double kFar = 1e4;
         rows_.add(Role::Background, Rectangle{{-kFar, -3, kFar, kFar}, true, 0, 0}, {}, Emphasis::Strong);
         numbers();
@@ -32,7 +32,7 @@ class Rows {
 
   private:
     void entry(const Message& message) { rows_.words(message, 2 * LegendRows::kBetween); }
-    // A sign, and what it is.
+    // Adds a mark and its explanation.
     void sign(Role role, Primitive primitive, MessageId what) {
         const Emphasis emphasis = role == Role::Weight ? Emphasis::Strong : Emphasis::Normal;
         rows_.sign(role, std::move(primitive), Message(what), {}, emphasis);

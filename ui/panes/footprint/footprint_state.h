@@ -1,4 +1,4 @@
-// What is chosen in the footprint's pane.
+// The user's choices in the footprint pane.
 #pragma once
 
 #include "workspace/state_json.h"
@@ -8,7 +8,7 @@ namespace reliefui {
 struct FootprintPane {
     static constexpr const char* kName = "footprint";
     int neighbours = 0;   // 0, 4 or 8
-    bool weights = true;  // the weight function and its map beside it
+    bool weights = true;  // show the weight function and its map
 
     void read(relief::JsonReader reader);
     void check(const std::string& subject) const;

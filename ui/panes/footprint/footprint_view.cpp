@@ -22,9 +22,9 @@ namespace reliefui {
 
 namespace {
 
-// Of the pane's height: what explains must leave room for what is explained.
+// Largest share of the pane's height for the legend.
 constexpr double kMostLegend = 0.4;
-// Twice as far out as at first, and a little to the side.
+// Texture beyond the bounds, enough for zooming out by a factor of two and moving a little.
 constexpr double kBeyond = 1.5;
 
 QString number(double value, int decimals) {
@@ -52,7 +52,7 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
     both_->addWidget(weights_, 2);
     column->addLayout(both_, 1);
     connect(weights_, &DrawingCanvas::resized, this, &FootprintView::drawWeights);
-    connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &FootprintView::readOut);
     connect(weights_, &DrawingCanvas::hovered, this, [this](const ItemId& id) {
         const bool texel = footprint_ && id.kind == ItemKind::Texel;
         point(texel ? std::optional(static_cast<std::size_t>(id.i)) : std::nullopt);
@@ -144,7 +144,7 @@ void FootprintView::showSnapshot() {
                                             : (hit ? MessageId::DrawFootprintNoHit : MessageId::DrawNoRelief));
         return;
     }
-    // The legend first: what it needs is not left to the texture.
+    // The legend is laid out first; the texture gets the remaining room.
     legend_ = canvas_->showLegend(
         footprintLegend(*footprint_, options_, true, canvas_->legendWidth(), workspace_->style().language),
         kMostLegend);
@@ -152,7 +152,7 @@ void FootprintView::showSnapshot() {
     const double aspect = room.height() > 0 ? room.width() / room.height() : 1;
     texture_ = std::make_shared<const Drawing>(footprintTexture(*footprint_, aspect, kBeyond));
     canvas_->setLayers({texture_}, legend_);
-    // Another place of the texture: what was zoomed to is gone.
+    // The footprint lies elsewhere in the texture, so the zoom is reset.
     const bool elsewhere =
         !before || before->level() != footprint_->level() || before->centre() != footprint_->centre();
     if (elsewhere && !canvas_->atHome()) canvas_->resetZoom();
@@ -160,8 +160,8 @@ void FootprintView::showSnapshot() {
 }
 
 void FootprintView::makeRoom() {
-    constexpr double kWide = 470, kHigh = 150;        // points of the pane, for both beside each other
-    constexpr double kNarrow = 230, kVeryHigh = 420;  // one below the other
+    constexpr double kWide = 470, kHigh = 150;        // smallest size of the pane, in points, for both side by side
+    constexpr double kNarrow = 230, kVeryHigh = 420;  // smallest size for one below the other
     const double unit = workspace_->style().pixelsPerPoint();
     const double wide = width() / unit, high = height() / unit;
     const bool beside = wide >= kWide && high >= kHigh;
@@ -175,7 +175,7 @@ void FootprintView::makeRoom() {
 void FootprintView::drawWeights() {
     if (!footprint_ || !hasWeights(*footprint_) || weights_->isHidden()) {
         plots_.reset();
-        return weights_->letGo();
+        return weights_->releaseContents();
     }
     const double unit = workspace_->style().pixelsPerPoint();
     const Drawing legend =
@@ -204,9 +204,9 @@ void FootprintView::point(std::optional<std::size_t> texel) {
     workspace_->pointAtTexel(texel);
 }
 
-void FootprintView::letGo() {
+void FootprintView::releaseContents() {
     point({});
-    weights_->letGo();
+    weights_->releaseContents();
     plots_.reset();
     plotsLegend_.reset();
     shown_.reset();
@@ -214,18 +214,18 @@ void FootprintView::letGo() {
     texture_.reset();
     marks_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void FootprintView::redraw() {
     const PauseLog::Part part("footprint: marks");
-    if (!footprint_ || !texture_ || !inSight()) return;
+    if (!footprint_ || !texture_ || !isOnScreen()) return;
     FootprintMarks marks = footprintMarks(*footprint_, options_, canvas_->visible(), canvas_->zoom(), chosen_);
     marks_ = std::make_shared<const Drawing>(std::move(marks.drawing));
     const bool legend = legend_ && !legend_->bounds.empty();
     if (legend && !marks.weights) {
-        // One sign less, one hint more: it is as high as before.
+        // Has one mark less and one hint more, so the height is the same.
         Drawing other =
             footprintLegend(*footprint_, options_, false, canvas_->legendWidth(), workspace_->style().language);
         canvas_->setLayers({texture_, marks_}, std::make_shared<const Drawing>(std::move(other)));
@@ -240,7 +240,7 @@ void FootprintView::showEmpty(relief::MessageId why) {
     canvas_->showText(why);
 }
 
-void FootprintView::tell(const QPointF& widget) {
+void FootprintView::readOut(const QPointF& widget) {
     if (!footprint_) return setReadout({});
     const PixelFootprint& f = *footprint_;
     const QStringList behind = coefficientLines(f.behind);
@@ -255,7 +255,7 @@ void FootprintView::tell(const QPointF& widget) {
         return;
     }
     QString text = describe(f.log.texels[*chosen_]);
-    constexpr double kNear = 4;  // points
+    constexpr double kNear = 4;  // in points
     const RayHit* const ray = footprintRayAt(f, canvas_->toDrawing(widget), kNear / canvas_->zoom());
     if (ray != nullptr) text += tr(" · ray: %1% of the pixel").arg(number(100 * ray->share, 2));
     setReadout(text + more);
@@ -277,7 +277,7 @@ QString FootprintView::describe(const relief::FootprintTexel& texel) const {
             text += tr(" (%1, %2, %3)").arg(channel(texel.weight.r), channel(texel.weight.g), channel(texel.weight.b));
         }
         if (texel.tested) text += tr(" · seen");
-        // Its hidden part has the same place.
+        // A texel's hidden part is listed separately with the same indices.
         const auto same = [&](const relief::FootprintTexel& t) {
             return t.hidden && t.level == texel.level && t.u == texel.u && t.v == texel.v;
         };

@@ -1,5 +1,5 @@
-// The footprint's pane: what the filter reads for the chosen pixel, and how much each texel counts. Wheel and drag zoom
-// and move, R shows all again.
+// The footprint pane: the texels that the filter reads for the chosen pixel, and their weights. Wheel and drag zoom and
+// move, R resets the view.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ class FootprintView : public FigureView {
     DrawingCanvas* weights() const { return weights_; }
     const FootprintOptions& options() const { return options_; }
     void setOptions(const FootprintOptions& options);
-    // What is on the screen; null where there is nothing to show.
+    // The footprint on the screen; null if there is none.
     const PixelFootprint* shown() const { return footprint_.get(); }
     const Drawing* marks() const { return marks_.get(); }
 
@@ -37,24 +37,24 @@ class FootprintView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
 
   private:
     void makeBar(QHBoxLayout* bar);
-    void makeRoom();     // for the weights, beside or below, where there is some
-    void drawWeights();  // another footprint or room
-    void showWeights();  // with the texel under the pointer
-    // The texel under the pointer, for all panes.
+    void makeRoom();     // places the weights to the right or below, if there is room
+    void drawWeights();  // for another footprint or size
+    void showWeights();  // with the texel under the pointer highlighted
+    // Sets the texel under the pointer, for all panes.
     void point(std::optional<std::size_t> texel);
-    // What it counts for.
+    // Describes a texel and its weight.
     QString describe(const relief::FootprintTexel& texel) const;
-    void adopt();   // what the scenario says
-    void redraw();  // another part is seen, or another texel is under the pointer
+    void adopt();   // takes over the scenario's state of this pane
+    void redraw();  // draws again for another visible part or texel under the pointer
     void showEmpty(relief::MessageId why);
 
     DrawingCanvas* canvas_;
-    DrawingCanvas* weights_;  // the weight function and its map
+    DrawingCanvas* weights_;  // weight function and map of weights
     QBoxLayout* both_ = nullptr;
     QToolButton* weigh_ = nullptr;
     QComboBox* neighbours_ = nullptr;
@@ -64,8 +64,8 @@ class FootprintView : public FigureView {
     std::shared_ptr<const Drawing> texture_;
     std::shared_ptr<const Drawing> marks_;
     std::shared_ptr<const Drawing> legend_;
-    std::shared_ptr<const Drawing> plots_, plotsLegend_;  // of the weights
-    std::optional<std::size_t> chosen_;                   // the texel under the pointer
+    std::shared_ptr<const Drawing> plots_, plotsLegend_;  // drawings of the weights
+    std::optional<std::size_t> chosen_;                   // texel under the pointer
 };
 
 }  // namespace reliefui

@@ -18,18 +18,18 @@ using relief::Message;
 using relief::MessageId;
 using relief::WeightKind;
 
-// Points, around a plot.
+// Margins around a plot, in points.
 constexpr chart::Margins kMargins{.top = 15};
 constexpr double kDot = 5;
 constexpr std::size_t kMostDots = 3000;
-// Cells of a map that is drawn for weights that come from a formula.
+// Resolution of the map of weights that come from a formula.
 constexpr int kDrawnCells = 32;
 
-// A function of r^2 alone.
+// Returns true if the weight depends on r^2 only.
 bool radial(const EllipticalSettings& settings) {
     return !settings.shaped() && settings.weights != WeightKind::TexelDistance;
 }
-// Weights by the distance in texels have no place in the pixel.
+// Weights that depend on the distance in texels cannot be drawn as a map over the pixel.
 bool hasMap(const EllipticalSettings& settings) {
     return settings.weights != WeightKind::TexelDistance;
 }
@@ -47,7 +47,7 @@ class WeightPictures {
   public:
     explicit WeightPictures(const PixelFootprint& footprint) : f_(footprint), settings_(*footprint.weighing) {}
 
-    // Of the graph: a little more than all that lies in it.
+    // Plot of the weight function; slightly larger than its content.
     Plot graphPlot(const Box& room) const {
         constexpr double kMore = 1.04;
         double high = 1;
@@ -71,7 +71,7 @@ class WeightPictures {
             Polyline curve;
             for (int n = 0; n <= kPoints; ++n) {
                 const double r2 = cut * n / kPoints;
-                // At the very end rounding must not cut the curve off.
+                // Exactly the radius at the end, so that rounding does not cut the curve off.
                 const double r = n == kPoints ? settings_.radius : std::sqrt(r2);
                 curve.points.push_back(plot.at(r2, relief::radialWeight(settings_, r)));
             }
@@ -86,7 +86,7 @@ class WeightPictures {
         });
     }
 
-    // Down the screen, as the pixel's y runs.
+    // y points downwards, as in the picture.
     Plot mapPlot(const Box& room) const {
         Box box = chart::plotIn(room, kMargins);
         const double side = std::min(box.width(), box.height());
@@ -139,7 +139,7 @@ class WeightPictures {
         });
     }
 
-    // A round pixel's is 1, in its middle; of others as in the map.
+    // Largest weight: for a round pixel 1, at the centre; otherwise the maximum of the map.
     double highest(const relief::WeightMap& weights) const {
         if (!settings_.shaped()) return 1;
         float high = 0;
@@ -157,7 +157,7 @@ class WeightPictures {
                   texels[k].v - centre.y);
         }
     }
-    // Of r^2 that is drawn.
+    // Largest r^2 drawn.
     double farthest() const {
         const double cut = settings_.radius * settings_.radius;
         double far = cut;
@@ -166,7 +166,7 @@ class WeightPictures {
         });
         return far;
     }
-    // Where a texel lies; none: beyond it.
+    // Position of a texel on the plot; std::nullopt if it is outside.
     std::optional<Point> onGraph(const Plot& plot, const FootprintTexel& texel, double du, double dv) const {
         const double square = squared(du, dv);
         if (square > 2 * settings_.radius * settings_.radius) return std::nullopt;
@@ -180,7 +180,7 @@ class WeightPictures {
     }
     double squared(double du, double dv) const { return relief::squaredRadius(f_.log.footprint.ellipse, du, dv); }
 
-    // As colours where the channels differ.
+    // As colours if the channels differ.
     std::shared_ptr<const relief::FloatImage> picture(const relief::WeightMap& weights) const {
         const int n = weights.size();
         auto values = std::make_shared<relief::FloatImage>(n, n);
@@ -216,7 +216,7 @@ Rooms roomsOf(const PixelFootprint& footprint, const Box& room) {
     if (!hasMap(*footprint.weighing)) return {room, std::nullopt};
     Box graph = room, map = room;
     if (room.width() >= room.height()) {
-        // The map is square; the graph gets the rest, and no less than half.
+        // The map is square; the graph gets the rest, but at least half.
         const double square =
             std::min(room.height() - kMargins.top - kMargins.bottom + kMargins.left + kMargins.right, room.width() / 2);
         graph.x1 = map.x0 = room.x1 - square;

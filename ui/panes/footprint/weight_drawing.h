@@ -1,5 +1,5 @@
-// How the filter weighs the texels of a footprint: the weight function over r^2 ([TEX] fig. 3) with each texel on it,
-// and the map of weights over the pixel with each texel's place in it.
+// Weights of a footprint's texels: the weight function over r^2 ([TEX] fig. 3) with each texel on it, and the map of
+// weights over the pixel with each texel's position.
 #pragma once
 
 #include "painting/drawing.h"
@@ -7,15 +7,15 @@
 
 namespace reliefui {
 
-// Whether the footprint is an ellipse whose texels were weighed and listed.
+// Returns true if the footprint is an ellipse whose texels were weighted and listed.
 bool hasWeights(const PixelFootprint& footprint);
 
-// In a room of points; beside each other, or one below the other, as it is shaped. Of a footprint that has weights.
-// Texels' marks have the id of a texel whose i is their number in the footprint's list.
+// Draws both plots into a room given in points, side by side or one below the other, depending on its shape. The
+// footprint must have weights. Texels' marks have ids of ItemKind::Texel, with i the index in the footprint's list.
 Drawing weightDrawing(const PixelFootprint& footprint, const Box& room);
-// Rings around the marks of one of them, over the drawing in the same room.
+// Rings around the marks of one texel, to be drawn over weightDrawing() in the same room.
 Drawing weightHighlight(const PixelFootprint& footprint, const Box& room, std::size_t texel);
-// What its signs are, in at most `width` points.
+// Legend of the marks, at most `width` points wide.
 Drawing weightLegend(const PixelFootprint& footprint, double width, relief::Language language);
 
 }  // namespace reliefui

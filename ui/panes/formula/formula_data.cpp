@@ -21,10 +21,10 @@ constexpr const char* kTex = "[TEX]";
 
 struct PixelNumbers {
     relief::PixelCoefficients at;
-    std::int64_t first = 0;  // pixel of the polygon's row, column
+    std::int64_t first = 0;  // first pixel of the polygon's span in this row
 };
 
-// Of the top plane at the pixel; nothing where no polygon is seen there.
+// Numbers of the top plane at the pixel; std::nullopt if no polygon is visible there.
 std::optional<PixelNumbers> numbersOf(const Snapshot& snapshot) {
     if (!snapshot.frame || !snapshot.scenario.pixel) return std::nullopt;
     const relief::Frame& frame = *snapshot.frame;
@@ -39,7 +39,7 @@ std::optional<PixelNumbers> numbersOf(const Snapshot& snapshot) {
                         polygon->span(y, frame.width).begin};
 }
 
-// How a variant goes along the row, as [PERSP] writes it with the letters of these formulas.
+// Recurrence of a variant along the row, as in [PERSP] with the letters of these formulas.
 struct RowFormula {
     const char* formula;
     const char* source;
@@ -67,7 +67,7 @@ RowFormula rowFormula(relief::RowVariant variant) {
     return {"u_{n+1} = u_n + (u_m − u_0) / m", ""};
 }
 
-// The groups of one pixel in one language.
+// Builds the groups of one pixel in one language.
 class Groups {
   public:
     Groups(const Snapshot& snapshot, int step, relief::Language language, std::optional<std::size_t> texel)
@@ -98,7 +98,7 @@ class Groups {
     void group(FormulaPart part, std::string title, std::string note = {}) {
         groups_.push_back({part, std::move(title), std::move(note), {}});
     }
-    // "SYMBOL = right": the value is that of the symbol.
+    // Adds the row "symbol = right"; `value` is the symbol's value.
     void row(const std::string& symbol, const std::string& right, std::string numbers, double value, std::string result,
              std::string source) {
         groups_.back().rows.push_back(
@@ -128,7 +128,8 @@ class Groups {
             kPersp);
     }
 
-    // Where the ray's coordinates come along the row, and not from the equation at the pixel: by how much they differ.
+    // For variants that compute coordinates along the row instead of per pixel: how, and by how much the result
+    // differs.
     void alongTheRow(const PixelNumbers& pixel) {
         const relief::PixelCoefficients& p = pixel.at;
         const relief::Homography& f = p.map;
@@ -182,7 +183,7 @@ class Groups {
         minor("N", "D H − E G", f.tx, f.qy, f.ty, f.qx, p.n);
         minor("O", "B G − A H", f.sy, f.qx, f.sx, f.qy, p.o);
         minor("P", "E G − D H", f.ty, f.qx, f.tx, f.qy, p.p);
-        // k l − r s, or nothing where only rounding is left of it.
+        // Formats k l − r s, or "0" if only rounding errors remain of it.
         const auto rounded = [](double value, double k, double l, double r, double s) {
             constexpr double kLost = 1e-13;
             return std::abs(value) > kLost * (std::abs(k * l) + std::abs(r * s)) ? formulaNumber(value) : "0";
@@ -208,7 +209,7 @@ class Groups {
         group(FormulaPart::Footprint, say(MessageId::DrawFormulaEllipse), say(MessageId::DrawFormulaEllipsePlace));
         const relief::Jacobian& j = p.derivatives;
         const relief::Ellipse& e = p.ellipse;
-        // Of squares of derivatives, and of squares of these.
+        // The unit is a power of that of the derivatives: power 2 for A, B, C, power 4 for F.
         const auto scaled = [&](double value, const char* power) {
             return with(value, MessageId::DrawFormulaTexelsPixel, power);
         };
@@ -274,7 +275,8 @@ class Groups {
                                        {{"w / Σw", share}}});
     }
 
-    // The weight, with the formula where it is what the filter did: tables, maps and texels taken in parts are not.
+    // Adds the weight. The formula is shown only if it gives the logged value: weights from tables or maps, or of
+    // partially visible texels, differ.
     void weight(const char* right, std::string numbers, double byFormula, double logged, const char* source) {
         constexpr double kSame = 1e-3;
         const bool same = std::abs(byFormula - logged) <= kSame;
@@ -286,7 +288,7 @@ class Groups {
         row("w", right, std::move(numbers), logged, formulaNumber(logged), source);
     }
 
-    // Read between four texels, unless the filter takes one alone or many places.
+    // Bilinear weight, unless the filter reads a single texel or samples many places.
     void atPoint(const PixelFootprint& f, double du, double dv, double logged) {
         const bool between =
             f.log.footprint.kind == relief::FootprintKind::Bilinear && f.filter.name != "nearest" && f.rays.empty();
@@ -332,7 +334,7 @@ class Groups {
     const Snapshot& s_;
     int step_;
     relief::Language language_;
-    std::optional<std::size_t> texel_;  // pointed at
+    std::optional<std::size_t> texel_;  // the texel under the pointer
     std::vector<FormulaGroup> groups_;
 };
 

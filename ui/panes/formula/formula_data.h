@@ -1,7 +1,7 @@
-// What the formula pane sets: the papers' equations with the chosen pixel's numbers put in. Every number is the core's:
-// of the pixel's coefficients, the filter's log, the step's record. A pure function of a snapshot.
+// Content of the formula pane: the papers' equations with the chosen pixel's numbers. All numbers come from the core:
+// the pixel's coefficients, the filter's log, the step's record. A pure function of a snapshot.
 //
-// Formulas are marked as painting/formula_text.h says: u_x, q^2, V_{i+1}.
+// Formulas use the markup of painting/formula_text.h: u_x, q^2, V_{i+1}.
 #pragma once
 
 #include <optional>
@@ -17,36 +17,36 @@ struct FormulaValue {
     double number = 0;
 };
 
-// An equation, or values by name without one.
+// An equation, or a list of named values without one.
 struct FormulaRow {
     std::string formula;               // "u = (A x + B y + C) / q"; empty: values alone
-    std::string numbers;               // its right side with numbers put in; empty: there is none
+    std::string numbers;               // right-hand side with numbers substituted; empty: none
     std::string result;                // "123.4 texels"; empty: the formula says a relation, not a value
     std::string source;                // "[PERSP] (1)"
-    std::vector<FormulaValue> values;  // what it gives, unrounded: several of a point; the names of a list
+    std::vector<FormulaValue> values;  // unrounded results: several for a point, or the entries of a list
 };
 
-// What a group is about.
+// Subject of a group.
 enum class FormulaPart : std::uint8_t { Mapping, Ray, Footprint };
 
 struct FormulaGroup {
     FormulaPart part = FormulaPart::Mapping;
     std::string title;
-    std::string note;  // in words, below the title
+    std::string note;  // text below the title
     std::vector<FormulaRow> rows;
 };
 
-// At this step of the ray. Empty where no polygon covers the pixel: see formulasMissing(). texel: of the footprint's
-// list, whose weight is set; none: the heaviest that counts.
+// All groups for this step of the ray. Empty if no polygon covers the pixel, see formulasMissing(). texel: index, in
+// the footprint's list, of the texel whose weight is shown; std::nullopt: the visible one with the largest weight.
 std::vector<FormulaGroup> formulas(const Snapshot& snapshot, int step, relief::Language language,
                                    std::optional<std::size_t> texel = {});
-// Why there are none; of a snapshot without formulas.
+// Explains why a snapshot has no formulas.
 relief::MessageId formulasMissing(const Snapshot& snapshot);
 
-// This step, as its record says; no rows where the record has no formula. There is a step.
+// Formulas of this step according to its record; without rows if there are none. The step must exist.
 FormulaGroup stepFormulas(const Snapshot& snapshot, int step, relief::Language language);
 
-// The texel that the weights are set for unless one is pointed at: the heaviest that counts; null: none counts.
+// The texel whose weight is shown by default: the visible one with the largest weight; null: none.
 const relief::FootprintTexel* heaviestTexel(const PixelFootprint& footprint);
 
 }  // namespace reliefui

@@ -9,19 +9,19 @@ namespace reliefui {
 
 namespace {
 
-// Points.
+// Sizes in points.
 constexpr double kLine = 13.5;
 constexpr double kNoteLine = 12;
-constexpr double kGap = 9;      // between what stands on one line
-constexpr double kIndent = 10;  // of what belongs to the line above
+constexpr double kGap = 9;      // between items on one line
+constexpr double kIndent = 10;  // of continuation lines
 constexpr double kBetweenGroups = 9;
 constexpr double kBetweenColumns = 20;
-constexpr double kLeastColumn = 290;  // where there is more than one
-constexpr double kLeastSheet = 225;   // narrower ones are set smaller
+constexpr double kLeastColumn = 290;  // smallest width of a column if there are several
+constexpr double kLeastSheet = 225;   // narrower sheets are scaled down
 constexpr std::size_t kMostColumns = 3;
 constexpr double kRowSize = kChartText;
 constexpr double kNoteSize = 0.78;
-// Letters on a screen are whole pixels high, and by so much wider than measured.
+// Allowance for fonts on the screen: their sizes are rounded to whole pixels, so text can be wider than measured.
 constexpr double kRounding = 1.04;
 constexpr double kTitleSize = 0.95;
 
@@ -40,12 +40,12 @@ std::string wordsOf(const FormulaRow& row) {
     return formulaWords(words);
 }
 
-// One group in a column of this width. Its parts are measured first, so that the group's lines are set alike.
+// Lays out one group in a column of this width. All rows are measured first, so that they align.
 class GroupSheet {
   public:
     GroupSheet(const FormulaGroup& group, double x, double width) : group_(group), x_(x), width_(width) { measure(); }
 
-    // From y down; where it ends.
+    // Lays out the group from y downwards; returns its lower end.
     double set(FormulaSheet& sheet, double y) {
         drawing_ = &sheet.drawing;
         y_ = y;
@@ -66,12 +66,12 @@ class GroupSheet {
     }
 
   private:
-    // What equation and numbers of a row take on one line.
+    // Width of a row's equation, and of its numbers.
     static double equationRoom(const FormulaRow& row) { return formulaWidth(row.formula, kRowSize) + kGap; }
     static double numbersRoom(const FormulaRow& row) {
         return row.numbers.empty() ? 0 : formulaWidth(numbersOf(row), kNoteSize) + kGap;
     }
-    // Rows whose numbers stand beside the equation, where all such rows of the group find room.
+    // Returns true if the row's numbers fit to the right of the equation, aligned with those of the group's other rows.
     bool onOneLine(const FormulaRow& row) const {
         return equationRoom(row) <= numbersAt_ && numbersAt_ + numbersRoom(row) <= resultAt_;
     }
@@ -95,7 +95,7 @@ class GroupSheet {
             numbersAt_ = std::max(numbersAt_, equationRoom(row));
             numbers = std::max(numbers, numbersRoom(row));
         }
-        // Else below each other: the value beside the equation, the numbers under both.
+        // Otherwise the numbers go on a line below the equation, and only the value stays next to it.
         if (numbersAt_ + numbers > room - sources_) numbersAt_ = numbers = 0;
         resultAt_ = numbersAt_ > 0 ? numbersAt_ + numbers : std::min(equations, room);
     }
@@ -121,7 +121,7 @@ class GroupSheet {
             Label{.at = {x_ + x, y}, .text = plainText(text), .anchor = anchor, .size = size, .formula = formula},
             bold ? Emphasis::Strong : Emphasis::Normal);
     }
-    // In as many lines as it takes; where the last one ends.
+    // Adds wrapped text; returns the right end of the last line.
     double words(const std::string& text, double size, Role role, double indent, bool bold, bool formula) {
         const double high = size == kNoteSize ? kNoteLine : kLine;
         const auto wide = [&](const std::string& line) {
@@ -134,7 +134,7 @@ class GroupSheet {
         }
         return indent + wide(lines.back());
     }
-    // At the right, where a line of the row ends before it, or on a line of its own.
+    // Adds the source at the right: on a line of the row if there is room, otherwise on a line of its own.
     void source(const FormulaRow& row, double y, double end, double lastEnd) {
         if (row.source.empty()) return;
         const double from = width_ - kRounding * textWidth(row.source, kNoteSize) - kGap / 2;
@@ -159,13 +159,13 @@ class GroupSheet {
             x += cells_[c];
         }
         y_ += kLine;
-        // What the equations below are of is said there.
+        // Omitted if there is no room: the equations that use these values state their source as well.
         if (x + sources_ <= width_) source(row, y_ - kLine / 2, 0, 0);
     }
 
     void equation(const FormulaRow& row) {
         double at = y_ + kLine / 2;
-        double end = equationRoom(row), lastEnd = 0;  // of the value's line, of the last one
+        double end = equationRoom(row), lastEnd = 0;  // right ends of the line with the value, and of the last line
         if (onOneLine(row)) {
             label(0, at, row.formula, kRowSize, Role::Label);
             if (!row.numbers.empty()) label(numbersAt_, at, numbersOf(row), kNoteSize, Role::Layer);
@@ -189,7 +189,7 @@ class GroupSheet {
         }
         source(row, at, kRounding * end, onOneLine(row) ? kRounding * end : lastEnd);
     }
-    // A relation has its own sign.
+    // In an inequality, the numbers are not preceded by "=".
     static std::string numbersOf(const FormulaRow& row) {
         return row.result.empty() ? row.numbers : "= " + row.numbers;
     }
@@ -197,15 +197,15 @@ class GroupSheet {
     const FormulaGroup& group_;
     double x_;
     double width_;
-    double results_ = 0, sources_ = 0;  // widths
-    std::vector<double> cells_;         // widths of lists' columns
+    double results_ = 0, sources_ = 0;  // widths of the columns of results and sources
+    std::vector<double> cells_;         // widths of the columns of lists
     double listSize_ = kRowSize;
     double numbersAt_ = 0, resultAt_ = 0;
     Drawing* drawing_ = nullptr;
     double y_ = 0;
 };
 
-// The sheet's columns: first group of each, and how high the highest is.
+// Division into columns: the index of the first group of each, and the height of the highest.
 struct Columns {
     std::vector<std::size_t> first{0};
     double height = std::numeric_limits<double>::infinity();
@@ -217,7 +217,7 @@ double heightOf(const std::vector<double>& heights, std::size_t from, std::size_
     return height;
 }
 
-// The split of the groups from `from` on into so many columns whose highest is least.
+// Splits the groups starting at `from` into `columns` columns such that the highest is as low as possible.
 Columns split(const std::vector<double>& heights, std::size_t from, std::size_t columns) {
     Columns best;
     if (columns == 1 || from + 1 >= heights.size()) return {{from}, heightOf(heights, from, heights.size())};
@@ -235,7 +235,7 @@ double columnWidth(double width, std::size_t columns) {
     return (width - kBetweenColumns * static_cast<double>(columns - 1)) / static_cast<double>(columns);
 }
 
-// As many as make the sheet least high.
+// Chooses the number of columns that gives the lowest sheet.
 Columns columnsFor(const std::vector<FormulaGroup>& groups, double width, double& own) {
     Columns best;
     for (std::size_t n = 1; n <= std::min(kMostColumns, groups.size()); ++n) {

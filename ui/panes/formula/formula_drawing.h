@@ -1,5 +1,5 @@
-// The formulas as a sheet: groups one below the other, in columns where the sheet is wide. In each group equations,
-// numbers and values stand below each other.
+// The formulas as a sheet: groups below each other, in several columns if the sheet is wide. Within a group, equations,
+// numbers and values are aligned.
 #pragma once
 
 #include "painting/drawing.h"
@@ -8,7 +8,7 @@
 namespace reliefui {
 
 struct FormulaSheet {
-    // Where a row stands, and what it says in one line.
+    // Position of a row, and its content as one line of text.
     struct Place {
         Box box;
         std::string words;
@@ -17,7 +17,7 @@ struct FormulaSheet {
     std::vector<Place> places;
 };
 
-// In points, `width` of them wide; its height follows. A sheet too narrow for its words is set smaller as a whole.
+// Lays out a sheet `width` points wide; the height follows. A sheet too narrow for its text is scaled down as a whole.
 FormulaSheet formulaSheet(const std::vector<FormulaGroup>& groups, double width);
 
 }  // namespace reliefui

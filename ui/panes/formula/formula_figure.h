@@ -5,7 +5,8 @@
 
 namespace reliefui {
 
-// The sheet of formulas, as high as its width makes it. part: alone, for the column of a page; none: all.
+// The sheet of formulas; the height follows from the width. part: only this part, for a column of a page; std::nullopt:
+// all parts.
 std::shared_ptr<const Figure> formulaFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             std::optional<FormulaPart> part = {});
 

@@ -1,4 +1,4 @@
-// The step on screen as equations, by what its record looked at.
+// The chosen step as equations, depending on its subject.
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +52,7 @@ class StepRows {
              const char* source = "") {
         rows_.push_back({symbol + " = " + right, std::move(numbers), formulaNumber(value), source, {{symbol, value}}});
     }
-    // A height of the surface or of a maximum against the ray's: which one is larger.
+    // Compares a height of the surface, or a maximum, with the ray's height.
     void compare(const std::string& symbol, double height, const std::string& rayHeight, double z, const char* source) {
         const char* const sign = height < z ? " < " : " ≥ ";
         rows_.push_back({symbol + sign + rayHeight,
@@ -61,8 +61,8 @@ class StepRows {
                          source,
                          {{symbol, height}, {rayHeight, z}}});
     }
-    // Where the tracer went on: as the formula says; or not as far, by a margin for rounding or because what it
-    // searched ends there. The record is right where it is neither.
+    // The lambda at which the tracer continued: the value of the formula, or less, if a margin for rounding or the end
+    // of the searched part limits it. No row is added if the record agrees with neither.
     void goesOn(const std::string& right, const std::string& numbers, double byFormula, const char* source) {
         constexpr double kSame = 1e-4;
         const double after = step_.lambdaAfter;
@@ -73,7 +73,7 @@ class StepRows {
         }
     }
 
-    // [MIP18]: the maximum of a texel against the ray's lowest point in it.
+    // [MIP18]: compares the maximum of a texel with the ray's lowest point in it.
     void highest() {
         const auto* const texel = step_.as<subject::Texel>();
         const auto* const quad = step_.as<subject::Quad>();
@@ -101,7 +101,7 @@ class StepRows {
         }
     }
 
-    // Of the surface's height under one point of the ray.
+    // The surface's height at one point of the ray.
     void sample() {
         if (step_.decision == Decision::Start || step_.decision == Decision::Miss) return;
         if (step_.decision == Decision::Refine) return refined();
@@ -116,8 +116,8 @@ class StepRows {
         compare("h", step_.value, "z_{out}", step_.zOut(), layer != nullptr ? "[DIST17] fig. 2" : "");
     }
 
-    // One height alone: Kaneko's, or Welsh's, which is never longer than the relief is deep. Where neither gives what
-    // the record says (another method's), the height alone.
+    // A single height: the formula of Kaneko, or of Welsh, whose offset is never longer than the relief is deep. If
+    // neither gives the recorded value (another method), only the height is listed.
     void offset() {
         constexpr double kSame = 1e-9;
         const double depth = 1 - step_.value;
@@ -134,7 +134,7 @@ class StepRows {
         }
     }
 
-    // A straight line's answer lies within the part, a halving's at one of its new ends.
+    // The secant's result lies inside the interval, that of a bisection at one end of the new interval.
     void refined() {
         const double middle = step_.lambdaAfter;
         const bool above = middle == step_.lambdaIn;
@@ -170,7 +170,7 @@ class StepRows {
             "√(" + term::square(ray_.a) + " + " + term::square(ray_.b) + " + " + term::square(slab_) + ")", length);
     }
 
-    // A sphere of the map's distance: as far as it reaches along the ray, from the point that it is around.
+    // A sphere with the map's distance as its radius, centred at `from` on the ray; the ray advances to its surface.
     void distance(const std::string& symbol, double from, double distance, const char* source) {
         const double length = relief::texelsPerLambda(ray_.a, ray_.b, slab_);
         list({{"d", distance}, {"D", slab_}}, source);
@@ -204,7 +204,7 @@ class StepRows {
     const Step& step_;
     const Step* before_;
     relief::ViewRay ray_;
-    double slab_;  // texels
+    double slab_;  // in texels
     relief::Language language_;
     std::vector<FormulaRow> rows_;
 };

@@ -1,4 +1,4 @@
-// Numbers in formulas, with their signs where a reader expects them.
+// Formatting of numbers as terms of formulas, with conventional placement of signs.
 #pragma once
 
 #include <cmath>
@@ -12,12 +12,12 @@ namespace reliefui::term {
 inline bool negative(const std::string& text) {
     return text.starts_with("−");
 }
-// In parentheses where a power or a quotient would take a part of it.
+// Adds parentheses if a power or quotient would otherwise bind to only part of the number.
 inline std::string atom(double value) {
     const std::string text = formulaNumber(value);
     return negative(text) || text.find("×") != std::string::npos ? "(" + text + ")" : text;
 }
-// "−0.5 · 12": the sign of both in front.
+// Product with the combined sign in front: "−0.5 · 12".
 inline std::string product(double a, double b) {
     const std::string text = formulaNumber(std::abs(a)) + " · " + formulaNumber(std::abs(b));
     return a * b < 0 ? "−" + text : text;  // nothing is not negative

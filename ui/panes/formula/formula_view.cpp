@@ -16,7 +16,7 @@ FormulaFace::FormulaFace(QWidget* parent) : QAbstractScrollArea(parent) {
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     viewport()->setMouseTracking(true);
-    // Else it would cover the pane, which then is never in sight.
+    // An opaque viewport would hide the pane, which would then never get the paint event that marks it as visible.
     viewport()->setAutoFillBackground(false);
 }
 
@@ -28,11 +28,11 @@ void FormulaFace::setGroups(std::vector<FormulaGroup> groups, relief::MessageId 
     groups_ = std::move(groups);
     missing_ = missing;
     style_ = style;
-    lay();
+    layOut();
 }
 
-// As wide as it is with a scroll bar: the bar's coming and going must not change the height that it depends on.
-void FormulaFace::lay() {
+// The width always allows for the scroll bar, because its appearance must not change the height that it depends on.
+void FormulaFace::layOut() {
     const double unit = style_.pixelsPerPoint();
     const int bar = verticalScrollBar()->sizeHint().width();
     const double width = std::max((this->width() - bar - 2 * margin()) / unit, 1.0);
@@ -63,7 +63,7 @@ void FormulaFace::paintEvent(QPaintEvent*) {
 
 void FormulaFace::resizeEvent(QResizeEvent* event) {
     QAbstractScrollArea::resizeEvent(event);
-    lay();
+    layOut();
 }
 
 void FormulaFace::mouseMoveEvent(QMouseEvent* event) {
@@ -91,7 +91,7 @@ FormulaView::FormulaView(Workspace* workspace, QWidget* parent)
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(face_);
-    connect(face_, &FormulaFace::pointed, this, &FormulaView::tell);
+    connect(face_, &FormulaFace::pointed, this, &FormulaView::readOut);
     connect(face_, &FormulaFace::left, this, [this] { setReadout({}); });
     connect(workspace_, &Workspace::stepChanged, this, &FormulaView::refresh);
     connect(workspace_, &Workspace::texelChanged, this, &FormulaView::refresh);
@@ -102,7 +102,7 @@ FormulaView::FormulaView(Workspace* workspace, QWidget* parent)
 void FormulaView::showSnapshot() {
     const PauseLog::Part part("formulas");
     const auto shown = workspace_->snapshot();
-    // Of a coarse picture the pixel is another one: the numbers wait for the full one.
+    // In a coarse picture the pixel differs; the numbers follow with the full picture.
     if (shown && shown->coarse) return;
     const Style& style = workspace_->style();
     if (!shown) return face_->setGroups({}, relief::MessageId::DrawNoPicture, style);
@@ -110,12 +110,12 @@ void FormulaView::showSnapshot() {
                      formulasMissing(*shown), style);
 }
 
-void FormulaView::letGo() {
+void FormulaView::releaseContents() {
     face_->setGroups({}, relief::MessageId::DrawNoPicture, workspace_->style());
     setReadout({});
 }
 
-void FormulaView::tell(const QPointF& at) {
+void FormulaView::readOut(const QPointF& at) {
     setReadout(face_->rowAt(at));
 }
 

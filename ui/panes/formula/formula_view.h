@@ -1,5 +1,5 @@
-// The formulas' pane: a sheet that is scrolled where it is higher than the pane. It follows the pixel, the step, the
-// method and the filter.
+// The formula pane: a sheet that scrolls if it is higher than the pane. It follows the pixel, the step, the method and
+// the filter.
 #pragma once
 
 #include <QAbstractScrollArea>
@@ -9,16 +9,16 @@
 
 namespace reliefui {
 
-// Shows the groups at full size, as wide as it is.
+// Shows the groups at full size in its own width.
 class FormulaFace : public QAbstractScrollArea {
     Q_OBJECT
   public:
     explicit FormulaFace(QWidget* parent);
 
-    // Without groups: why there are none.
+    // Without groups, shows the message `missing`.
     void setGroups(std::vector<FormulaGroup> groups, relief::MessageId missing, const Style& style);
     const FormulaSheet& sheet() const { return sheet_; }
-    // The row under this point of the viewport, in one line; empty: none.
+    // The row at this point of the viewport as one line of text; empty if there is none.
     QString rowAt(const QPointF& at) const;
 
   signals:
@@ -32,8 +32,8 @@ class FormulaFace : public QAbstractScrollArea {
     bool viewportEvent(QEvent* event) override;
 
   private:
-    void lay();
-    double margin() const;  // pixels
+    void layOut();
+    double margin() const;  // in pixels
 
     std::vector<FormulaGroup> groups_;
     relief::MessageId missing_{};
@@ -51,8 +51,8 @@ class FormulaView : public FigureView {
   protected:
     void showSnapshot() override;
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& at) override;
-    void letGo() override;
+    void readOut(const QPointF& at) override;
+    void releaseContents() override;
 
   private:
     FormulaFace* face_;

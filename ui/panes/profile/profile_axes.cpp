@@ -15,7 +15,7 @@ Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame) {
     const Box seen = frame.seen();
     if (seen.empty()) return drawing;
     const double unit = 1 / frame.zoom;
-    // The axes stay in sight when the plot is larger than the pane.
+    // The axes stay visible when the plot is zoomed beyond the pane.
     const Box all = frame.visible;
     const double x = std::max(frame.plot.x0, all.x0 + chart::kLeft * unit);
     const double y = std::min(frame.plot.y1, all.y1 - chart::bottomOf(frame.whole.height()) * unit);

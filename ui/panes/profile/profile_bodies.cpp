@@ -8,7 +8,7 @@ namespace reliefui {
 
 namespace {
 
-// Steps beyond these around the chosen one are not drawn: nobody could tell them apart.
+// Only this many steps around the chosen one are drawn; more could not be distinguished.
 constexpr std::size_t kMost = 200;
 
 class Bodies {
@@ -24,7 +24,7 @@ class Bodies {
     }
 
   private:
-    // A circle in the plane of the ray; an ellipse where the axes have different scales.
+    // Section of a sphere with the plane of the ray: a circle, or an ellipse if the axes have different scales.
     void sphere(std::size_t k, const StepBody& body, bool chosen) {
         const Point at = frame_.onRay(body.lambda);
         const double rx = body.radius * frame_.plot.width() / (frame_.lambdaEnd * frame_.run);
@@ -33,10 +33,11 @@ class Bodies {
         addEllipse(drawing_, at, rx, ry, frame_.plot, stepId(k), role_, chosen ? Emphasis::Strong : Emphasis::Faint);
     }
 
-    // Two sides of a triangle; what lies behind is in another sector where there are several.
+    // Section of a cone: two sides of a triangle. With several sectors only the forward side, because the other belongs
+    // to another sector.
     void cone(std::size_t k, const StepBody& body, bool chosen) {
         const double longest = frame_.lambdaEnd;
-        const double away = body.away(source_.ray.a, source_.ray.b);  // a unit of lambda
+        const double away = body.away(source_.ray.a, source_.ray.b);  // per unit of lambda
         const auto side = [&](double run) {
             return frame_.at(body.lambda + run, body.apex + body.slope * std::abs(run) * away);
         };
@@ -45,7 +46,7 @@ class Bodies {
         edge.push_back(frame_.at(body.lambda, body.apex));
         edge.push_back(side(longest));
         std::vector<Point> shape;
-        // Close enough for the fill to end at the plot's upper side.
+        // Short enough that the fill ends accurately at the plot's upper side.
         constexpr int kParts = 60;
         for (std::size_t n = 1; n < edge.size(); ++n) {
             for (int p = 0; p <= kParts; ++p) {
@@ -61,13 +62,13 @@ class Bodies {
     Drawing& drawing_;
     const ProfileSource& source_;
     const ProfileFrame& frame_;
-    Role role_ = Role::Empty;  // of the body that is being drawn
+    Role role_ = Role::Empty;  // of the sphere or cone being drawn
 };
 
 }  // namespace
 
 void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen) {
-    // Over the descent, a sphere has no width.
+    // If the x axis is the descent, a sphere has no width to draw.
     if (frame.vertical || source.field->slabTexels() <= 0) return;
     Bodies bodies(drawing, source, frame);
     const std::size_t first = chosen > kMost ? chosen - kMost : 0;

@@ -20,14 +20,14 @@ using relief::Message;
 using relief::MessageId;
 using relief::Phase;
 
-constexpr double kVerticalRun = 1e-9;  // texels: a ray that runs less is drawn over its descent
+constexpr double kVerticalRun = 1e-9;  // in texels; rays with a shorter horizontal run are drawn over their descent
 constexpr double kPixelsPerPoint = 2;  // fine enough for print
 
 double runOf(const relief::ViewRay& ray) {
     return std::hypot(ray.a, ray.b);
 }
 
-// How much of the ray is shown: its end, and what lies behind it.
+// End of the visible part of the ray: somewhat beyond its hit or end.
 double shownLambda(const ProfileSource& source) {
     constexpr double kBehind = 1.15;
     constexpr double kTexelsBehind = 1.5;
@@ -48,7 +48,7 @@ SliceRange sliceRange(const ProfileFrame& frame) {
     return range;
 }
 
-// The line on the drawing; what is below the plot lies on its lower side.
+// Clips the line to the plot's bottom: lower points are moved onto it.
 std::vector<Point> onPlot(const std::vector<Point>& line, const ProfileFrame& frame) {
     std::vector<Point> points;
     Point before;
@@ -79,14 +79,14 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
     }
     const SliceRange range = sliceRange(frame);
     std::vector<int> levels = profileLevels(source, options);
-    // Fine ones lie over coarse ones.
+    // Drawn from coarse to fine, so that fine levels are on top.
     std::reverse(levels.begin(), levels.end());
-    for (const bool wanted : {false, true}) {
+    for (const bool knownPass : {false, true}) {
         for (const int level : levels) {
             for (const Plateau& plateau : plateausAlong(walk, source.ray, level, range)) {
                 const relief::Step& s = plateau.texel;
                 const bool known = !plateau.joined && visited.count(nameOf(s)) > 0;
-                if (known != wanted || s.value < frame.low || !(s.lambdaIn < frame.lambdaEnd)) continue;
+                if (known != knownPass || s.value < frame.low || !(s.lambdaIn < frame.lambdaEnd)) continue;
                 drawing.add({ItemKind::Texel, s.level, s.i, s.j}, Role::Plateau,
                             Polyline{{frame.at(s.lambdaIn, s.value),
                                       frame.at(std::min(s.lambdaOut, frame.lambdaEnd), s.value)}},
@@ -97,7 +97,7 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
 }
 
 void addLayers(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame) {
-    constexpr double kClosest = 5;  // points
+    constexpr double kClosest = 5;  // in points
     const int layers = source.layers();
     const double gap = frame.plot.height() / (frame.high - frame.low) / std::max(layers, 1);
     const auto every = std::max<std::int64_t>(1, std::llround(std::ceil(kClosest / (gap * frame.zoom))));
@@ -143,7 +143,7 @@ std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions
     } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints()) {
         for (std::size_t k = 0; k < source.steps->size(); ++k) {
             const relief::Step& step = (*source.steps)[k];
-            // The apex of a cone is the maximum of no texel.
+            // The apex of a cone is not the maximum of a texel.
             const bool maximum = step.as<relief::subject::Texel>() != nullptr;
             if (maximum && stepShape(step) == StepShape::Plateau) levels.insert(step.level);
         }
@@ -163,9 +163,9 @@ ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& opt
     if (options.nearRay) frame.low = std::max(0.0, 1 - frame.lambdaEnd * (1 + 2 * kHeadroom));
     frame.high = 1 + kHeadroom * (1 - frame.low);
     if (!options.trueAspect || frame.vertical) return frame;
-    // Points a texel: whatever of both directions has less room for it.
+    // Points per texel that fit in both directions.
     const double upwards = (frame.high - frame.low) * source.field->slabTexels();
-    // A ray of a few texels before a deep slab would be a stripe: then more of its surroundings is shown.
+    // A ray of a few texels in a deep slab would give a narrow strip, so more of its surroundings is shown.
     if (!options.nearRay && upwards > 0) {
         const double room = upwards * frame.plot.width() / frame.plot.height() / frame.run;
         frame.lambdaEnd = std::min(std::max(frame.lambdaEnd, room), 1.0);
@@ -203,7 +203,7 @@ Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options
 
 namespace {
 
-// An entry for each level.
+// Adds an entry per level.
 void addLevels(LegendRows& rows, const std::vector<int>& levels, int all) {
     constexpr double kShort = 10;
     bool first = true;
@@ -215,7 +215,7 @@ void addLevels(LegendRows& rows, const std::vector<int>& levels, int all) {
     }
 }
 
-// All of them in one: their colours in a row, "level 0 – 10".
+// Adds a single entry for all levels: their colours in a row, "level 0 – 10".
 void addLevelRange(LegendRows& rows, const std::vector<int>& levels, int all) {
     if (levels.size() < 2) return addLevels(rows, levels, all);
     constexpr double kPiece = 6;

@@ -1,7 +1,7 @@
-// The profile: the relief cut along the chosen ray. Across: the distance from where the ray enters the slab, texels
-// (under repeat unwrapped), or the descent, if the ray is vertical; upwards: the height. The surface, the maxima of the
-// pyramid's texels that the ray crosses, layers, and the steps, numbered. [DIST17] figs. 1 and 2, [MIP18] figs. 4
-// and 5.
+// The profile: the relief cut along the chosen ray. The x axis is the distance from the ray's entry into the slab, in
+// texels (unwrapped if the picture repeats), or the descent if the ray is vertical; the y axis is the height. It shows
+// the surface, the maxima of the pyramid's texels that the ray crosses, layers, and the numbered steps. [DIST17] figs.
+// 1 and 2, [MIP18] figs. 4 and 5.
 #pragma once
 
 #include <cstdint>
@@ -19,47 +19,47 @@
 
 namespace reliefui {
 
-// What is drawn; referred to, not copied.
+// Input of the drawing; holds references, not copies.
 struct ProfileSource {
     const relief::HeightField* field = nullptr;
     std::shared_ptr<const relief::MaxPyramidMap> maxima;
     bool hasRay = false;
     relief::ViewRay ray;
     relief::Hit hit;
-    relief::Hit exact;  // the first hit; Unset: not known
+    relief::Hit exact;  // first hit of the ray; Unset: not known
     const std::vector<relief::Step>* steps = nullptr;
-    std::shared_ptr<const PointQuery> point;  // whose distances are shown; null: none
+    std::shared_ptr<const PointQuery> point;  // point whose distances are shown; null: none
 
-    // Whether its steps looked at the surface at points of the ray only, not at cells and not at a map.
+    // Returns true if all steps examine the surface at points of the ray, not cells or a map.
     bool atPoints() const;
-    // Equal layers that they cut the slab into; 0: they do not.
+    // Number of equal layers into which the steps divide the slab; 0: none.
     int layers() const;
 };
 
-// Of which levels the maxima are shown: of those that the log names, of all.
+// Levels whose maxima are shown: those that occur in the log, or all.
 enum class LevelsShown : std::uint8_t { None, Visited, All };
 struct ProfileOptions {
     LevelsShown levels = LevelsShown::Visited;
-    bool trueAspect = false;  // a texel is as long across as upwards
-    bool nearRay = false;     // only the heights that the ray comes through
-    // Somebody is to guess where the ray hits; or has guessed this lambda, and the answer stands beside it.
+    bool trueAspect = false;  // same scale horizontally and vertically
+    bool nearRay = false;     // show only the range of heights that the ray traverses
+    // The user is to guess where the ray hits; `guess` is the guessed lambda, shown together with the answer.
     bool guessing = false;
     std::optional<double> guess;
 };
 
-// How a log's steps are shown; the decision gives colour and shape. The next kinds of method add theirs. Body: a
-// sphere or cone that a map promises free. Mark: nothing but its mark on the ray.
+// How a step is drawn; its decision gives colour and marker. Body: a sphere or cone that a map guarantees to be empty.
+// Mark: only a mark on the ray.
 enum class StepShape : std::uint8_t { Plateau, Point, Layer, Body, Mark };
 StepShape stepShape(const relief::Step& step);
 
-// Where what lies on the drawing. `visible` is the part that is seen, `zoom` points of the screen a unit of it: what is
-// thinned out, and where the axes stand, depends on them.
+// Layout of the drawing. `visible` is the part on the screen, `zoom` the scale in points of the screen per unit; they
+// determine how much is thinned out, and where the axes stand.
 struct ProfileFrame {
     Box plot;
-    double lambdaEnd = 1;  // at the plot's right side; 0 at the left
-    double low = 0;        // heights of its lower and upper side
+    double lambdaEnd = 1;  // lambda at the plot's right side; 0 at the left
+    double low = 0;        // heights of the lower and upper sides
     double high = 1;
-    double run = 0;  // texels a unit of lambda
+    double run = 0;  // texels per unit of lambda
     bool vertical = false;
     Box whole;
     Box visible;
@@ -71,50 +71,51 @@ struct ProfileFrame {
     Point onRay(double lambda) const { return at(lambda, 1 - lambda); }
     double lambdaAt(double x) const { return (x - plot.x0) / plot.width() * lambdaEnd; }
     double heightAt(double y) const { return low + (plot.y1 - y) / plot.height() * (high - low); }
-    // What is written at the axis there.
+    // Value at the x axis.
     double across(double lambda) const { return vertical ? lambda : lambda * run; }
-    // The part of the plot that is seen.
+    // The visible part of the plot.
     Box seen() const { return plot.cut(visible); }
 };
-// width, height: room in points; all of it is seen.
+// width, height: available room in points; all of it is visible.
 ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& options, double width, double height);
 
 // The relief: surface, maxima, layers.
 Drawing profileRelief(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame);
-// The ray and its steps, and the point with its distances. Steps after the chosen one are drawn faintly; where there is
-// no room for all marks and numbers, those near the chosen one and the first come first.
+// The ray and its steps, and the queried point with its distances. Steps after the chosen one are drawn faintly. If
+// there is no room for all marks and numbers, those near the chosen step and the first ones have priority.
 Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame, int step);
-// Spheres and cones of the steps; part of the marks.
+// Adds spheres and cones of the steps; part of profileMarks().
 void addBodies(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, std::size_t chosen);
-// What is asked of who guesses, or the guess and how far the answer is from it; part of the marks.
+// Adds the prompt for a guess, or the guess and its distance from the answer; part of profileMarks().
 void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOptions& options, const ProfileFrame& frame);
-// How far a guess is from the answer along the ray, at least the descent itself, texels; infinite where nothing is hit.
+// Distance of a guess from the answer along the ray, in texels, at least the difference in depth; infinite without a
+// hit.
 double guessError(const ProfileSource& source, double guess);
-// Numbers and units, at the edges of what is seen.
+// Numbers and units, at the edges of the visible part.
 Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame);
-// In at most `width` points; only what occurs. brief: all levels in one entry, and without the decisions, whose marks
-// have their names in the table of steps.
+// Legend of what occurs, at most `width` points wide. brief: one entry for all levels and none for the decisions, which
+// are named in the table of steps.
 Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options, double width,
                       relief::Language language, bool brief = false);
 
 // What is under a point of the drawing.
 struct ProfileReading {
-    bool inside = false;  // of the plot
+    bool inside = false;  // inside the plot
     double lambda = 0;
     double across = 0;
     double rayHeight = 0;
-    bool onRelief = true;  // not beyond the picture's edge
+    bool onRelief = true;  // not beyond the edge of the height map
     double surface = 0;
-    std::int64_t i = 0;  // the texel, unwrapped
+    std::int64_t i = 0;  // texel, unwrapped
     std::int64_t j = 0;
-    int step = -1;  // the last one, the finest, whose stretch holds the point
+    int step = -1;  // the last (finest) step whose part of the ray contains the point
 };
 ProfileReading profileReading(const ProfileSource& source, const ProfileFrame& frame, Point at);
 
-// Levels whose maxima are shown, fine to coarse.
+// Levels whose maxima are shown, from fine to coarse.
 std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions& options);
 
-// The plane of the ray; refers to the frame. None: a vertical ray has none.
+// The plane of the ray; holds a reference to the frame. std::nullopt for a vertical ray, which has no plane.
 std::optional<PointPlane> pointPlane(const PointQuery& query, const ProfileSource& source, const ProfileFrame& frame);
 
 }  // namespace reliefui

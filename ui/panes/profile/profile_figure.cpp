@@ -2,7 +2,7 @@
 
 #include "painting/painter.h"
 #include "panes/figure_caption.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 
 namespace reliefui {
 

@@ -1,4 +1,4 @@
-// The profile of a snapshot's ray: its source, and the figure.
+// Input of a snapshot's profile, and its figure.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 namespace reliefui {
 
 ProfileSource profileSource(const Snapshot& snapshot);
-// The other choices (a guess) stay.
+// Takes over the pane's choices; the others (a guess) stay.
 void takeProfile(ProfileOptions& options, const ProfilePane& pane);
 
-// point: whose distances are shown.
+// point: its distances are shown.
 std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const ProfileOptions& options, const std::optional<QueryPoint>& point);
 

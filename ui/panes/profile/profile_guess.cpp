@@ -40,7 +40,7 @@ void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOption
     const double error = guessError(source, *options.guess);
     if (hit) {
         const Point there = frame.onRay(std::clamp(source.hit.lambda, 0.0, frame.lambdaEnd));
-        // Above both, so that it is read beside the marks of the steps.
+        // Placed above both positions, clear of the steps' marks.
         const double y = std::max(seen.y0 + 26 / frame.zoom, std::min(at.y, there.y) - 34 / frame.zoom);
         for (const Point end : {at, there}) {
             drawing.add({}, Role::Highlight, Polyline{{{end.x, y}, end}, false}, Emphasis::Faint);

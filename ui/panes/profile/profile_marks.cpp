@@ -16,19 +16,19 @@ using relief::Message;
 using relief::MessageId;
 using relief::Phase;
 
-// Points.
+// Sizes in points.
 constexpr double kMarkSize = 8;
 constexpr double kMarkHalf = 5.5;
 constexpr double kRingHalf = 6.5;
 constexpr double kExactHalf = 8;
-constexpr double kRow = 12.5;  // by which a mark is moved up for want of room
+constexpr double kRow = 12.5;  // distance by which a mark is moved up or down if there is no room
 constexpr double kPlatePad = 5;
 constexpr double kNumberSize = 0.8;
 constexpr double kLevelSize = 0.75;
 constexpr std::size_t kMostMarks = 300;
 constexpr std::size_t kMostSamples = 200;
 
-// Where on the ray a step is marked: in the middle of what it is about, or at its point.
+// Lambda of a step's mark: the middle of the interval it covers, or the point it examines.
 double markLambda(const relief::Step& s, double shown) {
     switch (s.decision) {
         case Decision::Start:
@@ -46,7 +46,7 @@ double markLambda(const relief::Step& s, double shown) {
         default:
             break;
     }
-    // Of what is shown of it.
+    // Middle of the visible part.
     return (s.lambdaIn + std::min(s.lambdaOut, shown)) / 2;
 }
 
@@ -111,12 +111,12 @@ class Marks {
                            .offset = {0, -7}},
                      Emphasis::Strong);
         if (stepShape(s) != StepShape::Plateau || s.value < frame_.low) return;
-        // The maximum that decided, where it did.
+        // Highlights the maximum on which the decision was based.
         drawing_.add({}, Role::Plateau, Polyline{{frame_.at(from, s.value), frame_.at(to, s.value)}}, Emphasis::Strong,
                      {s.level, source_.maxima->pyramid.levels()});
     }
 
-    // Black and white are no colours of a stretch: the ray keeps its own.
+    // White and black (hit and limit) are not used for the ray's parts, which keep the ray's own colour.
     static Role stretchRole(Decision decision) {
         const Role role = roleOf(decision);
         return role == Role::Hit || role == Role::Limit ? Role::Frame : role;
@@ -124,7 +124,7 @@ class Marks {
 
     void line(double from, double to, Role role, Emphasis strength) {
         if (!(from < to)) return;
-        // Not below the plot: near the ray nothing of it is.
+        // Not clipped to the plot's bottom: with `nearRay`, the ray never lies below it.
         drawing_.add({ItemKind::Ray, 0, 0, 0}, role, Polyline{{frame_.onRay(from), frame_.onRay(to)}, false}, strength);
     }
 
@@ -141,7 +141,7 @@ class Marks {
             line(clamped(s.lambdaIn), std::min(clamped(s.lambdaOut), clamped(end)),
                  role == Role::Frame ? Role::Ray : role, Emphasis::Strong);
         }
-        // What names of levels keep clear of.
+        // Places along the ray that the names of levels must not cover.
         constexpr double kEvery = 6;
         const Box seen = points(frame_.seen());
         for (double x = seen.x0; x < seen.x1; x += kEvery) {
@@ -150,7 +150,7 @@ class Marks {
         }
     }
 
-    // The heights that were read, joined to the ray where they were compared with it.
+    // The heights that were read, with lines to the ray where they were compared with it.
     void samples() {
         std::size_t drawn = 0;
         const bool single = source_.atPoints() && source_.steps->size() <= 2;
@@ -159,7 +159,7 @@ class Marks {
             const StepShape shape = stepShape(s);
             const bool read = shape == StepShape::Point || shape == StepShape::Layer;
             if (!read || s.decision == Decision::Miss || s.decision == Decision::Limit) continue;
-            // A single height is read where the ray enters.
+            // A method that reads a single height reads it where the ray enters.
             const double at = single ? 0 : (s.decision == Decision::Refine ? s.lambdaAfter : s.lambdaOut);
             const double height =
                 s.decision == Decision::Refine ? surfaceAt(*source_.field, source_.ray, s.lambdaAfter) : s.value;
@@ -181,7 +181,7 @@ class Marks {
         }
     }
 
-    // The chosen step first, then the others in order; a mark without room on the ray stands above it.
+    // Places the chosen step's mark first, then the others in order; a mark without room on the ray is moved above it.
     void marks() {
         hitNumber();
         mark(chosen_, true);
@@ -192,8 +192,8 @@ class Marks {
     }
 
     struct Unit {
-        Point center;  // of the mark, points
-        Box box;       // with its number
+        Point center;  // position of the mark, in points
+        Box box;       // including its number
         bool numbered = true;
     };
     static Unit unit(Point center, double numberWidth) {
@@ -202,15 +202,16 @@ class Marks {
                 numberWidth > 0};
     }
 
-    // Rows and columns away from where a mark belongs, the nearest first; above rather than below or beside.
+    // Offsets in rows and columns to try for a mark, in order of preference: near before far, above before below or
+    // sideways.
     static const std::vector<std::pair<int, int>>& shifts() {
         static const auto kShifts = [] {
             constexpr int kUp = 9;
             constexpr int kDown = 4;
-            constexpr int kAside = 3;
+            constexpr int kSideways = 3;
             std::vector<std::pair<double, std::pair<int, int>>> all;
             for (int row = -kUp; row <= kDown; ++row) {
-                for (int column = -kAside; column <= kAside; ++column) {
+                for (int column = -kSideways; column <= kSideways; ++column) {
                     const double upwards = row > 0 ? 6.0 * row : -row;
                     all.push_back({upwards + (column < 0 ? -5.6 : 5.5) * column, {row, column}});
                 }
@@ -223,7 +224,7 @@ class Marks {
         return kShifts;
     }
 
-    // Points at the right of which nothing is seen.
+    // Right edge of the visible part, in points.
     double rim() const { return points(frame_.visible).x1; }
 
     std::optional<Unit> room(Point anchor, double numberWidth) const {
@@ -234,7 +235,7 @@ class Marks {
             const bool moved = row != 0 || column != 0;
             const bool inside =
                 next.box.x0 >= seen.x0 && next.box.y0 >= seen.y0 && next.box.x1 <= seen.x1 && next.box.y1 <= seen.y1;
-            // Where it belongs a mark may reach over the rim of the plot, but its number not over that of the drawing.
+            // A mark at its own place may extend beyond the plot, but its number must stay inside the drawing.
             const bool whole = moved ? inside : next.box.x1 <= rim();
             if (whole && places_.free(next.box)) return next;
         }
@@ -243,7 +244,7 @@ class Marks {
         return std::nullopt;
     }
 
-    // The hit's number stands at its ring; nothing else does.
+    // The hit has a ring instead of a mark; only its number is placed here.
     void hitNumber() {
         if (!isHit() || source_.hit.lambda > frame_.lambdaEnd) return;
         const Point on = frame_.onRay(source_.hit.lambda);
@@ -252,7 +253,7 @@ class Marks {
         const std::size_t k = source_.steps->size() - 1;
         if (step(k).decision == Decision::Hit) {
             const std::string number = std::to_string(k + 1);
-            // At the left where it would be cut off.
+            // Left of the ring if it would be cut off at the right.
             const double width = numberWidth(number) + 1;
             const bool left = box.x1 + width > rim();
             (left ? box.x0 : box.x1) += left ? -width : width;
@@ -273,7 +274,7 @@ class Marks {
 
     bool mark(std::size_t k, bool always) {
         const relief::Step& s = step(k);
-        if (s.decision == Decision::Hit && isHit()) return false;  // the ring
+        if (s.decision == Decision::Hit && isHit()) return false;  // drawn as the ring
         const StepBody body = stepBody(s);
         const double lambda = body ? body.lambda : markLambda(s, frame_.lambdaEnd);
         if (!(lambda <= frame_.lambdaEnd)) return false;
@@ -309,7 +310,7 @@ class Marks {
         drawing_.add({ItemKind::Hit, 0, 0, 0}, Role::Hit, Ring{frame_.onRay(source_.hit.lambda), 5});
     }
 
-    // Round the exact hit, with how far the answer is from it where that is not nothing.
+    // The exact hit, with the distance of the method's answer from it if they differ.
     void exactHit() {
         const relief::Hit& exact = source_.exact;
         if (options_.guessing || exact.outcome != relief::Outcome::Hit || exact.lambda > frame_.lambdaEnd) return;
@@ -331,7 +332,7 @@ class Marks {
                      Emphasis::Strong);
     }
 
-    // One name a level, beside one of its plateaus, clear of marks, lines and ray.
+    // Adds each level's name once, next to one of its plateaus, clear of marks, lines and the ray.
     void levelNames() {
         if (frame_.vertical || frame_.seen().empty()) return;
         const Box seen = points(frame_.seen());
@@ -340,7 +341,7 @@ class Marks {
         range.to = clamped(frame_.lambdaAt(frame_.seen().x1));
         range.columns = std::max(1.0, seen.width());
         const relief::PyramidWalk walk(*source_.field, source_.maxima);
-        constexpr std::size_t kMost = 40;  // the longest are the easiest to find
+        constexpr std::size_t kMost = 40;  // only the longest plateaus are tried, which have the most room
         std::vector<std::pair<int, std::vector<Plateau>>> levels;
         for (const int level : profileLevels(source_, options_)) {
             std::vector<Plateau> plateaus = plateausAlong(walk, source_.ray, level, range);
@@ -395,9 +396,9 @@ class Marks {
     const ProfileSource& source_;
     const ProfileOptions& options_;
     const ProfileFrame& frame_;
-    double unit_;  // of the drawing, a point
+    double unit_;  // drawing units per point
     std::size_t chosen_;
-    LabelRoom places_;  // points
+    LabelRoom places_;  // in points
     std::vector<Box> rayPlaces_;
     std::vector<Box> linePlaces_;
     Drawing drawing_;

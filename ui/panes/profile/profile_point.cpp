@@ -1,4 +1,4 @@
-// Where the plane of the profile's ray passes the point whose distances are shown.
+// The plane of the profile's ray, for drawing the point whose distances are shown.
 #include <cmath>
 
 #include "panes/profile/profile_drawing.h"

@@ -1,4 +1,4 @@
-// What is chosen in the profile's pane.
+// The user's choices in the profile pane.
 #pragma once
 
 #include "workspace/state_json.h"

@@ -33,8 +33,8 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
         if (options_.guessing && ready()) guessAt(frame_.lambdaAt(canvas_->toDrawing(at).x));
     });
     connect(workspace_, &Workspace::guessingChanged, this, &ProfileView::showGuessing);
-    connect(canvas_, &DrawingCanvas::asked, this, &ProfileView::askPoint);
-    connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::tell);
+    connect(canvas_, &DrawingCanvas::pointQueried, this, &ProfileView::askPoint);
+    connect(canvas_, &DrawingCanvas::pointed, this, &ProfileView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &ProfileView::refresh);
     connect(canvas_, &DrawingCanvas::moved, this, &ProfileView::redraw);
@@ -123,7 +123,7 @@ void ProfileView::showSnapshot() {
     const PauseLog::Part part("profile");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
-    // A guess is about one ray.
+    // A guess applies to one ray only.
     if (options_.guess && shown_ && shown_->version != guessed_) options_.guess.reset();
     if (!ready()) {
         showEmpty(!shown_ ? workspace_->whyEmpty()
@@ -132,7 +132,8 @@ void ProfileView::showSnapshot() {
     }
     point_.ask(shown_, query_);
     const ProfileSource from = source();
-    // The legend first: what it needs is not left to the plot. Where it would take too much it says less.
+    // The legend is laid out first; the plot gets the remaining room. If the legend would take too much, it is
+    // shortened.
     constexpr double kMostLegend = 0.25;
     const relief::Language language = workspace_->style().language;
     for (const bool brief : {false, true}) {
@@ -142,26 +143,26 @@ void ProfileView::showSnapshot() {
     }
     const QSizeF room = canvas_->room();
     frame_ = profileFrame(from, options_, room.width(), room.height());
-    // Where it lies, so that the canvas knows what it shows.
+    // An empty layer that tells the canvas the drawing's bounds.
     auto bounds = std::make_shared<Drawing>();
     bounds->bounds = frame_.whole;
     canvas_->setLayers({std::move(bounds)}, legend_);
     redraw();
 }
 
-void ProfileView::letGo() {
+void ProfileView::releaseContents() {
     point_.drop();
     shown_.reset();
     relief_.reset();
     axes_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void ProfileView::redraw() {
     const PauseLog::Part part("profile: relief");
-    if (!ready() || !inSight()) return;
+    if (!ready() || !isOnScreen()) return;
     frame_.visible = canvas_->atHome() ? frame_.whole : canvas_->visible();
     frame_.zoom = canvas_->atHome() ? 1 : canvas_->zoom();
     const ProfileSource from = source();
@@ -172,7 +173,7 @@ void ProfileView::redraw() {
 
 void ProfileView::refreshStep() {
     const PauseLog::Part part("profile: marks");
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     if (!ready() || !relief_) return;
     auto marks = std::make_shared<const Drawing>(profileMarks(source(), options_, frame_, workspace_->scenario().step));
     canvas_->setLayers({relief_, axes_, std::move(marks)}, legend_);
@@ -190,7 +191,7 @@ void ProfileView::guessAt(double lambda) {
     options_.guess = std::clamp(lambda, 0.0, frame_.lambdaEnd);
     guessed_ = workspace_->version();
     workspace_->setGuessing(false);
-    // The answer.
+    // Show the answer.
     workspace_->chooseStep(static_cast<int>(shown_->trace.steps.size()) - 1);
 }
 
@@ -207,7 +208,7 @@ void ProfileView::choose(const ItemId& id) {
     if (id.kind == ItemKind::Step && id.i < count) workspace_->chooseStep(static_cast<int>(id.i));
     if (id.kind == ItemKind::Hit && count > 0) workspace_->chooseStep(static_cast<int>(count - 1));
     if (id.kind != ItemKind::Texel) return;
-    // Of all steps on this texel, the next one after the current, round and round.
+    // If several steps concern this texel, choose the one after the current step, cyclically.
     const std::int64_t current =
         std::clamp<std::int64_t>(workspace_->scenario().step, 0, std::max<std::int64_t>(count - 1, 0));
     for (std::int64_t n = 1; n <= count; ++n) {
@@ -220,7 +221,7 @@ void ProfileView::choose(const ItemId& id) {
     }
 }
 
-void ProfileView::tell(const QPointF& widget) {
+void ProfileView::readOut(const QPointF& widget) {
     if (!ready() || !relief_) return setReadout({});
     const ProfileReading at = profileReading(source(), frame_, canvas_->toDrawing(widget));
     if (!at.inside) return setReadout({});
@@ -239,7 +240,7 @@ std::optional<QueryPoint> ProfileView::pointAt(const QPointF& widget) const {
     const relief::HeightField& field = shown_->request->field;
     const Point at = canvas_->toDrawing(widget);
     const double height = frame_.heightAt(at.y);
-    // Above the slab there is some room.
+    // The plot includes some room above the slab, where there are no points.
     if (!frame_.plot.contains(at) || height > 1 || field.slabTexels() <= 0) return std::nullopt;
     const Point texel = RayPath(field, shown_->trace.ray).at(frame_.lambdaAt(at.x));
     const QueryPoint point{texel.x, texel.y, std::max(height, 0.0)};

@@ -1,12 +1,12 @@
 // The slice along the chosen pixel's ray: surface, ray, maxima of the pyramid, layers, numbered steps. A click on a
-// step chooses it, Ctrl+click asks for the distances of a point; wheel and drag zoom and move, R shows all again.
+// step chooses it, Ctrl+click shows the distances of a point; wheel and drag zoom and move, R resets the view.
 #pragma once
 
 #include <memory>
 #include <type_traits>
 
 #include "panes/figure_view.h"
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 #include "panes/profile/profile_drawing.h"
 #include "panes/profile/profile_state.h"
 
@@ -32,15 +32,15 @@ class ProfileView : public FigureView {
     void showNearRay(bool on);
     void setTrueAspect(bool on);
     void resetZoom();
-    // Somebody guesses where the ray hits, by a click on the profile; then the answer is shown beside the guess.
+    // Lets the user guess the hit by a click on the profile; then the answer is shown next to the guess.
     void guessAt(double lambda);
 
   protected:
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
     bool showsPoints() const override { return true; }
     std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
@@ -54,9 +54,9 @@ class ProfileView : public FigureView {
         pane.*choice = value;
         change(pane);
     }
-    void adopt();        // what the scenario says
-    void redraw();       // another part is seen
-    void refreshStep();  // another step
+    void adopt();        // takes over the scenario's state of this pane
+    void redraw();       // draws again for another visible part
+    void refreshStep();  // draws the marks of another step
     void showEmpty(relief::MessageId why);
     void choose(const ItemId& id);
     void showGuessing(bool on);
@@ -71,13 +71,13 @@ class ProfileView : public FigureView {
     std::shared_ptr<const Snapshot> shown_;
     ProfileOptions options_;
     ProfilePane pane_;
-    std::uint64_t guessed_ = 0;  // the version that the guess is about
+    std::uint64_t guessed_ = 0;  // snapshot version to which the guess belongs
     ProfileFrame frame_;
     std::shared_ptr<const Drawing> relief_;
     std::shared_ptr<const Drawing> axes_;
     std::shared_ptr<const Drawing> legend_;
     std::optional<QueryPoint> query_;
-    PointAsker point_{this, [this] { refresh(); }};  // last: ends before the rest
+    PointFinder point_{this, [this] { refresh(); }};  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

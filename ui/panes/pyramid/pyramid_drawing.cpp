@@ -14,12 +14,12 @@ using relief::Decision;
 using relief::Message;
 using relief::MessageId;
 
-// Steps beyond these around the chosen one are not marked: nobody can see them, and a redraw stays quick.
+// Only this many steps around the chosen one are marked: more could not be distinguished, and redrawing stays fast.
 constexpr std::size_t kMarkedSteps = 4000;
 constexpr std::size_t kNumberedTexels = 80;
 constexpr double kTitleSize = 0.9;
 
-// As much of it as fits into the room.
+// Title of a level, shortened to fit the room.
 Message levelTitle(const relief::Pyramid& pyramid, int level, double room) {
     constexpr MessageId kWhole[] = {MessageId::DrawLevelMean, MessageId::DrawLevelMax, MessageId::DrawLevelMin};
     static_assert(static_cast<int>(relief::PyramidKind::Max) == 1 && static_cast<int>(relief::PyramidKind::Min) == 2);
@@ -36,13 +36,13 @@ struct Window {
     bool whole = true;
 };
 
-// What the blocks show: everything, or the surroundings of the ray, in whole texels, at least as wide as `aspect` times
-// its height or the other way round.
+// The part of the texture shown in all blocks: everything, or the surroundings of the ray in whole texels, widened in
+// one direction to have at least this aspect.
 Window windowOf(const PyramidSource& source, double aspect) {
     const Box whole = source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
     if (!source.nearRay || !source.hasRay) return {whole, true};
-    constexpr double kAround = 0.3;  // of the ray's extent
-    constexpr double kLeast = 12;    // texels
+    constexpr double kAround = 0.3;  // as a share of the ray's extent
+    constexpr double kLeast = 12;    // in texels
     const RayPath path(*source.field, source.ray);
     const Point from = path.at(0);
     const Point to = path.at(rayEnd(source.hit, source.steps));
@@ -54,14 +54,14 @@ Window windowOf(const PyramidSource& source, double aspect) {
     height = std::max(height, width / shape);
     if (!(width < whole.width() && height < whole.height())) return {whole, true};
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-    // On the lines between cells, which for means are those between texels.
+    // Aligned with the borders of cells; for means, of texels.
     const auto snap = [](double v, double origin) { return std::round(v - origin) + origin; };
     const double x0 = snap(middle.x - width / 2, whole.x0);
     const double y0 = snap(middle.y - height / 2, whole.y0);
     return {{x0, y0, x0 + std::ceil(width), y0 + std::ceil(height)}, false};
 }
 
-// The shape of the surroundings that shows the ray largest in this room; of equals the one that fills it best.
+// The aspect of the surroundings that shows the ray largest in this room; among equals, the one that fills it best.
 struct Arrangement {
     Window window;
     std::vector<LevelBlock> blocks;
@@ -80,12 +80,12 @@ Arrangement arrange(const PyramidSource& source, double width, double height) {
             best = std::move(next);
             bestScore = score;
         }
-        if (best.window.whole || source.slender) break;  // always the same
+        if (best.window.whole || source.slender) break;  // the aspect has no effect
     }
     return best;
 }
 
-// The texels of one level that steps are about, each once, with the numbers of its steps.
+// A texel of one level that steps concern, with the indices of these steps.
 struct Visit {
     Box box;
     std::vector<std::size_t> steps;
@@ -133,7 +133,7 @@ class Marks {
             visit.steps.push_back(k);
             for (const Box& box : boxesOf(s)) {
                 visit.box = box;
-                // Several decisions about one texel stand inside each other.
+                // Outlines of several decisions about one texel are nested.
                 const auto ring = static_cast<double>(std::min<std::size_t>(visit.steps.size() - 1, 3));
                 drawing_.add(stepId(k), roleOf(s.decision), Rectangle{box, false, 0.5 + 2.2 * ring, 4}, emphasis(k));
             }
@@ -223,7 +223,7 @@ class Marks {
     Drawing drawing_;
 };
 
-// A level in its block, once for each period of it that is seen there.
+// Adds a level's cells to its block, once for each visible periodic copy.
 void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& block) {
     const Box period = source.overCells ? cellDomain(*source.field) : texelDomain(*source.field);
     const relief::CellGrid grid(*source.field);
@@ -235,7 +235,7 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
             const Box part{period.x0 + i * period.width(), period.y0 + j * period.height(),
                            period.x1 + i * period.width(), period.y1 + j * period.height()};
             Cells cells;
-            // Shares the pyramid's life, not its data.
+            // Shares ownership of the pyramid; the values are not copied.
             cells.values = {source.pyramid, &source.pyramid->level(block.level)};
             const Point shift = source.overCells ? Point{-grid.x.shift, -grid.y.shift} : Point{0, 0};
             const Point origin = block.toDrawing(Point{shift.x + i * period.width(), shift.y + j * period.height()});
@@ -245,7 +245,7 @@ void addCells(Drawing& drawing, const PyramidSource& source, const LevelBlock& b
             cells.cellHeight = std::ldexp(block.unitY(), block.level);
             cells.clip = block.toDrawing(part.cut(block.domain));
             cells.print = true;
-            // The ray's marks and the numbers of its steps stand in the texels, too.
+            // Printed values need more room, because the ray's marks and step numbers share the texel with them.
             constexpr double kForBoth = 28;
             if (source.hasRay) cells.printFrom = kForBoth;
             if (source.overCells && block.level == 0) {

@@ -1,5 +1,5 @@
-// The pyramid as a drawing: every level side by side, values in the texels, and on each level the texels that the ray
-// visited, in the order of its steps. [MIP18] figs. 2 to 5.
+// The pyramid as a drawing: all levels side by side, values printed in the texels, and on each level the texels that
+// the ray visited, in the order of its steps. [MIP18] figs. 2 to 5.
 #pragma once
 
 #include <memory>
@@ -16,36 +16,38 @@
 
 namespace reliefui {
 
-// What is drawn; referred to, not copied.
+// Input of the drawing; holds references, not copies.
 struct PyramidSource {
     const relief::HeightField* field = nullptr;
-    std::shared_ptr<const relief::Pyramid> pyramid;  // its kind tells what its texels lie over
-    int baseLevel = 0;                               // of the steps, see stepBox
-    bool overCells = true;                           // of the field's cells (maxima), or of its texels (means)
+    // its kind determines whether its texels lie over cells or texels of the field
+    std::shared_ptr<const relief::Pyramid> pyramid;
+    int baseLevel = 0;      // of the steps, see stepBox()
+    bool overCells = true;  // over the field's cells (maxima) or its texels (means)
     bool hasRay = false;
     relief::ViewRay ray;
     relief::Hit hit;
     const std::vector<relief::Step>* steps = nullptr;
-    bool nearRay = false;  // only the surroundings of the ray, on all levels, if it is not longer than the texture
-    bool slender = false;  // of these no more than the ray needs, however long and narrow that is
+    // show only the surroundings of the ray on all levels, if the ray is not longer than the texture
+    bool nearRay = false;
+    bool slender = false;  // limit the surroundings to what the ray needs, however long and narrow
 };
 
-// Lambda where the ray ends: at its hit, or where it was given up.
+// Lambda at the end of the ray: its hit, or where the tracer gave up.
 double rayEnd(const PyramidSource& source);
 
-// The levels alone: made anew only with the map or the room (points).
+// The levels alone; built again only if the map or the size (in points) changes.
 struct PyramidPicture {
     std::vector<LevelBlock> blocks;
     Drawing levels;
     bool wraps = false;  // the blocks show one period, into which the ray is wrapped
 };
-// origin: its upper left corner.
+// origin: upper left corner.
 PyramidPicture pyramidPicture(const PyramidSource& source, double width, double height, Point origin = {});
 
 // The ray and its steps on the blocks. Steps after the chosen one are drawn faintly.
 Drawing pyramidMarks(const PyramidSource& source, const PyramidPicture& picture, int step);
 
-// Heights and decisions, in at most `width` points; only decisions that occur. brief: without the histogram.
+// Legend of heights and of the decisions that occur, at most `width` points wide. brief: without the histogram.
 Drawing pyramidLegend(const PyramidSource& source, const RangedValues& heights, double width, relief::Language language,
                       bool brief = false);
 

@@ -23,7 +23,7 @@ struct Page {
 Page pageOf(const Snapshot& snapshot, const PyramidOptions& options, const Box& page, const Style& style) {
     const double unit = style.pixelsPerPoint();
     Page made;
-    // Twice: the legend's height decides what room the levels have, and what is seen of them is what the legend shows.
+    // Two passes: the legend's height determines the room of the levels, and their visible part determines the legend.
     for (int n = 0; n < 2; ++n) {
         made.room = figureRoom(made.legend, page, style);
         made.parts =
@@ -42,9 +42,10 @@ bool everyValueIsWritten(const Page& page, const Style& style) {
     });
 }
 
-// High enough for every value to be written, where that needs no page higher than wide.
+// High enough to print every value, unless the page would become higher than wide.
 double aspectOf(const Snapshot& snapshot, const PyramidOptions& options, const FigurePage& page) {
-    constexpr double kFiner = 8;  // pixels a point: letters are whole pixels high
+    // pixels per point; fine enough that rounding of font sizes to whole pixels does not matter
+    constexpr double kFiner = 8;
     constexpr double kHigher = 0.04;
     Style style = page.style;
     style.projector = false;
@@ -74,7 +75,7 @@ struct SlabsFigure : SpaceFigure {
         scene.showStep(step);
         scene.lookFromHome();
         if (camera) scene.camera = *camera;
-        // Seen from there; as near as the picture allows.
+        // Keeps the camera's direction and moves it as close as the picture allows.
         scene.showAll(pixels.width(), pixels.height());
         scene.place();
         const QImage image = rendered(window, pixels);

@@ -9,10 +9,11 @@
 
 namespace reliefui {
 
-// High enough for every value to be written into its texel, where that needs no page higher than wide.
+// The page is high enough to print every texel's value, unless it would become higher than wide.
 std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const PyramidOptions& options);
-// camera: from where the slabs are seen; none: as at first. By OpenGL: WorkError where there is none.
+// camera: view of the slabs; std::nullopt: the initial view. Rendered with OpenGL; throws WorkError if it is not
+// available.
 std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                           const PyramidOptions& options, const std::optional<Turntable>& camera);
 

@@ -7,18 +7,18 @@ namespace reliefui {
 namespace {
 
 constexpr double kGap = 8;
-// Maps of a very uneven shape are stretched to no more than this.
+// Limit of the aspect of blocks; maps with a more extreme aspect are stretched.
 constexpr double kLongest = 6;
 
-// A grid of places for small blocks; level 0 takes span x span of them, in the upper left corner.
+// A grid of places for small blocks; level 0 takes span x span of them in the upper left corner.
 struct Plan {
     int columns = 1;
     int rows = 1;
     int span = 1;
     double large = 0;  // height of level 0
-    double small = 0;  // of the others
+    double small = 0;  // height of the other levels
 
-    // Both should be large; that the many small ones can be read counts for more.
+    // Quality of a plan. Both sizes should be large, but legibility of the many small blocks counts more.
     double score() const { return large * std::pow(small, 1.6); }
 };
 
@@ -44,7 +44,7 @@ Plan bestPlan(int others, double aspect, double width, double height) {
             if (plan.small > 0 && plan.score() > best.score()) best = plan;
         }
     }
-    if (best.small <= 0) best = {others + 1, 1, 1, 20, 20};  // a pane of no size
+    if (best.small <= 0) best = {others + 1, 1, 1, 20, 20};  // a pane without area
     return best;
 }
 
@@ -61,7 +61,7 @@ std::vector<LevelBlock> pyramidLayout(int levels, const Box& domain, double widt
         blocks.push_back(
             {static_cast<int>(blocks.size()), {x, top, x + aspect * side, top + side}, domain, {x, top - 2}});
     };
-    // Level 0 may be lower than its places are high: the others come nearer.
+    // Level 0 is placed first. It may be lower than its places, so that the others move up.
     add(0, 0, plan.large);
     for (int place = 0; static_cast<int>(blocks.size()) < levels; ++place) {
         const int column = place % plan.columns;

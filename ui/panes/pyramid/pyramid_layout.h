@@ -1,5 +1,5 @@
-// Where the levels of a pyramid stand beside each other: level 0 large, the others in rows of equal blocks, each
-// showing the same part of the texture, so that the ray looks the same on every level.
+// Layout of a pyramid's levels side by side: level 0 large, the others in rows of equal blocks. All blocks show the
+// same part of the texture, so that the ray looks the same on every level.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace reliefui {
 struct LevelBlock {
     int level = 0;
     Box box;      // on the drawing
-    Box domain;   // what of the texture's plane it shows, texels
-    Point title;  // its lower left corner
+    Box domain;   // part of the texture plane shown, in texels
+    Point title;  // lower left corner of the title
 
     double unitX() const { return box.width() / domain.width(); }
     double unitY() const { return box.height() / domain.height(); }
@@ -33,7 +33,7 @@ struct LevelBlock {
 
 inline constexpr double kTitleHeight = 14;
 
-// width, height: room in points.
+// width, height: available room in points.
 std::vector<LevelBlock> pyramidLayout(int levels, const Box& domain, double width, double height);
 
 }  // namespace reliefui

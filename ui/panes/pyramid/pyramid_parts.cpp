@@ -11,9 +11,9 @@ namespace {
 
 using relief::PyramidKind;
 
-constexpr double kBetween = 16;  // points
+constexpr double kBetween = 16;  // in points
 
-// The values of all levels, as far as they are drawn.
+// Values of the visible cells of all levels.
 ValueSpread seenHeights(const Drawing& levels) {
     constexpr std::size_t kMostSorted = std::size_t{1} << 16;
     ValueSpread spread(kMostSorted);
@@ -29,7 +29,7 @@ ValueSpread seenHeights(const Drawing& levels) {
     return spread;
 }
 
-// The same height has the same colour on all levels and in all pyramids; the colours begin and end with what is seen.
+// Colours the heights with a common range for all levels and pyramids, which spans the visible values.
 void colorHeights(PyramidParts& parts, const ColorRange& range, relief::Language language) {
     const relief::HeightField& field = *parts.parts.front().source.field;
     RangedValues& heights = parts.heights;
@@ -51,7 +51,7 @@ void colorHeights(PyramidParts& parts, const ColorRange& range, relief::Language
     for (PyramidPart& part : parts.parts) apply(part.picture.levels);
 }
 
-// How large its levels are drawn.
+// Measure of the size at which the levels are drawn.
 double scaleOf(const PyramidPicture& picture) {
     return picture.blocks.front().unitX() * picture.blocks.back().unitX();
 }
@@ -106,7 +106,7 @@ PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& option
         one.kind = kind;
         return pyramidSource(snapshot, one);
     };
-    // One above the other or side by side, whichever draws them larger.
+    // Arranges the pyramids vertically or horizontally, whichever draws them larger.
     const double high = (height - (count - 1) * kBetween) / count;
     const double wide = (width - (count - 1) * kBetween) / count;
     const PyramidSource first = sourceOf(kinds.front());

@@ -1,5 +1,5 @@
-// The pyramids that the pyramid's pane and its figure show: one, or maxima, means and minima beside each other, each
-// where it has most room.
+// The pyramids shown by the pyramid pane and its figure: one, or maxima, means and minima, arranged so that they are as
+// large as possible.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@
 namespace reliefui {
 
 struct PyramidOptions {
-    relief::PyramidKind kind = relief::PyramidKind::Max;  // the maxima are over the cells, the others over the texels
+    relief::PyramidKind kind = relief::PyramidKind::Max;  // maxima lie over the cells, the others over the texels
     bool nearRay = true;
-    bool all = false;      // maxima, means and minima beside each other
-    bool slender = false;  // for slabs in space: PyramidSource::slender
+    bool all = false;      // show maxima, means and minima
+    bool slender = false;  // for the slab view, see PyramidSource::slender
     ColorRange heights = standardRange(RangeOf::Height);
 };
 PyramidOptions pyramidOptions(const relief::Scenario& scenario);
@@ -27,16 +27,16 @@ struct PyramidPart {
     PyramidPicture picture;
 };
 
-// Refers to the snapshot.
+// Holds references to the snapshot.
 struct PyramidParts {
     std::vector<PyramidPart> parts;
-    Drawing levels;        // of all of them
-    RangedValues heights;  // that are seen on any level, in the colours of all
+    Drawing levels;        // of all parts
+    RangedValues heights;  // values visible on any level, with the common colour range
 
-    // Under a point of the drawing; null: none.
+    // The part at a point of the drawing; null: none.
     const PyramidPart* at(Point point) const;
 };
-// width, height: points; language: of the name of the heights. Of large pictures only the pyramids that are there.
+// width, height: in points; language: of the name of the heights. For large pictures only the pyramids that exist.
 PyramidParts pyramidParts(const Snapshot& snapshot, const PyramidOptions& options, double width, double height,
                           relief::Language language = relief::Language::English);
 Drawing partsMarks(const PyramidParts& parts, int step);

@@ -19,7 +19,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kClickReach = 4;  // pixels
+constexpr double kClickReach = 4;  // in pixels
 
 }  // namespace
 
@@ -44,7 +44,7 @@ PyramidStack::PyramidStack(QWidget* parent)
 }
 
 PyramidStack::~PyramidStack() {
-    renderSoon_.stop();
+    deferredRender_.stop();
 }
 
 void PyramidStack::show(const PyramidParts& parts, const Style& style) {
@@ -57,16 +57,16 @@ void PyramidStack::show(const PyramidParts& parts, const Style& style) {
                                                                static_cast<double>(tower.top() + parts.parts.size())});
     if (!turned_) scene_.lookFromHome();
     if (std::exchange(placedFor_, now) != now) showAll();
-    renderSoon_.start();
+    deferredRender_.start();
 }
 
 void PyramidStack::showStep(int step) {
     scene_.showStep(step);
-    renderSoon_.start();
+    deferredRender_.start();
 }
 
-void PyramidStack::letGo() {
-    scene_.letGo();
+void PyramidStack::releaseContents() {
+    scene_.releaseContents();
 }
 
 QPointF PyramidStack::toWidget(std::size_t part, int level, Point texel) const {
@@ -91,7 +91,7 @@ void PyramidStack::fit() {
     turned_ = false;
     scene_.lookFromHome();
     showAll();
-    renderSoon_.start();
+    deferredRender_.start();
 }
 
 bool PyramidStack::handleMouse(QMouseEvent* event, bool released) {
@@ -116,7 +116,7 @@ bool PyramidStack::handleMouse(QMouseEvent* event, bool released) {
     turned_ = turned_ || turns;
     turns ? scene_.camera.turn(by.x(), by.y(), widget_->height())
           : scene_.camera.move(by.x(), by.y(), widget_->height());
-    renderSoon_.start();
+    deferredRender_.start();
     return true;
 }
 
@@ -132,7 +132,7 @@ bool PyramidStack::eventFilter(QObject* watched, QEvent* event) {
             scene_.camera.zoom(std::pow(1.2, wheel->angleDelta().y() / 120.0),
                                (wheel->position().x() - widget_->width() / 2.0) / half,
                                (half - wheel->position().y()) / half);
-            renderSoon_.start();
+            deferredRender_.start();
             return true;
         }
         case QEvent::KeyPress: {

@@ -1,5 +1,5 @@
-// The pyramid in three dimensions (SlabScene) as a pane. Drag turns, right drag moves, wheel zooms, R fits,
-// a click chooses a step.
+// A pane with the pyramid in three dimensions (SlabScene). Drag rotates, right drag moves, the wheel zooms, R resets
+// the view, a click chooses a step.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 #include <vtkSmartPointer.h>
 #include <QWidget>
 
+#include "panes/deferred_call.h"
 #include "panes/pyramid/slab_scene.h"
-#include "panes/soon.h"
 
 class QMouseEvent;
 class QVTKOpenGLNativeWidget;
@@ -23,21 +23,22 @@ class PyramidStack : public QWidget {
     explicit PyramidStack(QWidget* parent = nullptr);
     ~PyramidStack() override;
 
-    // The slabs: made anew with the map, the ray or the style. The parts are referred to.
+    // Builds the slabs; call it again if the map, the ray or the style changes. Keeps a reference to the parts.
     void show(const PyramidParts& parts, const Style& style);
-    // The marks up to this step.
+    // Shows the marks up to this step.
     void showStep(int step);
-    void letGo();
+    void releaseContents();
     void fit();
     const Turntable& camera() const { return scene_.camera; }
 
-    // Where a place of a level is seen; of the part-th pyramid. Pixels of this widget.
+    // Position, in pixels of this widget, of a texel of a level of pyramid `part`.
     QPointF toWidget(std::size_t part, int level, Point texel) const;
-    // The foremost slab under the point, and the place on the flat drawing; false: none.
+    // Finds the foremost slab at the point and the corresponding place on the flat drawing; returns false if there is
+    // none.
     bool drawingAt(QPointF widget, Point& drawing) const;
 
   signals:
-    // The slabs are to be shown anew.
+    // The slabs have to be shown again.
     void resized();
     void clickedAt(const reliefui::Point& drawing);
     void hoveredAt(const reliefui::Point& drawing);
@@ -54,11 +55,11 @@ class PyramidStack : public QWidget {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     SlabScene scene_;
     QPointF pressed_;
-    bool turned_ = false;  // by hand: another ray leaves it so
+    bool turned_ = false;  // rotated by the user; kept for other rays
     QPointF last_;
-    // What the camera was put for: a view of this size, of so much ground and so many levels.
+    // Size of the view, and ground and number of levels, for which the camera was placed.
     std::pair<QSize, std::array<double, 3>> placedFor_;
-    Soon renderSoon_{this, [this] { render(); }};
+    DeferredCall deferredRender_{this, [this] { render(); }};
 };
 
 }  // namespace reliefui

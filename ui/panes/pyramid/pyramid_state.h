@@ -1,4 +1,4 @@
-// What is chosen in the pyramid's pane.
+// The user's choices in the pyramid pane.
 #pragma once
 
 #include "workspace/state_json.h"
@@ -8,7 +8,7 @@ namespace reliefui {
 struct PyramidPane {
     static constexpr const char* kName = "pyramid";
     std::string levels = "max";  // "max", "mean", "min", "all"
-    bool stacked = false;        // the levels one above the other, as slabs
+    bool stacked = false;        // show the levels above each other as slabs
     bool nearRay = true;
     bool follow = false;
 

@@ -33,10 +33,10 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     faces_->addWidget(stack_);
 
     connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
-    connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
-    connect(stack_, &PyramidStack::resized, this, [this] { refreshSoon_.start(); });
+    connect(stack_, &PyramidStack::resized, this, [this] { deferredRefresh_.start(); });
     connect(stack_, &PyramidStack::clickedAt, this, &PyramidView::chooseAt);
     connect(stack_, &PyramidStack::hoveredAt, this, [this](const Point& at) { setReadout(reading(at)); });
     connect(workspace_, &Workspace::stepChanged, this, &PyramidView::refreshStep);
@@ -127,7 +127,7 @@ void PyramidView::resetZoom() {
     pane_.stacked ? stack_->fit() : canvas_->resetZoom();
 }
 
-void PyramidView::tell(const QPointF& widget) {
+void PyramidView::readOut(const QPointF& widget) {
     setReadout(reading(canvas_->toDrawing(widget)));
 }
 
@@ -140,8 +140,8 @@ void PyramidView::showSnapshot() {
         showEmpty(workspace_->whyEmpty());
         return;
     }
-    // The legend first: what it needs is not left to the levels. Where it would take too much it is left
-    // out: the table of steps tells the decisions, too.
+    // The legend is laid out first; the levels get the remaining room. A legend that would take too much is shortened
+    // or left out; the table of steps names the decisions as well.
     const relief::Language language = workspace_->style().language;
     const auto showLegend = [&] {
         constexpr double kMostLegend = 0.25;
@@ -158,36 +158,36 @@ void PyramidView::showSnapshot() {
     showLegend();
     const QSizeF room = canvas_->room();
     parts_ = pyramidParts(*shown_, options_, room.width(), room.height(), language);
-    // Where there is no room for all levels, the one of the current step is shown.
-    constexpr double kSmallest = 20;  // points
+    // If there is no room for all levels, only the level of the current step is shown.
+    constexpr double kSmallest = 20;  // in points
     const std::vector<LevelBlock>& blocks = parts_.parts.front().picture.blocks;
     cramped_ = parts_.parts.size() == 1 && blocks.size() > 1 && blocks.back().box.height() < kSmallest;
     if (cramped_) parts_ = pyramidParts(*shown_, options_, 3 * room.width() + 300, 3 * room.height() + 200, language);
-    showLegend();  // of what is seen in this room
+    showLegend();  // adapted to what is visible at this size
     levels_ = std::make_shared<const Drawing>(parts_.levels);
     range_->refresh();
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
-    // The slabs refer to the parts.
-    pane_.stacked ? stack_->show(parts_, workspace_->style()) : stack_->letGo();
+    // The slabs hold references to the parts, so they are updated as well.
+    pane_.stacked ? stack_->show(parts_, workspace_->style()) : stack_->releaseContents();
     refreshStep();
 }
 
-void PyramidView::letGo() {
+void PyramidView::releaseContents() {
     shown_.reset();
     parts_ = {};
     levels_.reset();
     legend_.reset();
-    canvas_->letGo();
-    stack_->letGo();
+    canvas_->releaseContents();
+    stack_->releaseContents();
     setReadout({});
 }
 
 void PyramidView::refreshStep() {
     const PauseLog::Part part("pyramid: marks");
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     if (!shown_ || !levels_) return;
     if (pane_.stacked) return stack_->showStep(workspace_->scenario().step);
-    // A step of a newer ray than the one shown: its snapshot is on the way.
+    // The step may belong to a newer ray whose snapshot is still to come.
     auto marks = std::make_shared<const Drawing>(partsMarks(parts_, workspace_->scenario().step));
     canvas_->setLayers({levels_, std::move(marks)}, legend_);
     if (pane_.follow || cramped_) {
@@ -200,7 +200,7 @@ void PyramidView::refreshStep() {
 
 void PyramidView::showEmpty(relief::MessageId why) {
     levels_.reset();
-    stack_->letGo();
+    stack_->releaseContents();
     parts_ = {};
     range_->refresh();
     canvas_->showText(why);
@@ -229,7 +229,7 @@ void PyramidView::choose(const ItemId& id) {
     if (at == nullptr) return;
     const auto& steps = shown_->trace.steps;
     const auto count = static_cast<std::int64_t>(steps.size());
-    // Of all steps on this texel, the next one after the current, round and round.
+    // If several steps concern this texel, choose the one after the current step, cyclically.
     const std::int64_t current = std::clamp<std::int64_t>(workspace_->scenario().step, 0, count - 1);
     for (std::int64_t n = 1; n <= count; ++n) {
         const std::int64_t k = (current + n) % count;
@@ -241,7 +241,7 @@ void PyramidView::choose(const ItemId& id) {
     }
 }
 
-// Of the slabs: what the flat drawing would answer there.
+// A click on the slabs, handled like one at the corresponding place of the flat drawing.
 void PyramidView::chooseAt(Point drawing) {
     if (!levels_) return;
     choose(pick(partsMarks(parts_, workspace_->scenario().step), ViewMap{}, drawing, 1, 0));
@@ -252,7 +252,7 @@ QString PyramidView::reading(Point drawing) const {
     if (part == nullptr) return {};
     ItemId id = pick(pyramidMarks(part->source, part->picture, workspace_->scenario().step), ViewMap{}, drawing, 1, 0);
     if (stepOf(id) == nullptr) id = pick(part->picture.levels, ViewMap{}, drawing, 1, 0);
-    // The tool tip of a step says it in its sentence.
+    // Tool tips of steps contain the sentence that describes them.
     QString tip;
     if (stepOf(id) != nullptr) {
         const PixelTrace& trace = shown_->trace;

@@ -1,15 +1,15 @@
-// The pyramid of the height map: every level side by side, and where the chosen ray went on each; maxima, means, minima
-// or all three; on request as slabs in space. A click on a visited texel chooses that step; where there are several,
-// one after the other.
+// The pyramid of the height map: all levels side by side with the chosen ray's steps on each; maxima, means, minima or
+// all three; optionally as slabs in space. A click on a visited texel chooses its step; repeated clicks go through
+// several steps.
 #pragma once
 
 #include <memory>
 #include <type_traits>
 
+#include "panes/deferred_call.h"
 #include "panes/figure_view.h"
 #include "panes/pyramid/pyramid_drawing.h"
 #include "panes/pyramid/pyramid_parts.h"
-#include "panes/soon.h"
 
 class QHBoxLayout;
 class QStackedLayout;
@@ -28,33 +28,33 @@ class PyramidView : public FigureView {
 
     DrawingCanvas* canvas() const { return canvas_; }
     PyramidStack* stack() const { return stack_; }
-    // What is shown; those of the first of several.
+    // The pyramids shown; parts().front() for single values.
     const std::vector<PyramidPart>& parts() const { return parts_.parts; }
     const std::vector<LevelBlock>& blocks() const { return parts_.parts.front().picture.blocks; }
     const RangedValues& heights() const { return parts_.heights; }
-    // What is under a point of the flat drawing, in words.
+    // Describes what is under a point of the flat drawing.
     QString reading(Point drawing) const;
 
   public slots:
     void showMeans(bool means);
     void showMinima();
     void showAllKinds();
-    // The levels as slabs in space.
+    // Shows the levels as slabs in space.
     void setStacked(bool on);
-    // Only the surroundings of the ray, the same on every level, or all of the texture.
+    // Shows only the surroundings of the ray, the same on every level, or the whole texture.
     void showNearRay(bool on);
     void setFollowing(bool on);
     void resetZoom();
 
   protected:
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
+    void readOut(const QPointF& widget) override;
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
-    void letGo() override;
+    void releaseContents() override;
 
   private:
-    void refreshStep();  // another step
+    void refreshStep();  // draws the marks of another step
     void change(const PyramidPane& pane);
     template <class Value>
     void set(Value PyramidPane::*choice, const std::type_identity_t<Value>& value) {
@@ -62,7 +62,7 @@ class PyramidView : public FigureView {
         pane.*choice = value;
         change(pane);
     }
-    void adopt();  // what the scenario says
+    void adopt();  // takes over the scenario's state of this pane
     void chooseAt(Point drawing);
     QHBoxLayout* makeBar();
     void showEmpty(relief::MessageId why);
@@ -86,11 +86,11 @@ class PyramidView : public FigureView {
     PyramidOptions options_;
     std::shared_ptr<const Snapshot> shown_;
     PyramidParts parts_;
-    bool cramped_ = false;     // no room for all levels
-    bool wasCramped_ = false;  // when it was last drawn
+    bool cramped_ = false;     // there is no room for all levels
+    bool wasCramped_ = false;  // value at the last drawing
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
-    Soon refreshSoon_{this, [this] { refresh(); }};
+    DeferredCall deferredRefresh_{this, [this] { refresh(); }};
 };
 
 }  // namespace reliefui

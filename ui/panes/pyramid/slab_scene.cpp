@@ -28,18 +28,18 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kTitleSize = 0.85;  // of the text's
-constexpr double kLine = 1.4;        // of the titles, of their size
-// The sides of a slab are darker than its top, those that look to the left and right more so.
+constexpr double kTitleSize = 0.85;  // relative to the style's text size
+constexpr double kLine = 1.4;        // line height, relative to the titles' size
+// Brightness of a slab's sides relative to its top; the sides facing left and right are darkest.
 constexpr double kFront = 0.72;
 constexpr double kSide = 0.5;
-constexpr double kHidden = 0.4;      // opacity of the ray behind slabs
-constexpr double kBeforeAll = -2e5;  // depth by which marks are drawn before everything
-constexpr double kMostLines = 40;    // of a level's grid along a side
+constexpr double kHidden = 0.4;      // opacity of the ray where slabs hide it
+constexpr double kBeforeAll = -2e5;  // depth offset by which marks are drawn in front of everything
+constexpr double kMostLines = 40;    // of a level's grid, per side
 
 using Place = Turntable::Place;
 
-// Four-cornered faces, each in its colour.
+// Quadrilaterals, each with its colour.
 class Faces {
   public:
     Faces() { colors_->SetNumberOfComponents(3); }
@@ -50,7 +50,7 @@ class Faces {
         cells_->InsertNextCell(4, ids);
         colors_->InsertNextTuple3(color.r * shade, color.g * shade, color.b * shade);
     }
-    // The top of a box and its sides; the foot is not seen.
+    // Adds the top and sides of a box; the bottom is never visible.
     void box(const Place& low, const Place& high, Rgba color) {
         const auto [x0, y0, z0] = low;
         const auto [x1, y1, z1] = high;
@@ -76,7 +76,7 @@ class Faces {
         data->GetCellData()->SetScalars(colors_);
         return flat(data);
     }
-    // Without light: colours mean something.
+    // Without lighting, because the colours encode values.
     static vtkSmartPointer<vtkActor> flat(const vtkSmartPointer<vtkPolyData>& data) {
         auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
         mapper->SetInputData(data);
@@ -114,7 +114,7 @@ void SlabScene::takeFrom(vtkRenderWindow* window) const {
 }
 
 void SlabScene::lookFromHome() {
-    camera.lookAlong(tower_.seenAlong().x, tower_.seenAlong().y);
+    camera.lookAlong(tower_.viewDirection().x, tower_.viewDirection().y);
 }
 
 void SlabScene::show(const PyramidParts& parts, const Style& style) {
@@ -133,7 +133,7 @@ void SlabScene::show(const PyramidParts& parts, const Style& style) {
     addTitles();
 }
 
-void SlabScene::letGo() {
+void SlabScene::releaseContents() {
     renderer_->RemoveAllViewProps();
     marks_.clear();
     tower_ = {};
@@ -166,7 +166,7 @@ std::vector<SlabScene::Line> SlabScene::rim(std::size_t part, const Box& b, doub
     return lines;
 }
 
-// The frame of each level, and the lines between its slabs, also where none are drawn.
+// Adds the frame of each level and the lines between slabs, also where no slabs are drawn.
 void SlabScene::addGround(std::size_t part) {
     const Box& domain = tower_.domain(part);
     const PyramidPart& of = parts_->parts[part];
@@ -202,7 +202,7 @@ void SlabScene::addGround(std::size_t part) {
 
 namespace {
 
-// The corner that lies first in this direction, X to the right and Y upwards; texels count downwards.
+// The corner that comes first in this direction (X to the right, Y upwards; texel rows increase downwards).
 Point firstCorner(const Box& d, Point direction) {
     const std::array<Point, 4> corners{Point{d.x0, d.y0}, {d.x1, d.y0}, {d.x1, d.y1}, {d.x0, d.y1}};
     return *std::min_element(corners.begin(), corners.end(), [&](Point a, Point b) {
@@ -212,24 +212,24 @@ Point firstCorner(const Box& d, Point direction) {
 
 }  // namespace
 
-// To the right, seen along (x, y), is (y, -x).
+// Viewed along (x, y), the right-hand direction is (y, -x).
 Point SlabScene::leftCorner(std::size_t part) const {
-    return firstCorner(tower_.domain(part), {tower_.seenAlong().y, -tower_.seenAlong().x});
+    return firstCorner(tower_.domain(part), {tower_.viewDirection().y, -tower_.viewDirection().x});
 }
 
 Point SlabScene::nearCorner(std::size_t part) const {
-    return firstCorner(tower_.domain(part), tower_.seenAlong());
+    return firstCorner(tower_.domain(part), tower_.viewDirection());
 }
 
-vtkSmartPointer<vtkTextActor> SlabScene::words(const std::string& said) const {
+vtkSmartPointer<vtkTextActor> SlabScene::words(const std::string& content) const {
     auto text = vtkSmartPointer<vtkTextActor>::New();
-    text->SetInput(said.c_str());
+    text->SetInput(content.c_str());
     setText(text->GetTextProperty(), style_.text(), style_.textPixels(kTitleSize));
     return text;
 }
 
-void SlabScene::addWords(const std::string& said, const Place& at, bool beside) {
-    const std::string spaced = beside ? said + "  " : said;
+void SlabScene::addWords(const std::string& content, const Place& at, bool beside) {
+    const std::string spaced = beside ? content + "  " : content;
     auto text = words(spaced);
     text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
     text->GetPositionCoordinate()->SetValue(at[0], at[1], at[2]);
@@ -243,7 +243,7 @@ void SlabScene::addWords(const std::string& said, const Place& at, bool beside) 
     renderer_->AddActor2D(text);
 }
 
-// Left of each level, below each of several pyramids, and in the corner what the scales are.
+// Adds titles left of each level, below each of several pyramids, and the scales in the corner.
 void SlabScene::addTitles() {
     titleWidth_ = 0;
     const int last = tower_.levels() - 1;
@@ -288,7 +288,7 @@ vtkSmartPointer<vtkActor> SlabScene::addLines(const std::vector<Line>& lines, Rg
     data->SetPoints(points);
     data->SetLines(cells);
     auto actor = Faces::flat(data);
-    // In front of the face that they lie on, or of all.
+    // Depth offsets that draw lines in front of the face they lie on, or in front of everything.
     constexpr double kOnFace = -8;
     auto* const mapper = actor->GetMapper();
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
@@ -315,9 +315,9 @@ void SlabScene::addMarks(std::size_t part, std::size_t chosen) {
     }
 }
 
-void SlabScene::addWay(std::size_t part, std::size_t chosen) {
+void SlabScene::addRayPath(std::size_t part, std::size_t chosen) {
     std::vector<std::pair<SlabStretch, std::vector<Line>>> kinds;
-    for (const SlabStretch& stretch : tower_.way(part, chosen)) {
+    for (const SlabStretch& stretch : tower_.rayPath(part, chosen)) {
         const auto same = [&](const auto& kind) {
             return kind.first.role == stretch.role && kind.first.later == stretch.later;
         };
@@ -335,7 +335,7 @@ void SlabScene::addWay(std::size_t part, std::size_t chosen) {
     }
     const auto end = tower_.end(part);
     if (!end) return;
-    // A ring that lies flat: disks over each other.
+    // A horizontal ring, made of disks on top of each other.
     constexpr double kRadius = 0.018;
     const double radius = kRadius * std::max(tower_.domain(part).width(), tower_.domain(part).height());
     const Rgba ground = style_.background();
@@ -363,7 +363,7 @@ void SlabScene::showStep(int step) {
         if (!source.hasRay || source.steps == nullptr || source.steps->empty()) continue;
         const auto chosen = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(source.steps->size()) - 1));
         addMarks(n, chosen);
-        addWay(n, chosen);
+        addRayPath(n, chosen);
     }
 }
 
@@ -389,7 +389,7 @@ std::optional<Point> SlabScene::drawingAt(double x, double y) const {
         renderer_->GetWorldPoint(world);
         ends[k] = {world[0] / world[3], world[1] / world[3], world[2] / world[3]};
     }
-    const SlabTower::Meeting met = tower_.meeting(ends[0], ends[1]);
+    const SlabTower::Intersection met = tower_.intersect(ends[0], ends[1]);
     if (met.slab == nullptr) return std::nullopt;
     const std::vector<LevelBlock>& blocks = parts_->parts[met.slab->part].picture.blocks;
     return blocks[static_cast<std::size_t>(met.slab->level)].toDrawing(met.texel);
@@ -406,7 +406,7 @@ void SlabScene::showAll(double width, double height) {
                 places.push_back(tower_.at(n, p, z));
         }
     }
-    // Beside the titles, and above the lines in the corner.
+    // Leaves room for the titles at the side and for the lines in the corner.
     const double line = kLine * style_.textPixels(kTitleSize);
     camera.fit(places, std::max(width - titleWidth_, width / 4) / std::max(height, 1.0));
     const double beside = std::min(titleWidth_, width * 3 / 4);

@@ -1,6 +1,6 @@
-// The pyramid in three dimensions (SlabTower), in a renderer, for the pane and for files: slabs in the colours of their
-// heights, outlined in those of the decisions about them, and the way of the ray over, into and between the levels,
-// faint where slabs hide it. It belongs to no window.
+// The pyramid in three dimensions (SlabTower) in a VTK renderer, for the pane and for files: slabs coloured by height
+// and outlined by decision, and the ray's path over, into and between the levels, faint where slabs hide it. It is
+// independent of any window.
 #pragma once
 
 #include <array>
@@ -35,43 +35,45 @@ class SlabScene {
     vtkRenderer* renderer() const;
     void addTo(vtkRenderWindow* window) const;
     void takeFrom(vtkRenderWindow* window) const;
-    // The slabs: made anew with the map, the ray or the style (in the pixels of the window). The parts are referred to.
+    // Builds the slabs; call it again if the map, the ray or the style (in the window's pixels) changes. Keeps a
+    // reference to the parts.
     void show(const PyramidParts& parts, const Style& style);
-    // The marks up to this step.
+    // Shows the marks up to this step.
     void showStep(int step);
-    void letGo();
-    // All slabs and their titles in sight, in a view of so many pixels, without turning.
+    void releaseContents();
+    // Moves the camera so that all slabs and titles are visible in a view of this size in pixels, without rotating it.
     void showAll(double width, double height);
-    // As at first: from above, the ray from left to right.
+    // Sets the initial direction: from above, with the ray from left to right.
     void lookFromHome();
-    // Puts the camera into the renderer: before each rendering.
+    // Applies the camera to the renderer; call it before each rendering.
     void place();
 
     const SlabTower& tower() const { return tower_; }
-    // Where a place of a level of the part-th pyramid is seen, in pixels of the renderer, y upwards: on the slab there.
+    // Position of a texel of a level of pyramid `part`, on the slab there, in pixels of the renderer, y upwards.
     std::array<double, 2> toPixel(std::size_t part, int level, Point texel) const;
-    // The foremost slab under such a pixel, and the place on the flat drawing; nothing: none.
+    // Finds the foremost slab at such a pixel, and returns the corresponding place on the flat drawing; std::nullopt if
+    // there is none.
     std::optional<Point> drawingAt(double x, double y) const;
 
     Turntable camera{kHalfView};
 
   private:
     using Line = std::pair<Turntable::Place, Turntable::Place>;
-    static constexpr double kHalfView = 0.06;  // levels far up are seen as those below
+    static constexpr double kHalfView = 0.06;  // narrow angle, so that upper levels look like lower ones
 
     void addBodies(std::size_t part);
     void addGround(std::size_t part);
     void addTitles();
-    // Of a pyramid's ground those corners that are seen furthest to the left, and nearest, from home.
+    // Corners of a pyramid's ground that are leftmost, and nearest, in the initial view.
     Point leftCorner(std::size_t part) const;
     Point nearCorner(std::size_t part) const;
-    vtkSmartPointer<vtkTextActor> words(const std::string& said) const;
-    // Beside the place, left of it, or below it.
-    void addWords(const std::string& said, const Turntable::Place& at, bool beside);
+    vtkSmartPointer<vtkTextActor> words(const std::string& content) const;
+    // Adds text next to a place: left of it (`beside`), or below it.
+    void addWords(const std::string& content, const Turntable::Place& at, bool beside);
     vtkSmartPointer<vtkActor> addLines(const std::vector<Line>& lines, Rgba color, double width, bool before = false);
     void addMarks(std::size_t part, std::size_t chosen);
-    void addWay(std::size_t part, std::size_t chosen);
-    // Remembers what the next step replaces.
+    void addRayPath(std::size_t part, std::size_t chosen);
+    // Registers a mark, which the next step removes.
     void keep(const vtkSmartPointer<vtkActor>& mark);
     std::vector<Line> rim(std::size_t part, const Box& ground, double z) const;
 
@@ -79,7 +81,7 @@ class SlabScene {
     Style style_;
     const PyramidParts* parts_ = nullptr;
     SlabTower tower_;
-    double titleWidth_ = 0;  // pixels
+    double titleWidth_ = 0;  // in pixels
     std::vector<vtkSmartPointer<vtkProp>> marks_;
 };
 

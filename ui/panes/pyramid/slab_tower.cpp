@@ -16,21 +16,22 @@ namespace {
 
 using Place = Turntable::Place;
 
-constexpr int kMostSlabs = 128;        // along a side of a level
-constexpr std::size_t kMostWay = 400;  // steps around the chosen one
-constexpr double kHighest = 0.15;      // of heights, of the longer side of the ground
-constexpr double kAir = 1.15;          // between the feet of two levels, of the heights
-constexpr double kBeside = 0.25;       // between pyramids, of their width
-// How much of each level is to be seen below the next one: where some slabs are there, and where all are.
+constexpr int kMostSlabs = 128;              // per side of a level
+constexpr std::size_t kMostPathSteps = 400;  // number of steps before and after the chosen one
+constexpr double kHighest = 0.15;            // largest height range, relative to the longer side of the ground
+// smallest distance between the bottoms of two levels, relative to the height range
+constexpr double kClearance = 1.15;
+constexpr double kBeside = 0.25;  // distance between pyramids, relative to their width
+// Share of each level that is visible below the next one: if only some slabs are drawn, and if all are.
 constexpr double kSeenOfFew = 0.6;
 constexpr double kSeenOfAll = 0.9;
-constexpr double kAside = 0.3;  // radians by which the ray runs away from the eye
+constexpr double kTurnedAway = 0.3;  // in radians: angle by which the ray points away from the viewer
 
 bool covers(const std::vector<Box>& boxes, Point point) {
     return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(point); });
 }
 
-// A whole number of texels, or, where that is too coarse, of tenths.
+// Rounds to whole texels, or to tenths if that is too coarse.
 double rounded(double texels) {
     return texels >= 4 ? std::ceil(texels) : std::ceil(10 * texels) / 10;
 }
@@ -45,11 +46,11 @@ SlabTower::SlabTower(const PyramidParts& parts) : parts_(&parts) {
     const double widest = std::max(domain(0).width(), domain(0).height());
     while (top_ + 1 < levels_ && std::ldexp(4.0, top_) <= widest) ++top_;
     if (source.hasRay && std::hypot(source.ray.a, source.ray.b) > 0) {
-        const double turn = std::atan2(-source.ray.b, source.ray.a) + std::numbers::pi / 2 + kAside;
-        seenAlong_ = {std::cos(turn), std::sin(turn)};
+        const double turn = std::atan2(-source.ray.b, source.ray.a) + std::numbers::pi / 2 + kTurnedAway;
+        viewDirection_ = {std::cos(turn), std::sin(turn)};
     }
-    // Side by side as they are seen: to the right of (x, y) is (y, -x).
-    const Point right{seenAlong_.y, -seenAlong_.x};
+    // The pyramids are arranged from left to right on the screen: right of the direction (x, y) is (y, -x).
+    const Point right{viewDirection_.y, -viewDirection_.x};
     double offset = 0;
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
         offsets_.push_back({offset * right.x - domain(n).x0, offset * right.y + domain(n).y0});
@@ -58,7 +59,8 @@ SlabTower::SlabTower(const PyramidParts& parts) : parts_(&parts) {
     }
     bool all = true;
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
-        // The boxes of the steps, level by level: those entered say which slabs of the level below are there.
+        // Texels that the steps examine, by level. Those that a step descends into determine the slabs of the level
+        // below.
         std::vector<std::vector<Box>> open(static_cast<std::size_t>(levels_) + 1);
         bool walked = false;
         const PyramidSource& from = part(n).source;
@@ -113,7 +115,7 @@ void SlabTower::addSlabs(std::size_t n, int level, const std::vector<Box>& open,
     }
 }
 
-// Heights as they are, or halved as often as keeps a level lower than its ground is wide.
+// Scales the heights by halving until a level's height range is small compared with its ground.
 void SlabTower::chooseScale(bool few) {
     float low = 1;
     float high = 0;
@@ -126,15 +128,17 @@ void SlabTower::chooseScale(bool few) {
     for (std::size_t n = 0; n < parts_->parts.size(); ++n) {
         if (!part(n).source.hasRay) continue;
         low_ = std::min(low_, 1 - rayEnd(part(n).source));
-        highest = 1;  // where it enters
+        highest = 1;  // height of the ray's entry
     }
     const double most = kHighest * std::max(domain(0).width(), domain(0).height());
     const double range = std::max(highest - low_, 0.0) * thick_;
     while (range * factor_ > most) factor_ /= 2;
-    // A level and what of the one below is to be seen are as high, seen from above at the camera's elevation.
-    const double deep = std::abs(seenAlong_.x) * domain(0).width() + std::abs(seenAlong_.y) * domain(0).height();
+    // The levels' distance is such that the visible share of the level below is not covered, seen at the camera's
+    // elevation.
+    const double deep =
+        std::abs(viewDirection_.x) * domain(0).width() + std::abs(viewDirection_.y) * domain(0).height();
     const double shown = (few ? kSeenOfFew : kSeenOfAll) * deep * std::tan(Turntable::kElevation);
-    apart_ = rounded(std::max(shown, kAir * range * factor_));
+    apart_ = rounded(std::max(shown, kClearance * range * factor_));
 }
 
 std::vector<Box> SlabTower::boxesOf(std::size_t n, const relief::Step& step) const {
@@ -146,9 +150,9 @@ std::vector<SlabMark> SlabTower::marks(std::size_t n, std::size_t chosen) const 
     const PyramidSource& source = part(n).source;
     if (!source.hasRay || !source.overCells || source.steps == nullptr) return marks;
     const std::vector<relief::Step>& steps = *source.steps;
-    const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
+    const std::size_t first = chosen > kMostPathSteps ? chosen - kMostPathSteps : 0;
     std::map<std::tuple<int, double, double>, std::size_t> known;
-    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
+    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostPathSteps); ++k) {
         if (steps[k].level < 0 || steps[k].level > top_) continue;
         for (const Box& box : boxesOf(n, steps[k])) {
             const auto [at, added] = known.try_emplace({steps[k].level, box.x0, box.y0}, marks.size());
@@ -170,7 +174,7 @@ std::vector<SlabMark> SlabTower::marks(std::size_t n, std::size_t chosen) const 
 
 namespace {
 
-// A stretch of the ray as it is seen, and its lambdas.
+// A visible piece of the ray, and its lambdas.
 struct Piece {
     Segment seen;
     double from = 0;
@@ -179,14 +183,14 @@ struct Piece {
 
 std::vector<Piece> piecesOf(const RayPath& path, double from, double to, const Box& domain, bool wraps) {
     std::vector<Piece> pieces;
-    // Along a line the sum of both sides tells how far it is as well as its length does.
+    // Along a straight line the 1-norm is proportional to the length, and avoids a square root.
     const double pace = std::abs(path.run.x) + std::abs(path.run.y);
     const auto far = [](Point a, Point b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y); };
     double lambda = from;
     for (const Segment& seen : wrapped(Segment{path.at(from), path.at(to)}, domain, wraps)) {
         if (!(pace > 0)) {
             pieces.push_back({seen, from, to});
-        } else if (wraps) {  // one after the other, none cut off
+        } else if (wraps) {  // consecutive pieces, none cut off
             const double next = lambda + std::copysign(far(seen.first, seen.second) / pace, to - from);
             pieces.push_back({seen, lambda, next});
             lambda = next;
@@ -199,10 +203,10 @@ std::vector<Piece> piecesOf(const RayPath& path, double from, double to, const B
 
 }  // namespace
 
-std::vector<SlabStretch> SlabTower::way(std::size_t n, std::size_t chosen) const {
-    std::vector<SlabStretch> way;
+std::vector<SlabStretch> SlabTower::rayPath(std::size_t n, std::size_t chosen) const {
+    std::vector<SlabStretch> rayPath;
     const PyramidSource& source = part(n).source;
-    if (!source.hasRay || source.steps == nullptr) return way;
+    if (!source.hasRay || source.steps == nullptr) return rayPath;
     const std::vector<relief::Step>& steps = *source.steps;
     const RayPath path(*source.field, source.ray);
     const bool wraps = part(n).picture.wraps;
@@ -210,29 +214,29 @@ std::vector<SlabStretch> SlabTower::way(std::size_t n, std::size_t chosen) const
         return at(n, texel, heightOver(level, 1 - lambda));
     };
     const relief::Step* last = nullptr;
-    const std::size_t first = chosen > kMostWay ? chosen - kMostWay : 0;
-    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostWay); ++k) {
+    const std::size_t first = chosen > kMostPathSteps ? chosen - kMostPathSteps : 0;
+    for (std::size_t k = first; k < std::min(steps.size(), chosen + kMostPathSteps); ++k) {
         const relief::Step& step = steps[k];
         if (step.level < 0 || step.level >= levels_ || !std::isfinite(step.lambdaIn)) continue;
         const double in = std::clamp(step.lambdaIn, 0.0, 1.0);
         const double after = std::isfinite(step.lambdaAfter) ? std::clamp(step.lambdaAfter, 0.0, 1.0) : in;
-        // Where it goes from level to level it stands still on the ground.
+        // Between levels, the path is vertical.
         if (last != nullptr && last->level != step.level) {
             const auto here = piecesOf(path, in, in, domain(n), wraps);
             if (!here.empty()) {
                 const Point texel = here.front().seen.first;
-                way.push_back(
+                rayPath.push_back(
                     {place(texel, in, last->level), place(texel, in, step.level), roleOf(last->decision), k > chosen});
             }
         }
         for (const Piece& piece : piecesOf(path, in, after, domain(n), wraps)) {
-            way.push_back({place(piece.seen.first, piece.from, step.level),
-                           place(piece.seen.second, piece.to, step.level),
-                           k == chosen ? roleOf(step.decision) : Role::Ray, k > chosen});
+            rayPath.push_back({place(piece.seen.first, piece.from, step.level),
+                               place(piece.seen.second, piece.to, step.level),
+                               k == chosen ? roleOf(step.decision) : Role::Ray, k > chosen});
         }
         last = &step;
     }
-    return way;
+    return rayPath;
 }
 
 std::optional<Place> SlabTower::end(std::size_t n) const {
@@ -245,8 +249,8 @@ std::optional<Place> SlabTower::end(std::size_t n) const {
     return at(n, here.front().seen.first, heightOver(0, 1 - lambda));
 }
 
-SlabTower::Meeting SlabTower::meeting(const Place& from, const Place& to) const {
-    Meeting found;
+SlabTower::Intersection SlabTower::intersect(const Place& from, const Place& to) const {
+    Intersection found;
     double nearest = 2;
     for (const Slab& slab : slabs_) {
         const auto [x, y] = offsets_[slab.part];
@@ -266,7 +270,7 @@ SlabTower::Meeting SlabTower::meeting(const Place& from, const Place& to) const 
         }
         if (in > out || in >= nearest) continue;
         nearest = in;
-        // Within it, also where a side was met.
+        // Tolerance for points on the side of a slab.
         constexpr double kInside = 1e-3;
         const Box within = slab.ground.grown(-kInside * std::min(slab.ground.width(), slab.ground.height()));
         found.slab = &slab;

@@ -11,10 +11,10 @@ namespace reliefui {
 
 namespace {
 
-// Of the style's text.
+// Smallest text, relative to the style's text size.
 constexpr double kLeast = 0.8;
 constexpr double kLargest = 1.8;
-constexpr double kLine = 1.2;  // of the size of its text
+constexpr double kLine = 1.2;  // line height, relative to the text size
 
 QString number(double value) {
     return QString::fromStdString(relief::numberText(value, 3));
@@ -36,7 +36,7 @@ QStringList errorOf(const relief::ErrorLayer& layer, std::size_t i) {
     return {};
 }
 
-// Of a ray that hits.
+// For rays that hit.
 QStringList placeOf(const Snapshot& snapshot, int x, int y) {
     const relief::Frame& frame = *snapshot.frame;
     const std::size_t i = frame.index(x, y);
@@ -87,7 +87,7 @@ void paintPixelValues(QPainter& painter, const Snapshot& snapshot, const QRectF&
     const QImage& image = snapshot.layer.image;
     if (snapshot.coarse || image.width() != frame.width || image.height() != frame.height) return;
     const double side = picture.width() / frame.width;
-    // Three lines, or a word.
+    // Room for three lines, or for one word.
     constexpr double kLines = 3.7;
     const double text = std::min(side / kLines / kLine, kLargest * style.textPixels());
     if (text < kLeast * style.textPixels()) return;
@@ -108,7 +108,7 @@ void paintPixelValues(QPainter& painter, const Snapshot& snapshot, const QRectF&
             painter.setPen(
                 toColor(Style::textOn({byte(qRed(ground)), byte(qGreen(ground)), byte(qBlue(ground)), 255})));
             const QStringList values = pixelValues(snapshot, x, y);
-            // What is cut off at the edge of the view has them in the part that is seen.
+            // At the edge of the view, the values are placed in the visible part of the pixel.
             const QRectF part = pixel.intersected(seen);
             if (part.height() < kLine * text * values.size() || part.width() < 4 * text) continue;
             painter.drawText(part, Qt::AlignCenter, values.join('\n'));

@@ -1,4 +1,4 @@
-// Values written onto the pixels of the result where they are large enough.
+// Prints values onto the pixels of the result when they are large enough.
 #pragma once
 
 #include <QPainter>
@@ -9,11 +9,11 @@
 
 namespace reliefui {
 
-// What the shown layer holds of pixel (x, y) of the frame, in short lines: the three channels as shown, a count, an
-// error, the parts of a normal; nothing where it says nothing of it.
+// Short lines with the value of the shown layer at pixel (x, y) of the frame: the three channels as shown, a count, an
+// error, the components of a normal; empty if it has no value.
 QStringList pixelValues(const Snapshot& snapshot, int x, int y);
 
-// picture: where the whole picture lies; room: the part of it that is seen.
+// picture: rectangle of the whole picture; room: its visible part.
 void paintPixelValues(QPainter& painter, const Snapshot& snapshot, const QRectF& picture, const QRectF& room,
                       const Style& style);
 

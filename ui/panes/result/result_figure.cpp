@@ -11,10 +11,10 @@ namespace reliefui {
 
 namespace {
 
-// The legend of the result's layer, for a page so many points wide: pixels of a screen, of which there are 96 an inch.
+// The layer's legend is laid out in pixels of a screen with 96 per inch.
 constexpr double kPixelsPerPoint = 96.0 / kPointsPerInch;
 
-// The same on every page, and where it is measured.
+// A fixed font, so that the legend is the same on every page as where it is measured.
 QFont legendFont() {
     constexpr int kPixels = 13;
     QFont font;
@@ -22,14 +22,14 @@ QFont legendFont() {
     return font;
 }
 
-// What the legend measures by are pixels of a screen.
+// The style with the screen's pixels as unit, which the legend uses.
 Style onScreen(Style style) {
     style.projector = false;
     style.screenPixelsPerPoint = kPixelsPerPoint;
     return style;
 }
 
-// In a page so many pixels of a screen wide.
+// Size of the legend on a page `width` screen pixels wide.
 QSizeF legendOf(const Snapshot& snapshot, const Style& style, double width) {
     QImage nothing(1, 1, QImage::Format_RGB32);
     QPainter painter(&nothing);
@@ -65,8 +65,8 @@ void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, c
 }  // namespace
 
 std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return computedFigure([snapshot](const FigurePage& wanted, relief::Work& work) {
-        const int pixels = wanted.picturePixels(wanted.widthMm / kMmPerPoint);
+    return computedFigure([snapshot](const FigurePage& requested, relief::Work& work) {
+        const int pixels = requested.picturePixels(requested.widthMm / kMmPerPoint);
         auto drawn = std::make_shared<Snapshot>(*resized(snapshot, pixels, work));
         colorLayer(drawn->layer, snapshot->layer.range);
         const auto paint = [drawn](QPainter& painter, const Box& page, const Style& style) {

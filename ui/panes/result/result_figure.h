@@ -6,7 +6,7 @@
 
 namespace reliefui {
 
-// Rendered anew in the size that it has on the page. The legend of its layer, if it has one, stands below the picture.
+// Rendered again at its size on the page. If its layer has a legend, it stands below the picture.
 std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot);
 
 }  // namespace reliefui

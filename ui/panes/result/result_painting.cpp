@@ -13,7 +13,7 @@ namespace reliefui {
 
 namespace {
 
-// The texts of these functions have a context to be translated in.
+// Translation context for the texts of the functions in this file.
 class ResultText {
     Q_DECLARE_TR_FUNCTIONS(reliefui::ResultText)
 };
@@ -26,7 +26,7 @@ QString number(double value, int digits = 3) {
     return QString::fromStdString(relief::numberText(value, digits));
 }
 
-// One field of a legend: a patch of colour, hatched where it is hatched in the picture, and what it means.
+// An entry of a legend: a patch of colour, hatched if the picture is, and its meaning.
 struct Swatch {
     QColor color;
     bool hatched = false;
@@ -112,7 +112,7 @@ QString scaleTitle(Layer layer) {
                                  : ResultText::tr("distance to the hit, texture widths");
 }
 
-// Beside each other up to this width, points.
+// In points; entries are placed side by side up to this width.
 constexpr double kLegendWidth = 420;
 
 QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style, double width) {
@@ -131,7 +131,7 @@ QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft
     return size;
 }
 
-// Axes instead of three words: the colours of a sphere's normals, as they are seen.
+// Explains normals by a picture of a sphere with the colours of its normals.
 QSize paintSphere(QPainter* painter, QPoint bottomLeft, const Style& style, const QFontMetrics& metrics) {
     const int pad = scaled(8, style);
     const int side = scaled(64, style);
@@ -220,7 +220,7 @@ void paintChosenPixel(QPainter& painter, QPointF at, double side, const Style& s
 }
 
 QSize magnifierSize(const Style& style, int viewWidth) {
-    // Large enough to be read, small enough to leave the picture to be seen.
+    // Size of a magnified pixel: large enough to be recognised, small enough not to cover the picture.
     const int cell = std::clamp(viewWidth / (5 * kMagnified), 3, scaled(9, style));
     return {kMagnified * cell + 2, kMagnified * cell + 2};
 }
@@ -251,7 +251,7 @@ RangedValues layerValues(const LayerPicture& layer) {
     values.of = *rangeOf(layer.layer);
     values.name = scaleTitle(layer.layer).toStdString();
     if (layer.layer == Layer::Error) values.unit = ResultText::tr("texels").toStdString();
-    // Pixels that are right have no value, but count.
+    // Exact pixels are not part of the spread, but of the total.
     if (layer.error) {
         using Kind = relief::ErrorKind;
         for (const Kind kind : {Kind::Right, Kind::Short, Kind::Past, Kind::Wrong}) {
@@ -288,7 +288,7 @@ QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style&
     QImage out = picture.convertToFormat(QImage::Format_RGB32);
     if (layer.layer == Layer::Color) return out;
     const QSize legend = paintLegend(nullptr, layer, {}, style, out.width());
-    // Below the picture, which stays whole.
+    // The legend is placed below, so that it does not cover the picture.
     QImage whole(std::max(out.width(), legend.width()), out.height() + legend.height(), QImage::Format_RGB32);
     whole.fill(toColor(style.background()));
     QPainter painter(&whole);
@@ -300,7 +300,7 @@ QImage withLegend(const QImage& picture, const LayerPicture& layer, const Style&
 
 namespace {
 
-// What the shown layer says of the pixel, where the other lines do not say it.
+// Adds the value of the shown layer, unless another line already contains it.
 void addLayerValue(QStringList& lines, const Snapshot& snapshot, int x, int y) {
     const relief::Frame& frame = *snapshot.frame;
     const std::size_t i = frame.index(x, y);
@@ -355,7 +355,7 @@ void addLayerValue(QStringList& lines, const Snapshot& snapshot, int x, int y) {
 RayCounts rayCounts(const Snapshot& snapshot, std::size_t pixel) {
     const relief::HitStage& hits = *snapshot.frame->hits;
     if (hits.counted()) return {hits.hits.steps[pixel], hits.hits.reads[pixel]};
-    // Frames do not count unless the layer of steps is shown: this one ray is traced again.
+    // The frame contains step counts only if the layer of steps is shown, so this ray is traced again.
     relief::RayBlock ray;
     ray.push(snapshot.frame->rays->rays[pixel]);
     relief::HitBlock again;

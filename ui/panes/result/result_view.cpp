@@ -63,7 +63,7 @@ void ResultView::paintEmpty(QPainter& painter) const {
 void ResultView::paintPicture(QPainter& painter) const {
     const auto snapshot = workspace()->snapshot();
     const QImage& image = snapshot->layer.image;
-    // Texels stay sharp when enlarged; a smaller picture is a picture of something smooth.
+    // Enlarged pixels keep sharp edges; a coarse picture of a drag is interpolated.
     const bool smaller = image.width() < pictureSize().width();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 1 || smaller);
     painter.drawImage(pictureIn(rect()), image);
@@ -80,9 +80,9 @@ void ResultView::paintOverlays(QPainter& painter) const {
     const QPointF at = toWidget({pixel.x + 0.5, pixel.y + 0.5});
     paintChosenPixel(painter, at, scale(), style);
 
-    // In the upper corner that is further from the pixel.
+    // The magnifier is placed in the upper corner farther from the pixel.
     const QSize magnifier = magnifierSize(style, width());
-    if (scale() * kMagnified > magnifier.width()) return;  // larger already
+    if (scale() * kMagnified > magnifier.width()) return;  // the picture is already that large
     if (magnifier.width() * 2 > width() || magnifier.height() * 2 > height()) return;
     const bool left = at.x() > width() / 2.0;
     const QPoint corner(left ? margin : width() - margin - magnifier.width(), margin);
@@ -92,7 +92,7 @@ void ResultView::paintOverlays(QPainter& painter) const {
     paintMagnifier(painter, image, center, QRect(corner, magnifier), style);
 }
 
-// Of the scale alone, which stands lowest.
+// Rectangle of the colour scale, which is the lowest part of the legend.
 QRect ResultView::legendBox() const {
     const auto snapshot = workspace()->snapshot();
     if (!snapshot || !snapshot->layer.values) return {};
@@ -108,7 +108,7 @@ void ResultView::mousePressEvent(QMouseEvent* event) {
     }
 }
 
-void ResultView::tellHover(QPointF at) {
+void ResultView::readOutHover(QPointF at) {
     const auto snapshot = workspace()->snapshot();
     const auto pixel = pixelAt(at);
     Q_EMIT hovered(snapshot && pixel ? pixelReadout(*snapshot, *pixel, true).join(QStringLiteral("   ")) : QString());

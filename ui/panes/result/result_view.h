@@ -1,4 +1,4 @@
-// The rendered picture, where the question arises: why does this pixel look like that? The pointer reads values out.
+// The rendered picture, in which the pixel to be explained is chosen. The pointer reads out values.
 #pragma once
 
 #include "panes/picture_view.h"
@@ -11,18 +11,18 @@ class ResultView : public PictureView {
   public:
     explicit ResultView(Workspace* workspace, QWidget* parent = nullptr);
 
-    // The point of the full-size picture (pixel (i, j) is [i, i+1) x [j, j+1)) on this widget, and back.
+    // Maps a point of the full-size picture (pixel (i, j) covers [i, i+1) x [j, j+1)) to this widget, and back.
     QPointF toWidget(QPointF picture) const { return inRoom(picture, rect()); }
     QPointF toPicture(QPointF widget) const { return fromRoom(widget, rect()); }
 
-    // For the bar of the window that the view stands in.
+    // Placed in the bar of the window that contains the view.
     RangeButton* rangeButton() const { return range_; }
 
     QSize sizeHint() const override { return {800, 600}; }
 
   signals:
     void hovered(const QString& readout);      // one line; empty when the pointer has left the picture
-    void menuRequested(const QPoint& global);  // the context menu is the window's
+    void menuRequested(const QPoint& global);  // the context menu belongs to the window
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -31,7 +31,7 @@ class ResultView : public PictureView {
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
     QRectF roomAt(QPointF) const override { return rect(); }
-    void tellHover(QPointF at) override;
+    void readOutHover(QPointF at) override;
 
   private:
     double scale() const { return scaleIn(rect()); }

@@ -1,4 +1,4 @@
-// Axes, legend and the pixels one by one of the rows pane.
+// Axes, legend and strips of single pixels of the rows pane.
 #include <algorithm>
 #include <cmath>
 
@@ -84,7 +84,7 @@ void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame) {
                 drawing.add({}, Role::Highlight, Rectangle{box, false, 0.8, 0});
             }
             if (streamsOf(curve) < 2) continue;
-            // A plate of the same colour may touch its neighbours.
+            // Without a halo: neighbouring plates of the same colour may touch.
             drawing.add({}, Role::Stream,
                         Label{.at = box.center(),
                               .text = plainText(std::to_string(stream)),
@@ -108,7 +108,7 @@ Drawing rowsAxes(const RowsData& data, const RowsFrame& frame) {
     const chart::Axes lower(drawing, frame.lower, frame.whole);
     upper.corner(Message(MessageId::DrawRowTexels));
     lower.corner(Message(MessageId::DrawRowError));
-    // All of the title, or where it would run into the words at the left its first part, as large as there is room.
+    // Uses the whole title, or its first part if it would overlap the text at the left, as large as possible.
     const double least = 0.75 * chart::kTextSize;
     for (const auto& [part, size] : {std::pair(-1, chart::kTextSize), {0, chart::kTextSize}, {0, least}}) {
         drawing.add({}, Role::Legend,

@@ -1,4 +1,4 @@
-// The controls of the rows pane: which variants with which options, how many pixels, in which precision.
+// Controls of the rows pane: the variants and their options, the number of pixels, the precision.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -53,7 +53,7 @@ RowsView::RowsView(Workspace* workspace, QWidget* parent)
     listener.progress = [](const QString&, double) {};
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
     canvas_->installEventFilter(this);
-    connect(canvas_, &DrawingCanvas::pointed, this, &RowsView::tell);
+    connect(canvas_, &DrawingCanvas::pointed, this, &RowsView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &RowsView::draw);
     connect(workspace_, &Workspace::panesChanged, this, &RowsView::adopt);
@@ -155,7 +155,7 @@ void RowsView::addSlot(QGridLayout* grid, int row) {
     slot.anchor = spin("anchor", 4, relief::kRecommended, 1 << 20, tr("anchor "),
                        tr("Pixels between exact restarts; 0: never; auto: as keeps 1/256 texel"));
     slot.anchor->setSpecialValueText(tr("anchor: auto"));
-    // Another variant begins with its own defaults.
+    // Another variant starts with its own defaults.
     connect(slot.variant, qOverload<int>(&QComboBox::activated), this, [this, slot] {
         setSettings(slot, {});
         readSlots();
@@ -164,7 +164,7 @@ void RowsView::addSlot(QGridLayout* grid, int row) {
     slots_.push_back(slot);
 }
 
-// The texts that relief bench rows takes, of what the controls hold.
+// Composes the variants' descriptions, as for relief bench rows, from the controls.
 void RowsView::readSlots() {
     RowsOptions next = options_;
     next.methods.clear();
@@ -195,7 +195,7 @@ void RowsView::setSettings(const Slot& slot, const relief::RowSettings& settings
     slot.anchor->setValue(settings.anchor);
 }
 
-// The controls say what is shown.
+// Sets the controls to what is shown.
 void RowsView::showControls() {
     pixels_->setCurrentIndex(std::max(0, pixels_->findData(options_.pixels)));
     precision_->setCurrentIndex(options_.inDouble ? 1 : 0);

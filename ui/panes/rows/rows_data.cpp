@@ -19,7 +19,7 @@ std::optional<AffinePlace> affinePlace(const RowsPlace& place, const relief::Row
     const double q0 = place.map.denominator(first, place.y);
     const double q1 = place.map.denominator(last, place.y);
     const double ratio = std::max(q0, q1) / std::min(q0, q1);
-    // Seen from straight before it, the line is right.
+    // Viewed perpendicularly, the linear interpolation is exact.
     constexpr double kFlat = 1e-9;
     if (!(ratio > 1 + kFlat)) return std::nullopt;
     const relief::AffineError worst = relief::affineError(ratio);
@@ -32,7 +32,7 @@ std::optional<AffinePlace> affinePlace(const RowsPlace& place, const relief::Row
     return at;
 }
 
-// What a sub-span method was asked for: the longest span that keeps its error.
+// Span length of a sub-span method; if an error bound is given, the longest span that keeps it.
 int spanOf(const relief::RowMethod& method, const RowsPlace& place) {
     if (!(method.settings.error > 0)) return method.settings.span;
     const std::int64_t longest = relief::longestSpan(place.map, place.y, place.span, method.settings.error);
@@ -102,7 +102,7 @@ RowsData rowsData(const RowsPlace& place, const std::vector<relief::RowMethod>& 
                         : relief::rowErrors<float>(place.map, place.y, place.span, variants);
     for (std::size_t c = 0; c < data.row.curves.size(); ++c) {
         const relief::RowCurve& curve = data.row.curves[c];
-        // Counted over two stretches between restarts: those of more than a row would not end.
+        // Counts cover two intervals between restarts; an interval longer than the row counts as no restarts.
         const bool restarts = curve.anchor > 0 && curve.anchor < place.span.size();
         data.counts.push_back(relief::pixelCounts(methods[c], curve.options.span, restarts ? curve.anchor : 0));
         if (curve.options.variant == RowVariant::Affine) data.affine = affinePlace(place, curve);

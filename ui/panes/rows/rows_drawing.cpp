@@ -14,22 +14,22 @@ using relief::MessageId;
 using relief::PixelSpan;
 using relief::RowCurve;
 
-constexpr double kLeft = 40;  // margins, points
+constexpr double kLeft = 40;  // margins, in points
 constexpr double kRight = 14;
 constexpr double kTop = 18;
-constexpr double kLow = 190;       // lower panes have one row of words below the plots
-constexpr double kGap = 25;        // between the plots: the title of the lower one
+constexpr double kLow = 190;       // in points; lower panes have one row of text below the plots
+constexpr double kGap = 25;        // between the plots, for the lower one's title
 constexpr double kStripRoom = 26;  // a strip and its title
 constexpr double kStripHeight = 13;
 constexpr double kLeastForStrips = 220;
 constexpr double kUpperShare = 0.42;
 constexpr double kPixelsPerPoint = 2;  // fine enough for print
-constexpr std::int64_t kLens = 40;     // pixels shown one by one
+constexpr std::int64_t kLens = 40;     // number of pixels shown individually
 constexpr double kWeightStep = relief::kAnchorError;
-// More streams than this are drawn as one line: nobody could follow them.
+// With more streams than this, one line is drawn for all.
 constexpr int kMostStreamLines = 8;
 
-// Of the pixels of a range that are not NaN.
+// Smallest and largest value of a range of pixels, without NaN.
 struct Limits {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -70,7 +70,8 @@ void setTexelRange(RowsFrame& frame, const RowsData& data) {
     frame.high = limits.high + room;
 }
 
-// Logarithmic: whole decades, down to two below the best curve's largest error; the step of a weight is always seen.
+// A logarithmic axis spans whole decades, down to two below the smallest of the curves' largest errors; the rounding
+// step of a weight is always within the range.
 void setErrorRange(RowsFrame& frame, const RowsData& data) {
     const auto [from, to] = indices(data, frame);
     double high = 0;
@@ -123,8 +124,8 @@ void placePlots(RowsFrame& frame, const RowsData& data) {
     frame.lower = {kLeft, middle + strips + kGap, right, kTop + room + strips + kGap};
 }
 
-// A line through the pixels of a range, at most so many points: of the pixels of a column the one of the largest value,
-// or the first. Breaks where there is no value.
+// A line through a range of pixels, thinned to a limited number of points: of the pixels that share a column, the one
+// with the largest value, or the first. The line has gaps where there is no value.
 using Value = std::function<double(std::size_t)>;
 std::vector<std::vector<Point>> lineOf(const RowsData& data, const RowsFrame& frame, std::size_t step,
                                        std::size_t first, bool largest, const Value& value, const Value& toY) {
@@ -147,7 +148,7 @@ std::vector<std::vector<Point>> lineOf(const RowsData& data, const RowsFrame& fr
         }
         lines.back().push_back({frame.xAt(data.row.x[best]), toY(best)});
     }
-    // The last pixel of all, so that the line is as long as the row.
+    // The last pixel is always included, so that the line extends over the whole row.
     if (!largest && to > from && !std::isnan(value(to - 1)) && !lines.back().empty()) {
         lines.back().push_back({frame.xAt(data.row.x[to - 1]), toY(to - 1)});
     }
@@ -171,7 +172,7 @@ void addCoordinates(Drawing& drawing, const RowsData& data, const RowsFrame& fra
         addLines(drawing, lineOf(data, frame, 1, 0, false, value, toY), second ? Role::SeriesDashed : Role::Series,
                  number, Emphasis::Normal);
     }
-    // Each number at another place: most curves lie on one another.
+    // The curves' numbers are placed at different positions, because most curves coincide.
     const auto [from, to] = indices(data, frame);
     const double place = (static_cast<double>(c) + 0.7) / (static_cast<double>(data.row.curves.size()) + 0.4);
     const std::size_t i = from + static_cast<std::size_t>(static_cast<double>(to - from) * place);
@@ -179,9 +180,9 @@ void addCoordinates(Drawing& drawing, const RowsData& data, const RowsFrame& fra
         addCurveNumber(drawing, {frame.xAt(data.row.x[i]), frame.yAt(curve.u[i])}, c, {});
 }
 
-// Pixels far enough apart: each in the colour of its stream.
+// If the pixels are far enough apart, each is drawn as a dot in the colour of its stream.
 void addPixels(Drawing& drawing, const RowsData& data, const RowsFrame& frame, std::size_t c) {
-    constexpr double kApart = 5;  // points
+    constexpr double kApart = 5;  // in points
     const RowCurve& curve = data.row.curves[c];
     const auto [from, to] = indices(data, frame);
     if (streamsOf(curve) < 2 || frame.upper.width() < kApart * static_cast<double>(to - from)) return;
@@ -222,9 +223,9 @@ void addErrors(Drawing& drawing, const RowsData& data, const RowsFrame& frame, s
     addCurveNumber(drawing, {x, frame.errorAt(curve.worst)}, c, {0, -7});
 }
 
-// Where values are made anew: marks at the lower side, a row of them for each curve; nothing where they would be a bar.
+// Marks the restarts at the lower side, in a row for each curve; omitted if they would be too dense.
 void addRestarts(Drawing& drawing, const RowsData& data, const RowsFrame& frame) {
-    constexpr double kApart = 3;  // points
+    constexpr double kApart = 3;  // in points
     const PixelSpan seen = frame.seen(data);
     double y = frame.lower.y1;
     for (std::size_t c = 0; c < data.row.curves.size(); ++c) {

@@ -1,6 +1,6 @@
-// The rows pane: texture coordinates along the scan line of the chosen pixel by several variants side by side. Above u
-// and v, below the error of each against double, between them who computes which of some pixels around the chosen one.
-// [PERSP].
+// The rows pane: texture coordinates along the scan line of the chosen pixel, computed by several variants. The upper
+// plot shows u and v, the lower one the error of each variant against double precision; strips between them show which
+// stream computes which pixel around the chosen one. [PERSP].
 #pragma once
 
 #include <cstdint>
@@ -14,78 +14,78 @@
 
 namespace reliefui {
 
-inline constexpr std::size_t kMostRowCurves = 4;  // what can be told apart
+inline constexpr std::size_t kMostRowCurves = 4;  // more could not be distinguished
 
 struct RowsOptions {
-    // As `relief bench rows` spells them; row variants only, at most kMostRowCurves.
+    // Descriptions as for `relief bench rows`; row variants only, at most kMostRowCurves.
     std::vector<std::string> methods{"affine", "direct", "incremental:anchor=0", "streams:streams=4"};
-    int pixels = 0;  // of the scan line across the picture, 1 to relief::kWidestRow; 0: the picture's own
+    int pixels = 0;  // of the scan line across the picture, 1 to relief::kWidestRow; 0: the picture's width
     bool inDouble = false;
     bool logarithmic = true;
 
     bool operator==(const RowsOptions&) const = default;
 };
-// Throws InputError naming `option`.
+// Throws InputError that names `option`.
 std::vector<relief::RowMethod> rowMethods(const RowsOptions& options, const std::string& option);
 
-// A scan line of a polygon: pixels of the picture, or of one that is that much wider.
+// A scan line of a polygon, in the pixels of the picture or of a wider version of it.
 struct RowsPlace {
-    relief::Homography map;  // of these pixels
-    double y = 0.5;          // of the picture's row, its centre
-    int line = 0;            // its number
-    relief::PixelSpan span;  // in which the polygon is seen
-    std::int64_t width = 0;  // of the picture
+    relief::Homography map;  // from these pixels
+    double y = 0.5;          // centre of the picture's row
+    int line = 0;            // index of the row
+    relief::PixelSpan span;  // pixels in which the polygon is visible
+    std::int64_t width = 0;  // of the picture, in pixels
     std::int64_t chosen = 0;
 };
-// The same line with so many pixels.
+// The same line subdivided into this many pixels.
 RowsPlace widened(const RowsPlace& place, std::int64_t pixels);
 
-// Where the affine variant is worst, in closed form.
+// Largest error of the affine variant, in closed form.
 struct AffinePlace {
     double x = 0;
-    double error = 0;  // texels
-    double share = 0;  // of the change of u and v
+    double error = 0;  // in texels
+    double share = 0;  // relative to the change of u and v
 };
 
 struct RowsData {
     RowsPlace place;
     bool inDouble = false;
     relief::RowErrors row;
-    // Of each curve.
+    // Names and costs of the curves.
     std::vector<std::string> names;
     std::vector<relief::PixelCounts> counts;
-    std::optional<AffinePlace> affine;  // where that variant is there and has an error
+    std::optional<AffinePlace> affine;  // set if this variant is shown and has an error
 };
-// Takes some milliseconds a curve of 65,536 pixels.
+// Takes a few milliseconds per curve of 65,536 pixels.
 RowsData rowsData(const RowsPlace& place, const std::vector<relief::RowMethod>& methods, bool inDouble);
-// How many streams make a curve: k, 2 for opposed, else 1.
+// Number of streams of a curve: k, 2 for opposed, otherwise 1.
 int streamsOf(const relief::RowCurve& curve);
 
-// The part of the row that is seen, pixels; empty: all of it.
+// Visible part of the row, in pixels; empty: all of it.
 struct RowsRange {
     double from = 0;
     double to = 0;
     bool operator==(const RowsRange&) const = default;
 };
 
-// Where what lies on the drawing, in points.
+// Layout of the drawing, in points.
 struct RowsFrame {
     Box whole;
     Box upper;
     Box lower;
-    std::vector<Box> strips;               // of streamCurves
-    std::vector<std::size_t> stripCurves;  // whose streams are shown pixel by pixel
-    relief::PixelSpan lens;                // these pixels
-    double from = 0;                       // pixels at the left and right side
+    std::vector<Box> strips;               // one for each entry of stripCurves
+    std::vector<std::size_t> stripCurves;  // curves whose streams are shown pixel by pixel
+    relief::PixelSpan lens;                // the pixels shown in the strips
+    double from = 0;                       // pixels at the left and right sides
     double to = 1;
     double low = 0;  // texels at the sides of the upper plot
     double high = 1;
     bool logarithmic = true;
-    double errorLow = 0;  // at the sides of the lower one: texels, or their decimal logarithm
+    double errorLow = 0;  // errors at the sides of the lower plot, in texels, or their decimal logarithms
     double errorHigh = 1;
 
     chart::Scale places() const { return {from, to, upper.x0, upper.x1}; }
-    // Marks stand at the middles of their pixels.
+    // Ticks are at the centres of pixels.
     chart::Scale pixels() const {
         return {.low = from - 0.5, .high = to - 0.5, .from = upper.x0, .to = upper.x1, .leastStep = 1};
     }
@@ -96,7 +96,7 @@ struct RowsFrame {
     double xAt(double x) const { return places().at(x); }
     double pixelAt(double x) const { return places().valueAt(x); }
     double yAt(double texel) const { return texels().at(texel); }
-    // What is too small for the scale lies on its lower side.
+    // Errors below the range are drawn at the lower side.
     double errorAt(double error) const;
     relief::PixelSpan seen(const RowsData& data) const;
 };
@@ -104,12 +104,12 @@ RowsFrame rowsFrame(const RowsData& data, const RowsOptions& options, const Rows
                     double height);
 
 Drawing rowsPlots(const RowsData& data, const RowsFrame& frame);
-// The number of a curve on a plate of its colour.
+// Adds a curve's number on a plate of its colour.
 void addCurveNumber(Drawing& drawing, Point at, std::size_t curve, Point offset, Anchor anchor = Anchor::Center);
-// Who computes which pixel; part of the plots.
+// Adds the strips, which show the stream of each pixel; part of rowsPlots().
 void addStrips(Drawing& drawing, const RowsData& data, const RowsFrame& frame);
 Drawing rowsAxes(const RowsData& data, const RowsFrame& frame);
-// Curves, and on request what the marks are.
+// Content of the legend: Whole: curves, costs and marks; Curves: curves and costs; Names: only the curves' names.
 enum class RowsLegend : std::uint8_t { Whole, Curves, Names };  // with the marks; what they cost; who they are
 Drawing rowsLegend(const RowsData& data, double width, relief::Language language,
                    RowsLegend legend = RowsLegend::Whole);

@@ -44,7 +44,7 @@ std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapsho
         const RowsFrame frame = rowsFrame(*data, options, range, width, height);
         return std::vector{rowsAxes(*data, frame), rowsPlots(*data, frame)};
     };
-    constexpr double kAspect = 0.78;  // two plots, and what they cost
+    constexpr double kAspect = 0.78;  // for two plots and the table of costs
     return chartFigure({legend, layers, kAspect, kAspect - 0.15}, figureCaption(snapshot));
 }
 

@@ -1,4 +1,4 @@
-// The row of the chosen pixel, computed in several ways: where it lies, and the figure.
+// The row of the chosen pixel, computed by several variants: its place, and the figure.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace reliefui {
 
-// Nothing where the chosen pixel shows the sky, or there is none. Not of coarse snapshots.
+// Returns std::nullopt if no pixel is chosen, or it shows the sky. Not for coarse snapshots.
 std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
 RowsOptions rowsOptions(const RowsPane& pane);
 RowsPane paneOf(const RowsOptions& options);

@@ -1,4 +1,4 @@
-// What is chosen in the pane of rows.
+// The user's choices in the rows pane.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace reliefui {
 
-inline constexpr std::size_t kMostRowVariants = 4;  // what can be told apart
+inline constexpr std::size_t kMostRowVariants = 4;  // more could not be distinguished
 
 struct RowsPane {
     static constexpr const char* kName = "rows";
-    // As `relief bench rows` spells them.
+    // Descriptions as for `relief bench rows`.
     std::vector<std::string> variants{"affine", "direct", "incremental:anchor=0", "streams:streams=4"};
-    int pixels = 0;  // of the row, up to kWidestRow; 0: the picture's
+    int pixels = 0;  // of the row, up to kWidestRow; 0: the picture's width
     bool inDouble = false;
     bool logarithmic = true;
 

@@ -18,7 +18,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kClickReach = 4;  // pixels that a click may move
+constexpr double kClickReach = 4;  // largest movement of a click, in pixels
 constexpr double kFewestPixels = 4;
 
 QString number(double value, int decimals) {
@@ -35,7 +35,7 @@ void RowsView::change(const RowsOptions& options) {
     if (options == options_) return;
     workspace_->change(withState(workspace_->scenario(), paneOf(options)),
                        changeName([] { return tr("Rows: other variants"); }));
-    showControls();  // where it was refused
+    showControls();  // resets the controls if the change was refused
 }
 
 void RowsView::adopt() {
@@ -61,7 +61,7 @@ void RowsView::showSnapshot() {
     const PauseLog::Part part("rows");
     canvas_->setStyle(workspace_->style());
     const std::shared_ptr<const Snapshot> snapshot = workspace_->snapshot();
-    // While something is dragged the row would be another one a moment later.
+    // Not during a drag, in which the row would soon be outdated.
     if (snapshot && snapshot->coarse) return;
     if (!snapshot || !snapshot->request) return showEmpty(workspace_->whyEmpty());
     if (!snapshot->scenario.pixel) return showEmpty(relief::MessageId::DrawNoRow);
@@ -82,25 +82,25 @@ void RowsView::showSnapshot() {
     job_->start({work, done});
 }
 
-void RowsView::letGo() {
+void RowsView::releaseContents() {
     job_->drop();
     data_.reset();
     snapshot_.reset();
     axes_.reset();
     plots_.reset();
     legend_.reset();
-    canvas_->letGo();
+    canvas_->releaseContents();
     setReadout({});
 }
 
 void RowsView::draw() {
     const PauseLog::Part part("rows: drawing");
     if (!data_) return;
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
-    // The legend first: what it needs is not left to the plots. Where it would take too much it says less: at last
-    // who is who, which numbers alone do not tell.
+    // The legend is laid out first; the plots get the remaining room. A legend that would take too much is shortened,
+    // at last to the curves' names, which their numbers alone do not tell.
     constexpr double kMostLegend = 0.34;
     for (const RowsLegend kind : {RowsLegend::Whole, RowsLegend::Curves, RowsLegend::Names}) {
         legend_ = canvas_->showLegend(rowsLegend(*data_, canvas_->legendWidth(), style.language, kind), kMostLegend);
@@ -124,7 +124,7 @@ void RowsView::resetZoom() {
     setRange(0, 0);
 }
 
-// Moved back into the row where it would leave it; nothing, or all of the row: no range.
+// Sets the visible range, moved to lie within the row; an empty range or the whole row resets it.
 void RowsView::setRange(double from, double to) {
     if (!data_) return;
     const auto first = static_cast<double>(data_->row.span.begin);
@@ -144,7 +144,7 @@ void RowsView::zoom(double factor, double x) {
     setRange(at - (at - frame_.from) / factor, at + (frame_.to - at) / factor);
 }
 
-// The grammar of all panes, along the row only: its axes stay in sight.
+// The common mouse controls, but along the row only: its axes stay visible.
 bool RowsView::eventFilter(QObject* object, QEvent* event) {
     if (object != canvas_) return QWidget::eventFilter(object, event);
     switch (event->type()) {
@@ -169,7 +169,7 @@ bool RowsView::eventFilter(QObject* object, QEvent* event) {
     }
 }
 
-// True: the canvas does not hear of it.
+// Returns true if the event is handled here and must not reach the canvas.
 bool RowsView::mouse(QMouseEvent* event) {
     const QPointF at = event->localPos();
     if (event->type() == QEvent::MouseButtonPress) {
@@ -198,13 +198,13 @@ void RowsView::choosePixel(const QPointF& widget) {
     if (!data_) return;
     const RowsReading at = rowsReading(*data_, frame_, canvas_->toDrawing(widget));
     if (!at.inside) return;
-    // A pixel of a wider picture lies in one of the picture's.
+    // A pixel of the widened row lies within one of the picture's.
     const double scale = static_cast<double>(snapshot_->scenario.width) / static_cast<double>(data_->place.width);
     const auto x = static_cast<int>((static_cast<double>(at.pixel) + 0.5) * scale);
     workspace_->choosePixel(x, data_->place.line);
 }
 
-void RowsView::tell(const QPointF& widget) {
+void RowsView::readOut(const QPointF& widget) {
     if (!data_) return setReadout({});
     const RowsReading at = rowsReading(*data_, frame_, canvas_->toDrawing(widget));
     if (!at.inside) return setReadout({});

@@ -1,5 +1,6 @@
 // Texture coordinates along the chosen pixel's scan line by several variants: values, errors, streams. Computed on a
-// thread of the pane's own. Wheel zooms along the row, drag moves it, a click chooses a pixel of the row, R shows all.
+// thread of the pane's own. The wheel zooms along the row, a drag moves it, a click chooses a pixel of the row, R
+// resets the view.
 #pragma once
 
 #include <memory>
@@ -30,12 +31,12 @@ class RowsView : public FigureView {
 
     DrawingCanvas* canvas() const { return canvas_; }
     const RowsOptions& options() const { return options_; }
-    // Of options that rowMethods() takes.
+    // The options must be accepted by rowMethods().
     void setOptions(const RowsOptions& options);
-    // What is on the screen; null: nothing, and the pane says why.
+    // The data on the screen; null: none, and the pane shows why.
     const RowsData* shown() const { return data_.get(); }
     const RowsFrame& frame() const { return frame_; }
-    // Nothing is waited for.
+    // Returns true if no computation is pending.
     bool settled() const;
 
   public slots:
@@ -45,12 +46,12 @@ class RowsView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return snapshot_ && snapshot_ != workspace_->snapshot(); }
     std::shared_ptr<const Figure> figure() const override;
-    void tell(const QPointF& widget) override;
-    void letGo() override;
+    void readOut(const QPointF& widget) override;
+    void releaseContents() override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
   private:
-    // One of the variants compared: its name and those of its options that it has.
+    // Controls of one of the compared variants: its name and those of its options that apply.
     struct Slot {
         QComboBox* variant = nullptr;
         QSpinBox* streams = nullptr;
@@ -63,11 +64,11 @@ class RowsView : public FigureView {
     void makeVariants();
     void addSlot(QGridLayout* grid, int row);
     void change(const RowsOptions& options);
-    void adopt();  // what the scenario says
+    void adopt();  // takes over the scenario's state of this pane
     void readSlots();
     static void setSettings(const Slot& slot, const relief::RowSettings& settings);
     void showControls();
-    void draw();  // another part is seen, another room or style
+    void draw();  // draws again for another visible part, size or style
     void showEmpty(relief::MessageId why);
     void setRange(double from, double to);
     void zoom(double factor, double x);
@@ -86,7 +87,7 @@ class RowsView : public FigureView {
     RowsOptions options_;
     RowsRange range_;
     RowsFrame frame_;
-    std::shared_ptr<const Snapshot> snapshot_;  // that data_ are of
+    std::shared_ptr<const Snapshot> snapshot_;  // snapshot of data_
     std::shared_ptr<const RowsData> data_;
     std::shared_ptr<const Drawing> axes_;
     std::shared_ptr<const Drawing> plots_;
@@ -94,7 +95,7 @@ class RowsView : public FigureView {
     QPointF pressed_;
     QPointF last_;
     bool dragging_ = false;
-    std::unique_ptr<LatestJob> job_;  // last: ends before the rest
+    std::unique_ptr<LatestJob> job_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

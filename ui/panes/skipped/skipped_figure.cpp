@@ -12,7 +12,7 @@ namespace reliefui {
 
 namespace {
 
-// The words of the pane.
+// Translation context of the pane's texts.
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(reliefui::SkippedPanel)
 };
@@ -21,7 +21,7 @@ QString rounded(double value) {
     return QString::fromStdString(relief::numberText(value, 3));
 }
 
-// "1234 of 5678 (22 %)".
+// Formats "1234 of 5678 (22 %)".
 QString amount(const relief::SkipRow& row) {
     const QString count = QString::number(row.count, 'f', 0);
     if (!(row.of > 0)) return count;

@@ -1,4 +1,4 @@
-// What the frame did not compute: its rows, and the figure.
+// What the frame did not need to compute: its table, and the figure.
 #pragma once
 
 #include "panes/table_figure.h"
@@ -6,7 +6,7 @@
 
 namespace reliefui {
 
-// The ledgers of the frame: a heading each, then a row a kind.
+// The frame's ledgers: a heading for each, followed by one row per kind of skipped work.
 TableSource skippedTable(const Snapshot& snapshot, relief::Language language);
 std::shared_ptr<const Figure> skippedFigure(std::shared_ptr<const Snapshot> snapshot);
 

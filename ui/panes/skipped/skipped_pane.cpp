@@ -13,7 +13,7 @@ PaneKind skippedPane() {
     kind.place = DockPlace::Bottom;
     kind.make = makePane<SkippedPanel>;
     kind.figures = {{"skipped", true, plainFigure<skippedFigure>}};
-    kind.open = false;  // until it is opened from the menu, by its key or from the bottom line
+    kind.open = false;  // opened from the menu, by its key or from the status bar
     return kind;
 }
 

@@ -12,7 +12,7 @@ namespace reliefui {
 
 namespace {
 
-// Rows as high as their text, broken into lines in the width of its column.
+// Rows as high as their wrapped text in the width of its column.
 class Wrapped : public QStyledItemDelegate {
   public:
     explicit Wrapped(QTreeWidget* tree) : QStyledItemDelegate(tree), tree_(tree) {}
@@ -24,7 +24,7 @@ class Wrapped : public QStyledItemDelegate {
         const int width = heading ? kEndless : tree_->columnWidth(index.column()) - kRoom;
         const QRect text = tree_->fontMetrics().boundingRect(0, 0, width, kEndless, Qt::TextWordWrap,
                                                              index.data(Qt::DisplayRole).toString());
-        // A heading goes over all columns.
+        // A heading spans all columns, so it requires no width.
         return {heading ? 0 : QStyledItemDelegate::sizeHint(option, index).width(), text.height() + 4};
     }
 
@@ -39,7 +39,7 @@ SkippedPanel::SkippedPanel(Workspace* workspace, QWidget* parent) : QTreeWidget(
     setAccessibleName(tr("What the last frame did not compute"));
     setHeaderLabels({tr("Not computed"), tr("How many"), tr("Why")});
     setSelectionMode(QAbstractItemView::NoSelection);
-    // Reasons are sentences: they go on in the next line where the pane is narrow.
+    // Reasons are sentences, which are wrapped in a narrow pane.
     setWordWrap(true);
     setItemDelegate(new Wrapped(this));
     setTextElideMode(Qt::ElideNone);
@@ -74,7 +74,7 @@ void SkippedPanel::refresh() {
 }
 
 void SkippedPanel::shareWidth() {
-    constexpr double kMost = 0.34;  // of the width, for what and for how many
+    constexpr double kMost = 0.34;  // share of the width for the columns of kinds and amounts
     for (int column = 0; column < 2; ++column) {
         resizeColumnToContents(column);
         setColumnWidth(column, std::min(columnWidth(column), static_cast<int>(kMost * viewport()->width())));

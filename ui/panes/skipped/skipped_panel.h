@@ -1,4 +1,5 @@
-// What the last frame did not compute: the lossless ledger and the bounded one, a row a kind: how many, and why.
+// What the last frame did not need to compute: the lossless ledger and the bounded one, with one row per kind of
+// skipped work: the amount and the reason.
 #pragma once
 
 #include <QTreeWidget>

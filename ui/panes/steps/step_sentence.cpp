@@ -8,7 +8,7 @@ namespace reliefui {
 
 namespace {
 
-// Sizes of the text, of the style's.
+// Text sizes, relative to the style's text size.
 constexpr double kLargest = 1.4;
 constexpr double kSmallest = 0.7;
 constexpr double kStep = 0.05;
@@ -43,10 +43,10 @@ QString StepSentence::words() const {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot) return tr("The steps of the chosen pixel's ray will stand here.");
     const relief::Language language = workspace_->style().language;
-    const auto said = [&](const relief::Message& message) {
+    const auto inWords = [&](const relief::Message& message) {
         return QString::fromStdString(relief::sentence(message, language));
     };
-    if (snapshot->trace.hidden) return said(relief::Message(relief::MessageId::DrawHidden));
+    if (snapshot->trace.hidden) return inWords(relief::Message(relief::MessageId::DrawHidden));
     const PixelTrace& trace = snapshot->trace;
     if (trace.steps.empty()) {
         return trace.onRelief ? tr("This method logged no step.")
@@ -54,11 +54,11 @@ QString StepSentence::words() const {
     }
     const int end = static_cast<int>(trace.steps.size()) - 1;
     const auto at = static_cast<std::size_t>(std::clamp(workspace_->scenario().step, 0, end));
-    const QString step = said(relief::stepSentence(trace.steps, at, trace.ray, trace.exact));
-    // At the end, and all along where the answer is another one.
+    const QString step = inWords(relief::stepSentence(trace.steps, at, trace.ray, trace.exact));
+    // The answer is described at the last step, and at every step if it is wrong.
     const bool last = at + 1 == trace.steps.size();
     if (!last && relief::answerError(trace.hit, trace.exact, trace.ray) <= relief::kSameAnswer) return step;
-    return step + QLatin1Char('\n') + said(relief::answerSentence(trace.hit, trace.exact, trace.ray));
+    return step + QLatin1Char('\n') + inWords(relief::answerSentence(trace.hit, trace.exact, trace.ray));
 }
 
 void StepSentence::refresh() {
@@ -67,7 +67,7 @@ void StepSentence::refresh() {
     fit();
 }
 
-// The largest type in which all of it is seen.
+// Chooses the largest font size at which the whole text is visible.
 void StepSentence::fit() {
     if (!isVisible()) return;
     QFont type = font();

@@ -1,4 +1,4 @@
-// The chosen step in words, as large as the room allows: nothing of it is cut.
+// The chosen step in words, in the largest font that fits; the text is never cut off.
 #pragma once
 
 #include <QLabel>
@@ -12,7 +12,7 @@ class StepSentence : public QLabel {
   public:
     explicit StepSentence(Workspace* workspace, QWidget* parent = nullptr);
 
-    // It takes the room it is given, whatever the text: what is around does not move from step to step.
+    // The height does not depend on the text, so that surrounding widgets do not move from step to step.
     bool hasHeightForWidth() const override { return false; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

@@ -25,7 +25,7 @@ namespace reliefui {
 
 namespace {
 
-// The decision's colour with its shape: colour is never alone.
+// The decision's colour and shape; colour is never the only cue.
 QPixmap symbol(relief::Decision decision, const Style& style, int side) {
     QPixmap pixmap(side, side);
     pixmap.fill(Qt::transparent);
@@ -114,7 +114,7 @@ QString StepModel::text(const relief::Step& step, int row, int column) const {
     }
 }
 
-// Large type has no room for the fourth.
+// Large type has no room for the fourth digit.
 QString StepModel::text(double value) const {
     return QString::fromStdString(relief::fixedText(value, style_.projector ? 3 : 4));
 }
@@ -126,7 +126,7 @@ double StepModel::sortKey(const relief::Step& step, int row, int column) const {
         case Level:
             return step.level;
         case Texel:
-            // Row by row.
+            // Sorted by rows of texels.
             return static_cast<double>(step.j) * 0x1p26 + static_cast<double>(step.i);
         case Lambda:
             return step.lambdaIn;
@@ -238,12 +238,13 @@ void StepTable::refresh() {
     followStep(workspace_->scenario().step);
 }
 
-// As wide as their texts (not measured: there may be hundreds of thousands) and titles. What has no room is left out,
-// beginning with what the next row, the profile or the sentence tells as well: nothing is cut.
+// Column widths from typical text lengths (not measured, because there may be hundreds of thousands of rows) and
+// titles. If there is not enough room, columns are hidden instead of cut, starting with those whose content also
+// appears in the next row, the profile or the sentence.
 void StepTable::shareColumns() {
     const QFontMetrics metrics(table_->font());
     const int letter = metrics.horizontalAdvance(QLatin1Char('0'));
-    const int shorter = workspace_->style().projector ? 1 : 0;  // a digit less in each number
+    const int shorter = workspace_->style().projector ? 1 : 0;  // one digit less per number
     const int letters[StepModel::Columns] = {4,           4,  12,         15 - 2 * shorter, 15 - 2 * shorter,
                                              7 - shorter, 12, 7 - shorter};
     int widths[StepModel::Columns] = {};
@@ -269,7 +270,7 @@ void StepTable::shareColumns() {
 
 void StepTable::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // When the table has its part of it; the chosen row stays in sight.
+    // Delayed until the table has its final size; keeps the chosen row visible.
     QTimer::singleShot(0, this, [this] {
         shareColumns();
         table_->scrollTo(table_->currentIndex());

@@ -1,4 +1,4 @@
-// The steps of the chosen ray as a table, in step with the workspace, and the chosen one said in a sentence.
+// The steps of the chosen ray as a table, synchronised with the workspace.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -13,7 +13,7 @@ namespace reliefui {
 
 class StepSentence;
 
-// Rows are steps; reads from the snapshot it was given, without a copy. The numbers are formatted without the locale.
+// A row per step; reads the snapshot without copying. Numbers are formatted independently of the locale.
 class StepModel : public QAbstractTableModel {
     Q_OBJECT
   public:
@@ -27,7 +27,7 @@ class StepModel : public QAbstractTableModel {
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-    // What rows are sorted by: the column's first number, or the decision's place in the list.
+    // Sort key: the column's first number, or the decision's rank in the list.
     static constexpr int kSortRole = Qt::UserRole;
 
   private:
@@ -48,8 +48,8 @@ class StepTable : public QWidget {
     QString sentence() const;
 
   public slots:
-    void copyRows();    // the chosen ones, or all, with tabs between columns
-    void exportRows();  // asks for a file; the columns of `relief trace --steps`
+    void copyRows();    // the selected rows, or all, with tabs between columns
+    void exportRows();  // asks for a file; same columns as `relief trace --steps`
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -68,7 +68,7 @@ class StepTable : public QWidget {
     QSortFilterProxyModel* sorted_;
     QTableView* table_;
     StepSentence* sentence_;
-    bool following_ = false;  // the selection moves because the workspace's step did
+    bool following_ = false;  // the selection is being changed by the workspace
 };
 
 }  // namespace reliefui

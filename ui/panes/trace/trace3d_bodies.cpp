@@ -31,7 +31,7 @@ class Bodies {
           style_(style),
           tube_(radius) {}
 
-    // What follows is drawn in the colour of this step's body.
+    // Sets the colour of the following bodies to that of this step.
     void take(const Snapshot& snapshot, const relief::Step& step) {
         color_ = style_.color(bodyRole(step, snapshot.trace.ray, snapshot.trace.exact));
     }
@@ -39,12 +39,12 @@ class Bodies {
     vtkSmartPointer<vtkActor> filled(const StepBody& body) const {
         auto actor = actorOf(body.kind == StepBody::Kind::Sphere ? ball(body) : cone(body));
         paintIn(actor, color_);
-        lightLittle(actor);
+        shadeWeakly(actor);
         actor->GetProperty()->SetOpacity(kOpacity);
         return actor;
     }
 
-    // A level ring and one in the plane of the ray; of a cone its edge and two sides.
+    // Sphere: a horizontal circle and one in the plane of the ray. Cone: its rim and two sides.
     void outline(Tubes& tubes, const StepBody& body, double width) const {
         if (body.kind == StepBody::Kind::Sphere) {
             ring(
@@ -90,10 +90,11 @@ class Bodies {
         }
     }
 
-    // How far out the cone is drawn: to the top of the slab, or somewhat farther than the ray goes in it.
+    // Radius up to which the cone is drawn: where it reaches the top of the slab, or somewhat farther than the ray
+    // travels in it.
     double reachOf(const StepBody& body) const {
         constexpr double kFarther = 1.4;
-        constexpr double kLeast = 1.5;  // texels
+        constexpr double kLeast = 1.5;  // in texels
         const double away = body.away(ray_.a, ray_.b);
         const double way = (1 - body.lambda - body.apex) / (1 + body.slope * away) * away;
         const double far = std::max(kFarther * way, kLeast);
@@ -143,7 +144,7 @@ class Bodies {
     const TraceScene& scene_;
     double slab_;
     relief::ViewRay ray_;
-    double run_;  // of the ray, texels a unit of lambda
+    double run_;  // of the ray, in texels per unit of lambda
     Point direction_;
     const Style& style_;
     Rgba color_;
@@ -174,7 +175,7 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
         bodies.outline(earlier, body, 0.22);
     }
     auto faint = actorOf(earlier.take());
-    lightLittle(faint);
+    shadeWeakly(faint);
     faint->GetProperty()->SetOpacity(kFaint);
     marks.push_back(faint);
     const StepBody body = stepBody(steps[chosen]);
@@ -183,7 +184,7 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
     Tubes strong;
     bodies.outline(strong, body, 0.6);
     auto edge = actorOf(strong.take());
-    lightLittle(edge);
+    shadeWeakly(edge);
     marks.push_back(edge);
     marks.push_back(bodies.filled(body));
     return marks;

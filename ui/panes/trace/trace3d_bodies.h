@@ -1,5 +1,6 @@
-// What steps of map methods knew to be empty, in the 3-D trace: the current step's sphere or cone translucent, earlier
-// ones as faint outlines. Distances are in the slab's metric: where heights are exaggerated, spheres are stretched.
+// The space that steps of map methods treated as empty, in the 3-D trace: the current step's sphere or cone is
+// translucent, earlier ones are faint outlines. Distances are in the slab's metric: spheres are stretched if heights
+// are exaggerated.
 #pragma once
 
 #include <vector>
@@ -16,7 +17,7 @@ namespace reliefui {
 std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const Snapshot& snapshot, std::size_t chosen,
                                                  const Style& style, double radius);
 
-// Where words about it stand: above it.
+// Position of a label: above the body.
 Place aboveBody(const TraceScene& scene, const Snapshot& snapshot, const StepBody& body);
 
 }  // namespace reliefui

@@ -20,10 +20,10 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kRadius = 0.0035;  // of the ray, as a share of the scene's diagonal
-constexpr double kSleeve = 2.1;     // times the ray
+constexpr double kRadius = 0.0035;  // of the ray, relative to the scene's diagonal
+constexpr double kSleeve = 2.1;     // relative to the ray's radius
 constexpr double kChosen = 3.2;
-constexpr double kLater = 0.45;  // opacity of the steps after the chosen one
+constexpr double kLater = 0.45;  // opacity of steps after the chosen one
 
 }  // namespace
 
@@ -45,21 +45,22 @@ vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Ro
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::ray() const {
-    constexpr double kAbove = 0.14;  // of the scene's diagonal: seen also where the hit is just under the top
+    // relative to the scene's diagonal; long enough to be visible if the hit is just below the top
+    constexpr double kAbove = 0.14;
     const double speed = std::hypot(scene_.path.run.x, scene_.path.run.y, scene_.scale);
     const double before = -kAbove * scene_.diagonal() / speed;
     Tubes tubes;
     tubes.add(scene_.onRay(before), scene_.onRay(scene_.end), radius_, style_.color(Role::Ray));
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>& steps, std::size_t chosen,
                                                 bool later) const {
     constexpr std::size_t kMost = 400;
-    constexpr double kGap = 0.04;  // between two sleeves the ray itself is seen
-    // Narrower and narrower brackets lie around each other.
+    constexpr double kGap = 0.04;  // between two sleeves, so that the ray is visible
+    // Sleeves of successive refinements enclose each other.
     constexpr int kMostNested = 5;
     constexpr double kWiden = 0.3;
     int nested = 0;
@@ -71,7 +72,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
         if (!coversStretch(step.decision)) continue;
         const bool after = k > 0 && steps[k - 1].decision == relief::Decision::Refine;
         nested = after ? std::min(nested + 1, kMostNested) : 0;
-        // What was narrowed down is not covered again by the hit that it led to.
+        // The hit of a refinement does not cover the refinement's sleeve.
         if (after && step.decision == relief::Decision::Hit) continue;
         const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
         const Place from = scene_.onRay(std::min(step.lambdaIn, scene_.end));
@@ -80,7 +81,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
                   paint_.color(step, style_));
     }
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     if (later) actor->GetProperty()->SetOpacity(kLater);
     return actor;
 }
@@ -90,7 +91,7 @@ vtkSmartPointer<vtkActor> TraceMarks::stretch(const relief::Step& step) const {
     Tubes tubes;
     tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, paint_.color(step, style_));
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
@@ -151,7 +152,7 @@ TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const relief::MaxP
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
-    // A face in the very plane of the block's cut side would flicker.
+    // A face coplanar with the cut side of the block would flicker.
     constexpr double kOutside = 0.0015;
     const Box inside = prism.sides.cut(scene_.patch);
     const Box b = inside.grown(kOutside * scene_.diagonal());
@@ -183,7 +184,7 @@ vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
     Tubes tubes;
     if (b.width() > 0 && b.height() > 0) {
         const Rgba color = prism.color;
-        // A side where the patch ends is no side of the texel.
+        // Sides at the end of the patch are not borders of the texel.
         const bool left = b.x0 == whole.x0;
         const bool right = b.x1 == whole.x1;
         const bool far = b.y0 == whole.y0;
@@ -205,7 +206,7 @@ vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
         edge(right && near, {b.x1, -b.y1, low}, {b.x1, -b.y1, high});
     }
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
@@ -243,7 +244,7 @@ std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera, do
 vtkSmartPointer<vtkTextActor> TraceMarks::words(const Place& at, const std::string& text, Role role,
                                                 double size) const {
     auto actor = vtkSmartPointer<vtkTextActor>::New();
-    // Spaces keep it off the place it is about.
+    // Leading spaces separate the text from its place.
     std::string spaced = " ";
     spaced += text;
     spaced += ' ';

@@ -1,5 +1,5 @@
-// What the 3-D trace draws over the relief: the ray, its stretches in the colours of the steps, the box of a step, the
-// hit, and words.
+// Objects that the 3-D trace draws over the relief: the ray, its parts coloured by step, the box of a step, the hit,
+// and labels.
 #pragma once
 
 #include <string>
@@ -24,30 +24,31 @@ class TraceMarks {
                const StepPaint& paint = {});
 
     vtkSmartPointer<vtkActor> line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const;
-    vtkSmartPointer<vtkActor> ray() const;  // a tube from a little above the slab to its end
-    // Sleeves around the ray, of the steps up to the chosen one or of those after it (faint); of very long logs only
-    // the steps around the chosen one.
+    vtkSmartPointer<vtkActor> ray() const;  // a tube from slightly above the slab to the ray's end
+    // Sleeves around the ray for the steps up to the chosen one, or (later) for those after it, faintly; limited to the
+    // steps around the chosen one in very long logs.
     vtkSmartPointer<vtkActor> stretches(const std::vector<relief::Step>& steps, std::size_t chosen, bool later) const;
-    vtkSmartPointer<vtkActor> stretch(const relief::Step& step) const;  // the chosen one, thicker
-    // Between the ray and the relief under it, and where its shadow lies.
+    vtkSmartPointer<vtkActor> stretch(const relief::Step& step) const;  // sleeve of the chosen step, thicker
+    // curtain(): the vertical surface between the ray and the relief below. shadow(): the ray's vertical projection
+    // onto the relief.
     vtkSmartPointer<vtkActor> curtain() const;
     vtkSmartPointer<vtkActor> shadow() const;
-    // What the step looked at: from the foot of the block to the value read, over the step's texel; of a walk through a
-    // distance map the voxel, or what it tested.
+    // What the step examined: over the step's texel, from the bottom of the block to the value read; for a walk through
+    // a distance map the voxel or the tested cell.
     struct Prism {
-        Box sides;  // texels; those beyond the patch are cut off
+        Box sides;  // in texels, clipped to the patch
         double low = 0;
-        double high = 0;  // Z
+        double high = 0;  // in Z
         Rgba color;
     };
     Prism prism(const relief::Step& step, const relief::MaxPyramidMap& maxima) const;
     vtkSmartPointer<vtkActor> box(const Prism& prism) const;
     vtkSmartPointer<vtkActor> boxEdges(const Prism& prism) const;
-    // A ring that faces the eye, before what it lies on.
+    // A ring that faces the viewer and is drawn in front of the surface it lies on.
     std::vector<vtkSmartPointer<vtkActor>> hitRing(vtkCamera* camera, double lambda) const;
     vtkSmartPointer<vtkTextActor> words(const Place& at, const std::string& text, Role role, double size) const;
     double radius() const { return radius_; }
-    // Where words about the step stand.
+    // Position of labels of the step.
     Place labelPlace(const relief::Step& step) const;
 
   private:

@@ -30,7 +30,7 @@ namespace reliefui {
 
 namespace {
 
-// From the upper left behind the eye: slopes are told apart, and nothing is black.
+// Light from the upper left behind the viewer, so that slopes are distinguishable and nothing is black.
 void addLight(vtkRenderer* renderer) {
     auto light = vtkSmartPointer<vtkLight>::New();
     light->SetLightTypeToCameraLight();
@@ -39,12 +39,12 @@ void addLight(vtkRenderer* renderer) {
     renderer->AddLight(light);
 }
 
-constexpr double kLegendMargin = 6;  // points
+constexpr double kLegendMargin = 6;  // in points
 
-// The number of the step, and what it read.
+// The step's number and the value it read.
 QString stepWords(const relief::Step& step, const StepBody& body, std::size_t number) {
     const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
-    constexpr double kNone = 0.005;  // texels
+    constexpr double kNone = 0.005;  // in texels
     if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
     if (body.kind == StepBody::Kind::Sphere) {
         return Trace3dView::tr("%1: %2 texels promised free")
@@ -123,7 +123,7 @@ void TracePicture::addRelief() {
     renderer_->AddActor2D(topLabel_);
 }
 
-// At the corner that is leftmost now: out of the way of the ray and its words.
+// Placed at the leftmost corner in the current view, clear of the ray and its labels.
 void TracePicture::placeTopLabel() {
     if (!scene_ || topLabel_ == nullptr) return;
     const Place right = camera.right();
@@ -151,14 +151,14 @@ void TracePicture::addRay() {
     if (trace.hit.outcome == relief::Outcome::Hit) {
         for (const auto& part : marks.hitRing(eye, scene_->end)) renderer_->AddActor(part);
     }
-    // Where it is another place.
+    // Only if the exact hit is at another place than the method's.
     if (trace.hidden || trace.exact.outcome != relief::Outcome::Hit || trace.exact.lambda > scene_->end) return;
     if (relief::answerError(trace.hit, trace.exact, trace.ray) <= relief::kSameAnswer) return;
     for (const auto& part : marks.hitRing(eye, trace.exact.lambda)) renderer_->AddActor(part);
     const relief::Message exact(relief::MessageId::DrawExact);
     const auto words =
         marks.words(scene_->onRay(trace.exact.lambda), relief::sentence(exact, style_.language), Role::Label, 0.85);
-    // Below it: words about a step stand above.
+    // Placed below, because labels of steps are above.
     words->GetTextProperty()->SetVerticalJustificationToTop();
     renderer_->AddActor2D(words);
 }
@@ -212,9 +212,9 @@ void TracePicture::paintLegend(const Drawing& drawing, int height) {
     legend_->Modified();
 }
 
-// Below the relief. Where it would take too much, it is left out.
+// Places the legend below the relief; it is left out if it would take too much.
 void TracePicture::layLegend() {
-    constexpr double kMost = 0.3;  // of the height
+    constexpr double kMost = 0.3;  // as a share of the height
     relief_ = 1;
     if (scene_ && !size_.isEmpty()) {
         const double unit = style_.pixelsPerPoint();
@@ -296,8 +296,8 @@ void TracePicture::follow(int step) {
     camera.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
 }
 
-// Keeps the direction of the view, at the distance that shows the ray and the patch around it: of what lies below the
-// hit as much as a third of what the ray has come down.
+// Keeps the viewing direction, and chooses the distance so that the ray and the patch around it are visible. The
+// visible depth below the hit is limited to a third of the ray's descent.
 void TracePicture::showAll(double room) {
     if (!scene_) return;
     const Box& p = scene_->patch;
@@ -317,7 +317,7 @@ void TracePicture::showAll(double room) {
 void TracePicture::fit(double room) {
     if (!scene_) return;
     const double length = std::hypot(scene_->path.run.x, scene_->path.run.y);
-    // Across the ray, a little from behind it, so that it runs through the picture from left to right.
+    // Perpendicular to the ray and slightly from behind, so that the ray runs from left to right.
     constexpr double kBehind = 0.45;
     const double dx = length > 0 ? scene_->path.run.x / length : 1;
     const double dy = length > 0 ? -scene_->path.run.y / length : 0;

@@ -1,5 +1,5 @@
-// The picture of the 3-D trace in a renderer, for the pane and for files: the relief around the chosen ray, the ray,
-// its stretches in the colours of the steps, what the current step knew; a legend below it. It belongs to no window.
+// The 3-D trace in a VTK renderer, for the pane and for files: the relief around the chosen ray, the ray, its parts
+// coloured by step, the data of the current step; a legend below. It is independent of any window.
 #pragma once
 
 #include <memory>
@@ -31,27 +31,28 @@ class TracePicture {
 
     void addTo(vtkRenderWindow* window) const;
     void takeFrom(vtkRenderWindow* window) const;
-    vtkRenderer* renderer() const;  // of the relief
-    // Null where there is no ray; words say why.
+    vtkRenderer* renderer() const;  // renderer of the relief
+    // Null if there is no ray; a message explains why.
     const TraceScene* scene() const { return scene_.get(); }
     const std::shared_ptr<const Snapshot>& shown() const { return shown_; }
 
-    // Replaces everything. style: in the pixels of the window; exaggeration: of heights.
-    // why: what is said where there is no snapshot.
+    // Replaces the whole content. style: in the window's pixels; exaggeration: factor of the heights. why: message
+    // shown without a snapshot.
     void show(std::shared_ptr<const Snapshot> snapshot, const Style& style, double exaggeration,
               relief::MessageId why = relief::MessageId::DrawNoPicture);
-    void setColors(StepColors colors) { colors_ = colors; }  // of the steps shown next
+    void setColors(StepColors colors) { colors_ = colors; }  // applies to the steps shown next
     void setSize(const QSize& pixels);                       // of the window
-    double relief() const { return relief_; }                // how much of its height, from the top, is not the legend
-    // The next show() draws anew, whatever it is of.
+    // share of the height, from the top, not used by the legend
+    double relief() const { return relief_; }
+    // Makes the next show() rebuild everything, even for the same snapshot.
     void forget();
     void showStep(int step);
-    // The camera: the whole patch seen from the side of the ray; the same without turning; the end of the step in the
-    // middle. room: how much of the width there is.
+    // Camera: fit() shows the whole patch from the side of the ray; showAll() does so without rotating; follow()
+    // centres the end of the step. room: usable share of the width.
     void fit(double room = 1);
     void showAll(double room = 1);
     void follow(int step);
-    // Puts the camera, and what depends on it, into the renderer: before each rendering.
+    // Applies the camera, and everything that depends on it, to the renderer; call it before each rendering.
     void place();
 
     Turntable camera;
@@ -77,7 +78,7 @@ class TracePicture {
     std::shared_ptr<const Snapshot> shown_;
     std::unique_ptr<TraceScene> scene_;
     Style style_;
-    std::vector<vtkSmartPointer<vtkProp>> stepProps_;  // of the current step, replaced by the next
+    std::vector<vtkSmartPointer<vtkProp>> stepProps_;  // of the current step; replaced by the next
     vtkSmartPointer<vtkTextActor> topLabel_;           // at the left corner of the slab's top
 };
 

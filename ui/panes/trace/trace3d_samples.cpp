@@ -11,7 +11,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kOutside = 0.003;  // of the scene's diagonal
+constexpr double kOutside = 0.003;  // relative to the scene's diagonal
 
 using relief::Decision;
 
@@ -19,12 +19,12 @@ bool isPoint(const relief::Step& step) {
     return step.as<relief::subject::Point>() != nullptr || step.as<relief::subject::Layer>() != nullptr;
 }
 
-// A look at a layer: the next sample of a search.
+// Returns true if the step samples a layer, as part of a linear search.
 bool isLayer(const std::vector<relief::Step>& steps, std::size_t k) {
     const relief::Step& step = steps[k];
     if (!isPoint(step)) return false;
     if (step.decision == Decision::Advance) return true;
-    // The first sample of all is no layer when the ray is shifted by it.
+    // The sample of a method that shifts the ray by a single height is not a layer.
     return step.decision == Decision::Hit && !(k > 0 && steps[k - 1].decision == Decision::Start);
 }
 
@@ -35,7 +35,7 @@ bool readsHeight(Decision decision) {
 
 std::vector<Place> corners(const TraceScene& scene, double lambda) {
     const double z = (1 - lambda) * scene.scale;
-    // A little outside the cut sides of the block, which would hide a rim in part.
+    // Slightly outside the cut sides of the block, which would otherwise hide part of the rim.
     const Box p = scene.patch.grown(kOutside * scene.diagonal());
     return {{p.x0, -p.y0, z}, {p.x1, -p.y0, z}, {p.x1, -p.y1, z}, {p.x0, -p.y1, z}};
 }
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkActor> sheets(const TraceScene& scene, const std::vector<doub
     return actor;
 }
 
-// The rims of the sheets, so that they are counted at a glance.
+// Outlines of the sheets, so that they can be counted.
 vtkSmartPointer<vtkActor> rims(const TraceScene& scene, const std::vector<double>& lambdas, Rgba color, double radius) {
     Tubes tubes;
     for (const double lambda : lambdas) {
@@ -68,11 +68,11 @@ vtkSmartPointer<vtkActor> rims(const TraceScene& scene, const std::vector<double
         for (std::size_t k = 0; k < rim.size(); ++k) tubes.add(rim[k], rim[(k + 1) % rim.size()], radius, color);
     }
     auto actor = actorOf(tubes.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     return actor;
 }
 
-// Between the ray and the height read under it.
+// Adds a line from the ray to the height read below it.
 void addStem(Tubes& tubes, const TraceScene& scene, double lambda, double height, double radius, Rgba color) {
     const Place onRay = scene.onRay(lambda);
     const Place read{onRay[0], onRay[1], std::max(scene.bottom, height * scene.scale)};
@@ -86,7 +86,7 @@ double readAt(const std::vector<relief::Step>& steps, std::size_t index) {
     const relief::Step& step = steps[index];
     if (step.decision == Decision::Hit && index > 0 && steps[index - 1].decision == Decision::Start)
         return step.lambdaIn;
-    // A halving reads in the middle, which has become one of the ends.
+    // A bisection reads at the middle, which becomes one end of the interval.
     if (step.decision == Decision::Refine && step.lambdaAfter == step.lambdaIn) return step.lambdaIn;
     return step.lambdaOut;
 }
@@ -109,11 +109,11 @@ std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, cons
                                                    double radius) {
     constexpr std::size_t kMostStems = 200;
     std::vector<vtkSmartPointer<vtkActor>> marks;
-    // The steps of a map's distances and cones are shown by these.
+    // Steps that use a map are drawn as spheres or cones instead.
     const bool trusts = std::any_of(steps.begin(), steps.end(), [](const relief::Step& s) { return s.trustsMap(); });
     if (trusts || std::none_of(steps.begin(), steps.end(), isPoint)) return marks;
     std::vector<double> lambdas = sheetLambdas(steps, chosen);
-    // What lies under the foot of the block is not seen.
+    // Sheets below the bottom of the block are not visible.
     std::erase_if(lambdas, [&](double lambda) { return (1 - lambda) * scene.scale < scene.bottom; });
     const Rgba advanced = style.color(Role::Advanced);
     marks.push_back(sheets(scene, lambdas, advanced, 0.05));
@@ -138,7 +138,7 @@ std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, cons
                     style.color(Role::Advanced));
     }
     auto actor = actorOf(stems.take());
-    lightLittle(actor);
+    shadeWeakly(actor);
     marks.push_back(actor);
     return marks;
 }

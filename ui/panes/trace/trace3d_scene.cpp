@@ -16,10 +16,10 @@ namespace reliefui {
 
 namespace {
 
-// Of the patch around the ray, as a share of the ray's own extent, and at least so many texels.
+// Margin of the patch around the ray, relative to the ray's extent, with a minimum in texels.
 constexpr double kMarginShare = 0.35;
 constexpr double kMarginTexels = 8;
-// Small patches are sampled between the texels, too: a bilinear patch is not two triangles.
+// Small patches are sampled between texels as well, because a bilinear patch is not two triangles.
 constexpr int kFine = 4;
 
 vtkSmartPointer<vtkUnsignedCharArray> colorArray() {
@@ -46,7 +46,7 @@ vtkSmartPointer<vtkPolyData> lineThrough(const std::vector<Place>& places, bool 
 
 TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
     : path(snapshot.request->field, snapshot.trace.ray), snapshot_(snapshot), field_(snapshot.request->field) {
-    // A slab without thickness is drawn as a sheet.
+    // A slab without thickness is drawn as a flat sheet.
     scale = std::max(field_.slabTexels() * exaggeration, 1e-6 * field_.width());
     const PixelTrace& trace = snapshot.trace;
     baseLevel = trace.baseLevel;
@@ -58,34 +58,34 @@ TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
     const Point from = path.at(0);
     const Point to = path.at(end);
     const Box extent{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
-    // Of a small map not its copies all around.
+    // For a small map, the minimum is reduced, so that the patch does not mainly consist of its copies.
     const double least = std::min(kMarginTexels, std::ceil(0.25 * std::min(field_.width(), field_.height())));
     const double margin = std::max(least, kMarginShare * std::hypot(extent.width(), extent.height()));
     patch = extent.grown(margin);
     if (field_.address() == relief::Address::Border) patch = patch.cut(texelDomain(field_));
     if (field_.address() == relief::Address::Clamp) patch = patch.cut(texelDomain(field_).grown(kMarginTexels));
-    // A ray that ends outside the picture has no patch of its own.
+    // A ray that ends outside the picture gets the whole picture as its patch.
     if (patch.empty() || patch.width() < 1 || patch.height() < 1) patch = texelDomain(field_);
     patch = {std::floor(patch.x0), std::floor(patch.y0), std::ceil(patch.x1), std::ceil(patch.y1)};
     bottom = foot();
 }
 
-// Under the lowest point of the patch; but where that is far below, the block is not much higher than it is wide: a
-// single pit would make everything else small.
+// Z of the block's bottom: below the lowest point of the patch, but limited so that the block is not much higher than
+// wide, because a single pit would make everything else small.
 double TraceScene::foot() const {
-    constexpr int kLooks = 64;
-    constexpr double kUnder = 0.06;   // of the slab
-    constexpr double kHighest = 0.5;  // of the block's width
-    constexpr double kDeep = 0.1;     // the same, under the ray
+    constexpr int kSamplesPerSide = 64;
+    constexpr double kUnder = 0.06;   // relative to the slab
+    constexpr double kHighest = 0.5;  // relative to the block's width
+    constexpr double kDeep = 0.1;     // relative to the block's width, below the ray's end
     double low = 1;
-    for (int j = 0; j <= kLooks; ++j) {
-        for (int i = 0; i <= kLooks; ++i) {
-            const double s = patch.x0 + patch.width() * i / kLooks;
-            low = std::min(low, field_.at(s, patch.y0 + patch.height() * j / kLooks));
+    for (int j = 0; j <= kSamplesPerSide; ++j) {
+        for (int i = 0; i <= kSamplesPerSide; ++i) {
+            const double s = patch.x0 + patch.width() * i / kSamplesPerSide;
+            low = std::min(low, field_.at(s, patch.y0 + patch.height() * j / kSamplesPerSide));
         }
     }
     double underRay = (1 - end) * scale;
-    for (int k = 0; k <= kLooks; ++k) underRay = std::min(underRay, underRayAt(end * k / kLooks));
+    for (int k = 0; k <= kSamplesPerSide; ++k) underRay = std::min(underRay, underRayAt(end * k / kSamplesPerSide));
     const double width = std::hypot(patch.width(), patch.height());
     return std::max({0.0, (low - kUnder) * scale, std::min(scale - kHighest * width, underRay - kDeep * width)});
 }
@@ -143,7 +143,7 @@ vtkSmartPointer<vtkPolyData> TraceScene::surface() const {
             const double t = std::min(patch.y0 + j * step, patch.y1);
             const double height = field_.at(s, t);
             points->InsertNextPoint(s, -t, height * scale);
-            // Over a decimated patch the slope is that between the samples.
+            // On a decimated patch, the slope is that between the samples.
             const double h = std::max(step, 1.0) / 2;
             const double dx = (field_.at(s + h, t) - field_.at(s - h, t)) / (2 * h) * scale;
             const double dy = (field_.at(s, t + h) - field_.at(s, t - h)) / (2 * h) * scale;
@@ -197,7 +197,7 @@ vtkSmartPointer<vtkPolyData> TraceScene::boxes() const {
             unsigned char rgb[3];
             color(x0 + 0.5 * step, -y0 + 0.5 * step, height(i, j), rgb);
             quad({{{x0, y0, z}, {x0, y1, z}, {x1, y1, z}, {x1, y0, z}}}, rgb);
-            // Walls to the neighbours on the right and below: each wall once.
+            // Walls to the right and lower neighbours, so that each wall is added once.
             const double right = i + 1 < columns ? height(i + 1, j) * scale : z;
             if (right != z) quad({{{x1, y0, z}, {x1, y1, z}, {x1, y1, right}, {x1, y0, right}}}, rgb);
             const double below = j + 1 < rows ? height(i, j + 1) * scale : z;
@@ -213,7 +213,7 @@ vtkSmartPointer<vtkPolyData> TraceScene::boxes() const {
 
 vtkSmartPointer<vtkPolyData> TraceScene::skirt() const {
     constexpr int kSamples = 256;
-    constexpr double kInside = 1e-6;  // the sides of columns lie on the texel's border
+    constexpr double kInside = 1e-6;  // the sides of columns lie exactly on the texel's border
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     const Box edge = patch.grown(-kInside);

@@ -1,6 +1,6 @@
-// The relief of the 3-D trace: a patch of it around the ray, as a solid block, and the slab's top above it. Frame:
-// texels; X = s, Y = -t (so that the picture is not mirrored), Z = height times the slab's thickness times an
-// exaggeration. Under repeat counted from the period that the tracer started in.
+// The relief of the 3-D trace: a patch around the ray as a solid block, and the top of the slab above it. Frame, in
+// texels: X = s, Y = -t (so that the picture is not mirrored), Z = height times the slab's thickness times the
+// exaggeration. If the picture repeats, coordinates are relative to the period in which the tracer started.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace reliefui {
 
-// Samples of the relief along one side of the patch, at most: larger patches are decimated.
+// Largest number of samples per side of the patch; larger patches are decimated.
 inline constexpr int kPatchSamples = 128;
 
 using Place = std::array<double, 3>;
@@ -22,15 +22,15 @@ class TraceScene {
   public:
     TraceScene(const Snapshot& snapshot, double exaggeration);
 
-    Box patch;          // in texels, (s, t)
+    Box patch;          // in texels (s, t)
     double scale = 1;   // Z of the top of the slab
-    double bottom = 0;  // Z of the block's foot; what lies deeper is cut off
-    double end = 1;     // lambda at which the ray ends (hit, or left the field)
+    double bottom = 0;  // Z of the block's bottom; lower parts are cut off
+    double end = 1;     // lambda at the ray's end (hit, or exit from the field)
     RayPath path;
-    int baseLevel = 0;  // of the texels that the steps are about
+    int baseLevel = 0;  // of the steps, see stepBox()
 
     double diagonal() const;
-    // On the ray, and on the relief under it.
+    // Position on the ray; position on the relief below it.
     Place onRay(double lambda) const;
     Place underRay(double lambda) const;
 
@@ -50,7 +50,7 @@ class TraceScene {
     const relief::HeightField& field_;
 };
 
-// Points joined by lines; closed: back to the first.
+// Polyline through the places; closed: returns to the first.
 vtkSmartPointer<vtkPolyData> lineThrough(const std::vector<Place>& places, bool closed);
 
 }  // namespace reliefui

@@ -28,12 +28,13 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
       widget_(new QVTKOpenGLNativeWidget(this)),
       note_(new QLabel(this)),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
-    // Made of mouse drags, too; Qt complains of those that end when the pane is hidden. Fingers pinch and pan.
+    // Qt also creates these gestures from mouse drags, and prints warnings if they end while the pane is hidden. Pinch
+    // and pan gestures remain.
     for (const Qt::GestureType gesture : {Qt::TapGesture, Qt::TapAndHoldGesture}) widget_->ungrabGesture(gesture);
     setFace(widget_);
     widget_->setContextMenuPolicy(Qt::DefaultContextMenu);
     widget_->setAccessibleName(tr("Trace in 3-D"));
-    // As in all panes: sizes are in device pixels already (deviceStyle()).
+    // As in all panes, sizes are already in device pixels (deviceStyle()).
     widget_->setEnableHiDPI(false);
     widget_->setFocusPolicy(Qt::StrongFocus);
     window_->SetMultiSamples(0);
@@ -60,7 +61,7 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
 }
 
 Trace3dView::~Trace3dView() {
-    renderSoon_.stop();
+    deferredRender_.stop();
 }
 
 vtkRenderer* Trace3dView::renderer() const {
@@ -98,7 +99,7 @@ Style Trace3dView::deviceStyle() const {
     return style;
 }
 
-// Whole or not at all: a number that is cut is another one. The tool tip has it always.
+// The note is hidden rather than cut off, because a truncated number is misleading. The tool tip always shows it.
 void Trace3dView::fitNote() {
     const QString text = note_->toolTip();
     note_->setText(note_->fontMetrics().horizontalAdvance(text) <= note_->width() ? text : QString());
@@ -119,7 +120,7 @@ void Trace3dView::showSnapshot() {
     const auto& shown = picture_.shown();
     const bool same = shown && snapshot && shown->version == snapshot->version && shown->coarse == snapshot->coarse &&
                       shown->trace.hidden == snapshot->trace.hidden;
-    if (same && cameIntoSight()) showStep(workspace_->scenario().step);
+    if (same && becameVisible()) showStep(workspace_->scenario().step);
     if (same) return;
     note_->setToolTip({});
     fitNote();
@@ -132,7 +133,7 @@ void Trace3dView::showSnapshot() {
     showStep(workspace_->scenario().step);
 }
 
-void Trace3dView::letGo() {
+void Trace3dView::releaseContents() {
     picture_.show(nullptr, deviceStyle(), pane_.heights);
     note_->setToolTip({});
     fitNote();
@@ -140,7 +141,7 @@ void Trace3dView::letGo() {
 
 void Trace3dView::showStep(int step) {
     const PauseLog::Part part("trace 3-D: step");
-    if (outOfSight()) return;
+    if (markStaleIfHidden()) return;
     picture_.showStep(step);
     if (const TraceScene* const scene = picture_.scene()) {
         const auto number = [](double v) { return QString::fromStdString(relief::numberText(v, 3)); };
@@ -202,7 +203,7 @@ bool Trace3dView::handleMouse(QMouseEvent* event) {
         return true;
     }
     if (event->buttons() == Qt::NoButton) return false;
-    constexpr double kClickReach = 3;  // pixels
+    constexpr double kClickReach = 3;  // in pixels
     dragged_ = dragged_ || (event->localPos() - pressed_).manhattanLength() > kClickReach;
     const QPointF by = event->localPos() - last_;
     last_ = event->localPos();
@@ -213,9 +214,9 @@ bool Trace3dView::handleMouse(QMouseEvent* event) {
     return true;
 }
 
-// R: all of the patch; arrows turn, with Shift they move; plus and minus zoom.
+// R shows the whole patch; arrow keys rotate, with Shift they move; plus and minus zoom.
 bool Trace3dView::handleKey(QKeyEvent* event) {
-    constexpr double kTurn = 24;  // pixels of a drag
+    constexpr double kTurn = 24;  // as for a drag of this many pixels
     constexpr double kNearer = 1.2;
     const bool shift = event->modifiers() == Qt::ShiftModifier;
     double dx = 0;
@@ -273,7 +274,7 @@ bool Trace3dView::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyPress:
             return handleKey(static_cast<QKeyEvent*>(event));
         case QEvent::ContextMenu:
-            // By its key; the mouse opens it where it does not drag.
+            // Opens the menu by its key; with the mouse it opens on a click without a drag.
             if (static_cast<QContextMenuEvent*>(event)->reason() != QContextMenuEvent::Keyboard) return true;
             openMenu(widget_->rect().center());
             return true;
@@ -295,7 +296,7 @@ void Trace3dView::renderNow() {
 
 void Trace3dView::render() {
     picture_.place();
-    renderSoon_.start();
+    deferredRender_.start();
 }
 
 std::shared_ptr<const Figure> Trace3dView::figure() const {

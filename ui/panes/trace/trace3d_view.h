@@ -1,6 +1,6 @@
-// The relief around the chosen ray in three dimensions: the ray, its stretches coloured by decision, level or phase,
-// the box of the current step's texel, the hit. Drag turns, right drag moves, wheel zooms at the pointer, R fits;
-// arrows, Shift+arrows, plus and minus do the same.
+// The relief around the chosen ray in three dimensions: the ray, its parts coloured by decision, level or phase, the
+// box of the current step's texel, the hit. A drag rotates, a right drag moves, the wheel zooms at the pointer, R
+// resets the view; arrows, Shift+arrows, plus and minus do the same.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include "panes/deferred_call.h"
 #include "panes/figure_view.h"
-#include "panes/soon.h"
 #include "panes/trace/trace3d_picture.h"
 #include "panes/trace/trace_state.h"
 
@@ -35,16 +35,16 @@ class Trace3dView : public FigureView {
 
   public slots:
     void fit();                         // the whole patch, seen from the side of the ray
-    void setFollowing(bool on);         // the camera keeps its eye on the end of the current step
-    void setExaggeration(double n);     // of heights
-    void setColors(const QString& by);  // of the steps, as of tracePaneColors()
+    void setFollowing(bool on);         // keeps the end of the current step in the centre
+    void setExaggeration(double n);     // factor of the heights
+    void setColors(const QString& by);  // name from tracePaneColors()
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     std::shared_ptr<const Figure> figure() const override;
     void showSnapshot() override;
     bool outdated() const override;
-    void letGo() override;
+    void releaseContents() override;
 
   private:
     void makeBar(QHBoxLayout* bar);
@@ -55,7 +55,7 @@ class Trace3dView : public FigureView {
         pane.*choice = value;
         change(pane);
     }
-    void adopt();  // what the scenario says
+    void adopt();  // takes over the scenario's state of this pane
     void showStep(int step);
     bool handleMouse(QMouseEvent* event);
     bool handleKey(QKeyEvent* event);
@@ -74,9 +74,9 @@ class Trace3dView : public FigureView {
     TracePicture picture_;
     QPointF pressed_;
     QPointF last_;
-    Soon renderSoon_{this, [this] { renderNow(); }};
+    DeferredCall deferredRender_{this, [this] { renderNow(); }};
     bool dragged_ = false;
-    bool placed_ = false;  // the camera has been put somewhere
+    bool placed_ = false;  // the camera has been placed
     TracePane pane_;
 };
 

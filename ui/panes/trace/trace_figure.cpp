@@ -27,7 +27,7 @@ struct TraceFigure : SpaceFigure {
         if (options.camera) {
             picture.camera = *options.camera;
         } else {
-            constexpr double kRoom = 0.78;  // for words at the sides
+            constexpr double kRoom = 0.78;  // share of the width; leaves room for labels at the sides
             picture.fit(kRoom);
         }
         picture.place();

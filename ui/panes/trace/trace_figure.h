@@ -10,14 +10,14 @@
 
 namespace reliefui {
 
-// The heights are drawn so many times as high; without a camera it is seen from the side of the ray.
+// Exaggeration of the heights and camera; without a camera, the view is from the side of the ray.
 struct TraceOptions {
     double exaggeration = 1;
     StepColors colors = StepColors::Decision;
     std::optional<Turntable> camera;
 };
 
-// By OpenGL: WorkError where there is none.
+// Rendered with OpenGL; throws WorkError if it is not available.
 std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                           const TraceOptions& options);
 

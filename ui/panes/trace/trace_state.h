@@ -1,4 +1,4 @@
-// What is chosen in the pane of the trace in three dimensions.
+// The user's choices in the 3-D trace pane.
 #pragma once
 
 #include "workspace/state_json.h"
@@ -8,7 +8,7 @@ namespace reliefui {
 struct TracePane {
     static constexpr const char* kName = "trace";
     std::string colors = "decision";  // of tracePaneColors()
-    double heights = 1;               // exaggerated so many times, 0.25 to 4
+    double heights = 1;               // exaggeration of the heights, 0.25 to 4
     bool follow = false;
 
     void read(relief::JsonReader reader);

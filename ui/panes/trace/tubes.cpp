@@ -23,7 +23,7 @@ void Tubes::cone(const Place& from, const Place& to, double radius, double endRa
     const double d[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
     const double length = std::hypot(d[0], d[1], d[2]);
     if (length <= 0) return;
-    // Any direction across that is not along the tube.
+    // Any direction that is not parallel to the tube.
     const bool steep = std::abs(d[2]) > 0.9 * length;
     const Place axis = steep ? Place{1, 0, 0} : Place{0, 0, 1};
     Place u{d[1] * axis[2] - d[2] * axis[1], d[2] * axis[0] - d[0] * axis[2], d[0] * axis[1] - d[1] * axis[0]};
@@ -54,7 +54,7 @@ void Tubes::cone(const Place& from, const Place& to, double radius, double endRa
 }
 
 void Tubes::arrow(const Place& from, const Place& to, double radius, Rgba color) {
-    constexpr double kHeadLength = 9;  // radii
+    constexpr double kHeadLength = 9;  // in radii
     constexpr double kHeadWidth = 3;
     const double length = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     if (length <= 0) return;
@@ -94,7 +94,7 @@ void paintIn(vtkActor* actor, Rgba color) {
     actor->GetProperty()->SetColor(color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-void lightLittle(vtkActor* actor) {
+void shadeWeakly(vtkActor* actor) {
     actor->GetProperty()->SetAmbient(0.75);
     actor->GetProperty()->SetDiffuse(0.3);
 }

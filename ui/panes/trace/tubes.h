@@ -1,4 +1,4 @@
-// Cylinders, arrow heads and balls of the 3-D trace, each in its colour, as one mesh.
+// Builds one mesh of coloured cylinders, arrow heads and balls for the 3-D trace.
 #pragma once
 
 #include <vtkActor.h>
@@ -20,9 +20,9 @@ class Tubes {
     Tubes() { colors_->SetNumberOfComponents(4); }
 
     void add(const Place& from, const Place& to, double radius, Rgba color) { cone(from, to, radius, radius, color); }
-    // A tube that is wider or narrower at its end; radius 0: a point.
+    // A tube with different radii at its ends; radius 0: a tip.
     void cone(const Place& from, const Place& to, double radius, double endRadius, Rgba color);
-    // A tube that ends in a head, at most half as long as the whole.
+    // A tube with a head, which is at most half as long as the whole.
     void arrow(const Place& from, const Place& to, double radius, Rgba color);
     void ball(const Place& at, double radius, Rgba color);
 
@@ -38,7 +38,7 @@ class Tubes {
 
 vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data);
 void paintIn(vtkActor* actor, Rgba color);
-// Flat colours: a role is told by its colour, which light must not change much.
-void lightLittle(vtkActor* actor);
+// Weak shading, because colours identify roles and must not change much.
+void shadeWeakly(vtkActor* actor);
 
 }  // namespace reliefui

@@ -1,5 +1,5 @@
-// The scenario's point with its distances, for a pane that draws it: found in the background, once for each point and
-// relief.
+// Computes the distances of the scenario's point in the background, once per point and relief, for a pane that draws
+// them.
 #pragma once
 
 #include <functional>
@@ -12,26 +12,27 @@
 
 namespace reliefui {
 
-// The elevation, degrees, of the flattest ray that the method's map serves; of the maps' default where it walks none.
+// Elevation, in degrees, of the flattest ray for which the method's map is valid; the maps' default if it uses none.
 double servedFlattest(const relief::MethodChoice& method);
-// At once, for figures; null: no point, or none over the picture.
+// Computed synchronously, for figures; null if there is no point or it lies outside the picture.
 std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::optional<QueryPoint>& point,
                                           relief::Work& work);
 
-class PointAsker {
+class PointFinder {
   public:
-    // To be made on the receiver's thread. found: called there when known() has got another value by itself.
-    PointAsker(const QObject* receiver, std::function<void()> found);
+    // Must be constructed on the receiver's thread. found: called there when the value of known() has changed
+    // asynchronously.
+    PointFinder(const QObject* receiver, std::function<void()> found);
 
-    // Starts to find the distances unless they are known or on their way; without a point, forgets.
+    // Starts computing the distances unless they are known or being computed; clears them if there is no point.
     void ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point);
-    // Null until they are found.
+    // Null until the distances are computed.
     const std::shared_ptr<const PointQuery>& known() const { return known_; }
     bool busy() const { return job_.busy(); }
     void drop();
 
   private:
-    // What the distances depend on.
+    // Everything on which the distances depend.
     struct Question {
         QueryPoint point;
         std::shared_ptr<const relief::FloatImage> heights;
@@ -43,9 +44,9 @@ class PointAsker {
     };
 
     std::function<void()> found_;
-    std::optional<Question> asked_;
+    std::optional<Question> pending_;
     std::shared_ptr<const PointQuery> known_;
-    LatestJob job_;  // last: ends before the rest
+    LatestJob job_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace reliefui

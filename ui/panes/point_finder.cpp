@@ -1,4 +1,4 @@
-#include "panes/point_asker.h"
+#include "panes/point_finder.h"
 
 #include "relief/tracers/map_choice.h"
 
@@ -18,19 +18,19 @@ std::shared_ptr<const PointQuery> pointOf(const Snapshot& snapshot, const std::o
     return pointQuery(snapshot.request->field, *point, servedFlattest(snapshot.scenario.method), *snapshot.maps, work);
 }
 
-PointAsker::PointAsker(const QObject* receiver, std::function<void()> found)
+PointFinder::PointFinder(const QObject* receiver, std::function<void()> found)
     : found_(std::move(found)), job_(receiver, {[](const QString&) {}, [](const QString&, double) {}}) {}
 
-void PointAsker::ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point) {
+void PointFinder::ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point) {
     if (!point || !snapshot || !snapshot->request || !snapshot->maps) return drop();
     const relief::HeightField& field = snapshot->request->field;
     const Question now{*point,          field.sharedHeights(), field.surface(),
                        field.address(), field.reliefDepth(),   servedFlattest(snapshot->scenario.method)};
-    if (asked_ == now) return;
+    if (pending_ == now) return;
     drop();
-    // While something is dragged the relief would be another one a moment later.
+    // Not during a drag, in which the relief would soon be outdated.
     if (snapshot->coarse) return;
-    asked_ = now;
+    pending_ = now;
     auto query = std::make_shared<std::shared_ptr<const PointQuery>>();
     const auto work = [snapshot, point, query](relief::Work& w) { *query = pointOf(*snapshot, point, w); };
     const auto done = [this, query] {
@@ -40,9 +40,9 @@ void PointAsker::ask(const std::shared_ptr<const Snapshot>& snapshot, const std:
     job_.start({work, done});
 }
 
-void PointAsker::drop() {
-    if (asked_) job_.drop();
-    asked_.reset();
+void PointFinder::drop() {
+    if (pending_) job_.drop();
+    pending_.reset();
     known_.reset();
 }
 

@@ -1,4 +1,4 @@
-#include "workspace/aside.h"
+#include "workspace/background_call.h"
 
 #include <deque>
 #include <mutex>
@@ -10,14 +10,14 @@ namespace reliefui {
 
 namespace {
 
-// Calls that no thread of the pool has taken. A queue of our own, for the reason that mailbox.h gives.
+// Calls not yet taken by a thread of the pool. Qt's own queue is not used, for the reason given in mailbox.h.
 struct Waiting {
     std::mutex mutex;
     std::deque<std::function<void()>> calls;
 };
 
 Waiting& waiting() {
-    // Never destroyed: a thread of the pool may end after this library's own objects.
+    // Never destroyed: a thread of the pool may outlive this library's static objects.
     static auto* const calls = new Waiting;
     return *calls;
 }
@@ -34,7 +34,7 @@ void runNext() {
 
 }  // namespace
 
-void runAside(std::function<void()> call) {
+void runInBackground(std::function<void()> call) {
     {
         const std::lock_guard lock(waiting().mutex);
         waiting().calls.push_back(std::move(call));
