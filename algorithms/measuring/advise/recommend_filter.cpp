@@ -1,4 +1,4 @@
-// The filter: those of the library against the supersampled picture, on small pictures of the user's own map.
+// Compares the library's filters with the supersampled picture, on small pictures of the user's own map.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,14 +12,14 @@ namespace relief {
 
 namespace {
 
-// Flatter than this a small picture has no pixels that are free of the polygon's edge.
+// Below this elevation, degrees, every pixel of a small picture touches the polygon's edge.
 constexpr double kFlattestFilterView = 8;
 constexpr double kSteepestFilterView = 85;
 constexpr int kWidth = 40;
 constexpr int kHeight = 30;
 constexpr int kSamples = 6;
-constexpr double kRichSeconds = 10;  // with as much time the pictures are twice as wide
-// A pixel covers about that many texels across where the map is larger than the picture.
+constexpr double kRichSeconds = 10;  // given this much time, the pictures are twice as wide
+// Approximate width of a pixel in texels, if the map is larger than the picture.
 constexpr double kTexelsAPixel = 3;
 
 std::vector<double> elevations(const std::vector<Elevation>& views) {
