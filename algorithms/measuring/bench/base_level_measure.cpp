@@ -12,7 +12,7 @@ namespace relief {
 
 namespace {
 
-constexpr int kSide = 64;  // rays along each side of the picture, at most
+constexpr int kSide = 64;  // maximum number of rays along each side of the picture
 constexpr int kRounds = 5;
 constexpr int kDigits = 3;
 
