@@ -61,14 +61,14 @@ class Watch {
 
   private:
     void watch(const Work& outer, const std::stop_token& over) {
-        constexpr auto kLook = std::chrono::milliseconds(20);
+        constexpr auto kPollInterval = std::chrono::milliseconds(20);
         std::unique_lock lock(mutex_);
         while (!over.stop_requested()) {
             if (outer.stopped() || Clock::now() > until_) {
                 source_.request_stop();
                 return;
             }
-            wake_.wait_for(lock, over, kLook, [] { return false; });
+            wake_.wait_for(lock, over, kPollInterval, [] { return false; });
         }
     }
 

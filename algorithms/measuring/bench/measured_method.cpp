@@ -8,7 +8,8 @@ namespace {
 
 // Returns the ends of a number's range, or every choice, except the default. If a map is built from the number, the
 // upper end is limited to twice the default, because it would take hours.
-std::vector<std::string> telling(const OptionDescription& option, const std::string& defaultValue, bool buildsMaps) {
+std::vector<std::string> valuesToVary(const OptionDescription& option, const std::string& defaultValue,
+                                      bool buildsMaps) {
     std::vector<std::string> values = option.choices;
     if (option.kind == OptionKind::Integer || option.kind == OptionKind::Real) {
         const double twice = 2 * parseNumber(defaultValue, option.name);
@@ -92,7 +93,8 @@ std::vector<MeasuredMethod> methodVariants() {
         std::vector<OptionValues> variants{{}};
         for (const OptionDescription& option : description.options) {
             const std::size_t before = variants.size();
-            for (const std::string& value : telling(option, description.defaults.at(option.name), method.buildsMaps)) {
+            for (const std::string& value :
+                 valuesToVary(option, description.defaults.at(option.name), method.buildsMaps)) {
                 // Options of methods that build maps are varied one at a time, which limits the number of maps.
                 for (std::size_t v = 0; v < (method.buildsMaps ? 1 : before); ++v) {
                     variants.push_back(variants[v]);

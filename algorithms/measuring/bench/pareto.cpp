@@ -162,13 +162,13 @@ std::string shortMethodName(const MethodChoice& choice) {
 }
 
 std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& height, const std::string& elevation) {
-    const auto keep = [&](const char* option, const char* what, const std::string& wanted, const auto& textOf) {
-        if (wanted.empty()) return;
+    const auto keep = [&](const char* option, const char* what, const std::string& given, const auto& textOf) {
+        if (given.empty()) return;
         std::vector<std::string> known;
         for (const BenchRow& row : rows) addOnce(known, textOf(row));
-        std::erase_if(rows, [&](const BenchRow& row) { return textOf(row) != wanted; });
+        std::erase_if(rows, [&](const BenchRow& row) { return textOf(row) != given; });
         if (!rows.empty()) return;
-        throw InputError(option, unknownName({"what", what}, wanted, commaList(known)));
+        throw InputError(option, unknownName({"what", what}, given, commaList(known)));
     };
     // Accepts the short name or the whole one.
     const bool whole = std::any_of(rows.begin(), rows.end(), [&](const BenchRow& row) { return row.height == height; });

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Violations listed of one kind: one fault would push out all others.
+// Maximum number of listed violations of one kind, so that a single fault does not displace all others.
 constexpr std::size_t kListedAlike = 5;
 
 Json methodJson(const StressMethodCoverage& method) {
