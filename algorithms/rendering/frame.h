@@ -168,7 +168,7 @@ struct PictureParts {
     // The rows of the picture to make, with the same bits as in the whole picture; empty: all. Up to 31 more rows on
     // either side are made; in all other rows the light stage and the layers are undefined. The light stage always has
     // the whole picture's size.
-    RowRange wanted{};
+    RowRange onlyRows{};
 };
 
 // Returns the largest number of bytes that FrameRenderer::picture() takes, without maps and the filter's levels.

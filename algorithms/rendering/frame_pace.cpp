@@ -29,7 +29,7 @@ void FramePace::setLevels(const std::vector<double>& nominal) {
     given_ = nominal_ = nominal;
     wait_ = kFirstWait;
     go(finestWithin(0, budget_));
-    tried_ = false;
+    onTrial_ = false;
 }
 
 double FramePace::expected(int level) const {
@@ -44,7 +44,7 @@ int FramePace::finestWithin(int first, double seconds) const {
 }
 
 void FramePace::go(int level) {
-    tried_ = level < level_;
+    onTrial_ = level < level_;
     level_ = level;
     frames_ = 0;
 }
@@ -69,8 +69,8 @@ void FramePace::took(double seconds) {
     if (typical() > kTolerated * budget_) return coarser();
     if (frames_ < 3) return;
     follow(typical());
-    if (tried_ && frames_ > kProven * wait_) {
-        tried_ = false;
+    if (onTrial_ && frames_ > kProven * wait_) {
+        onTrial_ = false;
         wait_ = kFirstWait;
     }
     if (level_ > 0) finer();
@@ -78,12 +78,12 @@ void FramePace::took(double seconds) {
 
 void FramePace::coarser() {
     const double seconds = typical();
-    if (tried_ && frames_ <= kTrial) {
+    if (onTrial_ && frames_ <= kTrial) {
         nominal_[static_cast<std::size_t>(level_)] = seconds / scale_;
     } else {
         follow(seconds);
     }
-    if (tried_) wait_ = std::min(kLonger * wait_, kLongestWait);
+    if (onTrial_) wait_ = std::min(kLonger * wait_, kLongestWait);
     const int last = static_cast<int>(nominal_.size()) - 1;
     if (level_ < last) go(finestWithin(level_ + 1, budget_));
 }
@@ -116,7 +116,7 @@ void FramePace::rested(double seconds) {
     if (!slow && !fast) return;
     scale_ *= seconds / expected(0);
     go(finestWithin(0, budget_));
-    tried_ = false;
+    onTrial_ = false;
 }
 
 }  // namespace relief

@@ -55,7 +55,7 @@ class FramePace {
     int level_ = 0;
     std::array<double, 3> recent_{};  // seconds of the last frames on this level
     int frames_ = 0;                  // frames made on this level
-    bool tried_ = false;              // the level was reached from a coarser one
+    bool onTrial_ = false;            // the level was reached from a coarser one
     int wait_ = 0;                    // frames on a level before a finer one is tried whatever its expected time
 };
 

@@ -43,26 +43,26 @@ class BandMaker {
           band_(band),
           counts_(counts),
           work_(work),
-          met_(first) {
+          firstUntraced_(first) {
         setup.frame->stored = {first, first};
     }
 
     // Makes rows [begin, end) and keeps the stages of `halo` more rows on either side.
-    void make(RowRange rows, int halo, bool tellProgress) {
+    void make(RowRange rows, int halo, bool reportProgress) {
         Frame& frame = *setup_.frame;
         const RowRange stored{std::max(0, rows.begin - halo), std::min(frame.height, rows.end + halo)};
         shiftBand(band_, frame, stored.begin - frame.stored.begin);
         frame.rows = rows, frame.stored = stored;
         const TileWorker worker(request_, frame, tools_, band_, kAllStages, totals);
         if (halo > 0) {
-            const std::vector<PixelArea> ahead = tilesOf(frame.width, {met_, stored.end});
-            overTiles(ahead, false, work_, [&](const PixelArea& tile) { worker.meet(tile, work_); });
-            met_ = stored.end;
+            const std::vector<PixelArea> ahead = tilesOf(frame.width, {firstUntraced_, stored.end});
+            overTiles(ahead, false, work_, [&](const PixelArea& tile) { worker.findHits(tile, work_); });
+            firstUntraced_ = stored.end;
         }
         const std::vector<PixelArea> tiles = tilesOf(frame.width, rows);
-        overTiles(tiles, tellProgress, work_, [&](const PixelArea& tile) {
-            if (halo == 0) worker.meet(tile, work_);
-            worker.paint(tile, work_);
+        overTiles(tiles, reportProgress, work_, [&](const PixelArea& tile) {
+            if (halo == 0) worker.findHits(tile, work_);
+            worker.shade(tile, work_);
         });
         if (!counts_) return;
         const auto begin = Clock::now();
@@ -85,7 +85,7 @@ class BandMaker {
     FrameBuffers& band_;
     bool counts_;
     Work& work_;
-    int met_;  // the first row whose rays are not traced yet
+    int firstUntraced_;  // the first row whose rays are not traced yet
 };
 
 // Returns the rows of the tiles that contain the wanted rows; tiles begin where they do in the whole picture.
@@ -129,7 +129,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     fitBand(*band_, frame, std::min(frame.height, rows + 2 * halo), request, counts || mesh);
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
     frame.light = fitLight(band_->light, frame);
-    const RowRange made = madeRows(parts.wanted, frame.height);
+    const RowRange made = madeRows(parts.onlyRows, frame.height);
     if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.end - made.begin));
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
     for (int y = made.begin; y < made.end; y += rows) {
@@ -145,7 +145,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
         frame.light = nullptr;
         band_.reset();
         frame.light = std::make_shared<LightStage>(
-            LightStage{supersampled(request, maps_, work, {}, frame.counters, parts.wanted)});
+            LightStage{supersampled(request, maps_, work, {}, frame.counters, parts.onlyRows)});
     }
     finish(frame, begin, work);
     // The picture belongs to the caller alone.

@@ -239,11 +239,11 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     if (stale != 0) {
         const std::vector<PixelArea> tiles = tilesOf(frame->width, frame->rows);
         const bool twice = worker.hitsFirst();
-        if (twice) overTiles(tiles, false, work, [&](const PixelArea& tile) { worker.meet(tile, work); });
+        if (twice) overTiles(tiles, false, work, [&](const PixelArea& tile) { worker.findHits(tile, work); });
         if (!partOfMore_) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
         overTiles(tiles, !partOfMore_, work, [&](const PixelArea& tile) {
-            if (!twice) worker.meet(tile, work);
-            worker.paint(tile, work);
+            if (!twice) worker.findHits(tile, work);
+            worker.shade(tile, work);
         });
     }
     report(*frame, request, setup->visible, totals, stale, setup->mesh != nullptr);

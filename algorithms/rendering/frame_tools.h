@@ -45,10 +45,10 @@ inline std::vector<PixelArea> tilesOf(int width, RowRange rows) {
 
 // Calls body(tile) for all tiles, in parallel. Throws Cancelled.
 template <class Body>
-void overTiles(const std::vector<PixelArea>& tiles, bool tellProgress, Work& work, const Body& body) {
+void overTiles(const std::vector<PixelArea>& tiles, bool reportProgress, Work& work, const Body& body) {
     parallelFor(work, tiles.size(), [&](std::size_t n) {
         body(tiles[n]);
-        if (tellProgress) work.progress().advance();
+        if (reportProgress) work.progress().advance();
     });
 }
 

@@ -46,12 +46,12 @@ struct LayerTools {
     VisiblePolygons visible{};
     // The filter that tells which texels are hidden; null: the frame's filter is not a visible-part filter, or it was
     // not made yet.
-    std::shared_ptr<const TextureFilter> sight = nullptr;
-    bool sightMade = false;
+    std::shared_ptr<const TextureFilter> visibility = nullptr;
+    bool visibilityMade = false;
 };
 
-std::shared_ptr<const TextureFilter> sightOf(const Frame& frame, const FrameRequest& request, MapCache& maps,
-                                             Work& work) {
+std::shared_ptr<const TextureFilter> visibilityFilter(const Frame& frame, const FrameRequest& request, MapCache& maps,
+                                                      Work& work) {
     if (!frame.filter || !frame.filter->description().visible) return nullptr;
     if (frame.filter->tracesBack()) return frame.filter;
     FilterChoice choice = request.filter;
@@ -71,9 +71,9 @@ std::array<float, 3> footprintValues(const std::string& name, const Frame& frame
         const SemiAxes<double> axes = ellipseOf(query->jacobian).semiAxes();
         return {static_cast<float>(axes.major), static_cast<float>(axes.minor), 0};
     }
-    if (!tools.sight) return {kNaN, 0, 0};
+    if (!tools.visibility) return {kNaN, 0, 0};
     FootprintCounts counts;
-    tools.sight->color(*query, counts, work);
+    tools.visibility->color(*query, counts, work);
     return {counts.texels > 0
                 ? static_cast<float>(static_cast<double>(counts.hidden) / static_cast<double>(counts.texels))
                 : 0,
@@ -131,8 +131,8 @@ void LayerPlanes::add(const Frame& part, const FrameRequest& request, Work& work
         if (name == "steps") assert(part.hits->counted());
         if (name == "error") tools.error = errorAgainstExact(part, request, maps_, work);
         if (name == "footprint" || name == "hidden") tools.visible = part.visible(request);
-        if (name == "hidden" && !std::exchange(tools.sightMade, true)) {
-            tools.sight = sightOf(part, request, maps_, work);
+        if (name == "hidden" && !std::exchange(tools.visibilityMade, true)) {
+            tools.visibility = visibilityFilter(part, request, maps_, work);
         }
         for (int y = part.rows.begin; y < part.rows.end && name != "color"; ++y) {
             work.throwIfStopped();

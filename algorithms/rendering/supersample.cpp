@@ -174,7 +174,7 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
     auto renderer = std::make_unique<FrameRenderer>(maps, true);
     PictureParts parts;
     // The pass begins `margin` rows higher, and every pixel needs the same number of rows above and below it.
-    if (rows.begin != rows.end) parts.wanted = {rows.begin, rows.end + 2 * sums.margin()};
+    if (rows.begin != rows.end) parts.onlyRows = {rows.begin, rows.end + 2 * sums.margin()};
     for (int done = 0; done < total; ++done) {
         pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
         const auto frame = renderer->picture(pass, work, parts);

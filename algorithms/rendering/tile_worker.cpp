@@ -15,7 +15,7 @@ namespace relief {
 namespace {
 
 // Coordinates of pixels without a hit.
-constexpr double kNotMet = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPosition = std::numeric_limits<double>::quiet_NaN();
 
 // Side, in pixels, of the squares that are tested together for rays that need no search.
 constexpr int kSkipSide = 16;
@@ -64,7 +64,7 @@ void TileWorker::clear(const PixelArea& tile) const {
         rows(buffers_.hits->by, HitBy::Traced);
         // A mesh sets only the pixels that it covers.
         if (tools_.mesh != nullptr) {
-            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNotMet);
+            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNoPosition);
         }
     }
     if (needsClearing(buffers_.color, tile)) rows(buffers_.color->color.pixels(), Color(0));
@@ -92,7 +92,7 @@ void TileWorker::clearUncovered(const PixelArea& tile) const {
             }
             if (met) {
                 HitBlock& hits = buffers_.hits->hits;
-                for (auto* column : {&hits.lambda, &hits.s, &hits.t}) fill(*column, kNotMet);
+                for (auto* column : {&hits.lambda, &hits.s, &hits.t}) fill(*column, kNoPosition);
             }
         }
     }
@@ -237,7 +237,7 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
 }
 
 // Colours footprints that are small enough for the plain filter, and removes them from the block.
-void TileWorker::leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const {
+void TileWorker::filterTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const {
     std::size_t kept = 0;
     for (std::size_t n = 0; n < pixels.size(); ++n) {
         const FilterQuery query = block[n];
@@ -280,7 +280,7 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
             }
         }
     }
-    if (frame_.plainFilter) leaveTiny(pixels, block, work);
+    if (frame_.plainFilter) filterTiny(pixels, block, work);
     block.resize(pixels.size());
     colors.resize(pixels.size());
     filter.colors(block, colors, counts, work);

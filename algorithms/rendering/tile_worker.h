@@ -56,7 +56,7 @@ class TileWorker {
                !(request.bounded > 0);
     }
     bool hitsFirst() const { return hitsFirst(frame_, request_, stale_); }
-    void meet(const PixelArea& tile, Work& work) const {
+    void findHits(const PixelArea& tile, Work& work) const {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
         clearUncovered(tile);
@@ -66,7 +66,7 @@ class TileWorker {
             overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
         });
     }
-    void paint(const PixelArea& tile, Work& work) const {
+    void shade(const PixelArea& tile, Work& work) const {
         if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(tile); });
         timed(Stage::Color, [&] { colorHits(tile, work); });
         timed(Stage::Shadows, [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, work); }); });
@@ -120,7 +120,7 @@ class TileWorker {
     void drawMesh(const PixelArea& tile) const;
     void countOutcomes(const PixelArea& tile) const;
     void colorHits(const PixelArea& tile, Work& work) const;
-    void leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const;
+    void filterTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const;
     void filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts, Work& work) const;
     void castShadows(const PixelArea& tile, Work& work) const;
     AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;

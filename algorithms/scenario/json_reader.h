@@ -157,14 +157,14 @@ class JsonReader {
                              Message(MessageId::ScenarioLine, {{"line", lineOf(source_.text, path)}, {"why", why}}));
         }
     }
-    [[noreturn]] void fail(const std::string& key, MessageId wanted) const { fail(key, Message(wanted)); }
-    [[noreturn]] void fail(const std::string& key, const Message& wanted) const {
+    [[noreturn]] void fail(const std::string& key, MessageId expected) const { fail(key, Message(expected)); }
+    [[noreturn]] void fail(const std::string& key, const Message& expected) const {
         std::vector<std::string> path = path_;
         if (!key.empty()) path.push_back(key);
         const std::size_t line = lineOf(source_.text, path);
         if (path.empty()) throw InputError(source_.fileName, Message(MessageId::ScenarioNoObject, {{"line", line}}));
         throw InputError(source_.fileName, Message(MessageId::ScenarioWrongType,
-                                                   {{"line", line}, {"key", path.back()}, {"wanted", wanted}}));
+                                                   {{"line", line}, {"key", path.back()}, {"wanted", expected}}));
     }
 
   private:

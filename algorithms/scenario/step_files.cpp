@@ -73,9 +73,9 @@ constexpr int kUnknownLevel = -1;
 
 Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
     if (row.kind.empty()) return subject::Texel{kUnknownLevel, step.i, step.j, step.value};
-    const auto lacks = [&](std::size_t at, MessageId wanted) {
+    const auto lacks = [&](std::size_t at, MessageId expected) {
         const std::string key(kSubjectColumns[at + 1]);
-        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
+        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", expected}}));
     };
     const auto real = [&](std::size_t at) {
         const auto& value = row.values[at];
@@ -208,8 +208,8 @@ Row csvRow(std::string_view text, const FurtherColumns& further, const Place& pl
 }
 
 Row jsonRow(const Json& object, const Place& place) {
-    const auto wrong = [&](const char* key, MessageId wanted) {
-        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
+    const auto wrong = [&](const char* key, MessageId expected) {
+        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", expected}}));
     };
     const auto whole = [&](const char* key, std::optional<std::int64_t> otherwise) -> std::int64_t {
         const auto found = object.find(key);

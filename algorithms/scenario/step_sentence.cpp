@@ -19,7 +19,7 @@ constexpr int kTexelDecimals = 2;
 
 // A message with the level, the texel, the stored value and the heights of the ray.
 Message aboutTexel(MessageId id, const Step& step) {
-    const int decimals = tellingDecimals(step.value, step.zOut());
+    const int decimals = distinguishingDecimals(step.value, step.zOut());
     return Message(id, {{"level", step.level},
                         {"i", step.i},
                         {"j", step.j},
@@ -31,7 +31,7 @@ Message aboutTexel(MessageId id, const Step& step) {
 
 // A message with the surface's height at one point: layer, heights of ray and surface, position of the answer.
 Message aboutPoint(MessageId id, const Step& step, const StepContext& context) {
-    const int decimals = std::max(tellingDecimals(step.value, step.zOut()), kHeightDecimals);
+    const int decimals = std::max(distinguishingDecimals(step.value, step.zOut()), kHeightDecimals);
     const auto height = [&](double z) { return fixedText(z, decimals); };
     const auto* const layer = step.as<subject::Layer>();
     const Hit hit = context.ray ? Hit::at(*context.ray, step.lambdaAfter) : Hit();
@@ -110,7 +110,7 @@ Message testSentence(const Step& step) {
     if (step.as<subject::Cone>() != nullptr) return aboutTexel(MessageId::StepTestApex, step);
     if (const auto* const quad = step.as<subject::Quad>()) {
         const auto texels = [](double x) { return fixedText(x, kTexelDecimals); };
-        const int decimals = tellingDecimals(quad->maximum, step.zOut());
+        const int decimals = distinguishingDecimals(quad->maximum, step.zOut());
         return Message(MessageId::StepTestQuad, {{"s0", texels(quad->s)},
                                                  {"s1", texels(quad->s + quad->width)},
                                                  {"t0", texels(quad->t)},
@@ -204,7 +204,7 @@ std::string fixedText(double value, int decimals) {
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-int tellingDecimals(double a, double b) {
+int distinguishingDecimals(double a, double b) {
     if (a == b || !std::isfinite(a) || !std::isfinite(b)) return kFewestDecimals;
     int decimals = kFewestDecimals;
     while (decimals < kMostDecimals && fixedText(a, decimals) == fixedText(b, decimals)) ++decimals;

@@ -22,7 +22,7 @@ struct StepContext {
 // Returns the number with `decimals` digits after the point, independent of the locale.
 std::string fixedText(double value, int decimals);
 // Returns the number of decimals, from 2 to 6, with which two different numbers are printed differently.
-int tellingDecimals(double a, double b);
+int distinguishingDecimals(double a, double b);
 
 // Returns the decision's name in the user's language: "skip", "пропуск".
 Message decisionTitle(Decision decision);

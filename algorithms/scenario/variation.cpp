@@ -130,7 +130,7 @@ FilterChoice filterOf(const MethodChoice& choice, const FilterChoice& own) {
     return filter;
 }
 
-bool there(const std::vector<MethodChoice>& list, CompareSubject subject, const MethodChoice& choice) {
+bool contains(const std::vector<MethodChoice>& list, CompareSubject subject, const MethodChoice& choice) {
     return std::any_of(list.begin(), list.end(), [&](const auto& one) { return sameVariation(subject, one, choice); });
 }
 
@@ -139,8 +139,8 @@ std::vector<std::string> otherValues(const OptionDescription& option, const std:
     if (option.kind == OptionKind::Choice || option.kind == OptionKind::Method) return option.choices;
     const double value = standard.empty() ? option.low : std::atof(standard.c_str());
     std::vector<std::string> values;
-    for (const double wanted : {value / 2, value * 2, option.low, option.high}) {
-        const double whole = option.kind == OptionKind::Integer ? std::floor(wanted) : wanted;
+    for (const double number : {value / 2, value * 2, option.low, option.high}) {
+        const double whole = option.kind == OptionKind::Integer ? std::floor(number) : number;
         values.push_back(numberText(std::clamp(whole, option.low, option.high)));
     }
     return values;
@@ -299,7 +299,7 @@ std::optional<MethodChoice> nextVariation(const Scenario& scenario) {
     const CompareSubject subject = scenario.comparison.subject;
     const std::vector<MethodChoice> all = comparedOf(scenario);
     const auto fits = [&](const MethodChoice& choice) {
-        return !there(all, subject, choice) &&
+        return !contains(all, subject, choice) &&
                (subject != CompareSubject::Methods || supports(choice, scenario.surface, scenario.address));
     };
     if (subject == CompareSubject::Methods && all.size() == 1) return rivalOf(scenario);
@@ -316,7 +316,7 @@ std::optional<MethodChoice> variedOption(const Scenario& scenario, const std::st
     const CompareSubject subject = scenario.comparison.subject;
     const std::vector<MethodChoice> all = comparedOf(scenario);
     const MethodChoice plain{name, {}};
-    if (!there(all, subject, plain)) return plain;
+    if (!contains(all, subject, plain)) return plain;
     MethodDescription described = describedVariation(subject, plain);
     // Another map comes first, because a method is most often compared over different maps.
     std::stable_partition(described.options.begin(), described.options.end(),
@@ -330,7 +330,7 @@ std::optional<MethodChoice> variedOption(const Scenario& scenario, const std::st
             } catch (const InputError&) {
                 continue;
             }
-            if (!there(all, subject, choice)) return choice;
+            if (!contains(all, subject, choice)) return choice;
         }
     }
     return std::nullopt;
@@ -349,7 +349,7 @@ Scenario keptApart(const Scenario& before, Scenario after) {
             const auto same = std::find_if(others.begin(), others.end(),
                                            [&](const auto& one) { return sameVariation(subject, one, is); });
             if (same == others.end()) continue;
-            if (!there(others, subject, was)) {
+            if (!contains(others, subject, was)) {
                 *same = was;
             } else if (const auto next = nextVariation(after)) {
                 *same = *next;

@@ -95,7 +95,7 @@ class Elimination {
     }
 
     void setTime(AdviceTrial& trial, double seconds) const {
-        trial.facts.secondsARay = seconds;
+        trial.facts.secondsPerRay = seconds;
         if (options_.form == Form::Simd) trial.facts.cost = seconds;
     }
 
@@ -216,7 +216,7 @@ std::size_t nearestToBounds(const AdviceOptions& options, const std::vector<Advi
 // For heights that change after each picture, compares forms by building time plus one picture.
 void weighBuilding(Advice& advice) {
     const AdvisedForm& best = advice.best();
-    const auto whole = [](const AdvisedForm& form) { return form.buildSeconds + kPictureRays * form.secondsARay; };
+    const auto whole = [](const AdvisedForm& form) { return form.buildSeconds + kPictureRays * form.secondsPerRay; };
     std::size_t cheapest = advice.chosen;
     for (std::size_t f = 0; f < advice.forms.size(); ++f) {
         const AdvisedForm& form = advice.forms[f];
@@ -228,8 +228,8 @@ void weighBuilding(Advice& advice) {
     constexpr double kDominates = 2;
     if (cheapest == advice.chosen || whole(best) < kDominates * whole(other)) return;
     advice.rebuilt = cheapest;
-    advice.paysAfterRays = other.secondsARay > best.secondsARay
-                               ? (best.buildSeconds - other.buildSeconds) / (other.secondsARay - best.secondsARay)
+    advice.paysAfterRays = other.secondsPerRay > best.secondsPerRay
+                               ? (best.buildSeconds - other.buildSeconds) / (other.secondsPerRay - best.secondsPerRay)
                                : std::numeric_limits<double>::infinity();
 }
 

@@ -65,7 +65,7 @@ struct AdvisedForm {
     MethodChoice method;
     Verdict verdict = Verdict::Kept;
     Guarantee guarantee{};
-    double secondsARay = kUnknown;  // processor seconds per ray on one thread, median of the rounds; Form::Simd only
+    double secondsPerRay = kUnknown;  // processor seconds per ray on one thread, median of the rounds; Form::Simd only
     double steps = kUnknown, reads = kUnknown;
     std::int64_t mostSteps = 0;   // maximum over all rays
     double overSteps = kUnknown;  // share of the rays that take more than AdviceOptions::maxSteps

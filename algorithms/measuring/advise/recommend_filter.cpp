@@ -20,7 +20,7 @@ constexpr int kHeight = 30;
 constexpr int kSamples = 6;
 constexpr double kRichSeconds = 10;  // given this much time, the pictures are twice as wide
 // Approximate width of a pixel in texels, if the map is larger than the picture.
-constexpr double kTexelsAPixel = 3;
+constexpr double kTexelsPerPixel = 3;
 
 std::vector<double> elevations(const std::vector<Elevation>& views) {
     const auto kept = [](double degrees) { return std::clamp(degrees, kFlattestFilterView, kSteepestFilterView); };
@@ -45,7 +45,7 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
     bench.height = kHeight * times;
     bench.samples = kSamples;
     bench.rounds = 1;
-    bench.distance = std::clamp(kTexelsAPixel * bench.width / color->width(), 0.3, 1.4);
+    bench.distance = std::clamp(kTexelsPerPixel * bench.width / color->width(), 0.3, 1.4);
     const std::vector<FilterBenchRow> rows = benchFilters(bench, work);
 
     FilterAdvice advice;

@@ -85,9 +85,9 @@ class AdviceSentences {
                                        {"seconds", number(best.buildSeconds)}});
         }
         if (options_.form == Form::Simd) {
-            say(MessageId::AdviceRate, {{"rate", number(1e-6 / best.secondsARay)},
-                                        {"exact", number(1e-6 / exact.secondsARay)},
-                                        {"times", number(exact.secondsARay / best.secondsARay)}});
+            say(MessageId::AdviceRate, {{"rate", number(1e-6 / best.secondsPerRay)},
+                                        {"exact", number(1e-6 / exact.secondsPerRay)},
+                                        {"times", number(exact.secondsPerRay / best.secondsPerRay)}});
         } else {
             say(MessageId::AdviceCost, {{"cost", number(best.cost)},
                                         {"factor", options_.stepCost},
@@ -225,7 +225,7 @@ Json formJson(const AdvisedForm& form) {
             {"verdict", std::string(verdictName(form.verdict))},
             {"guarantee", std::string(guaranteeName(form.guarantee))},
             {"cost", form.cost},
-            {"seconds_a_ray", form.secondsARay},
+            {"seconds_a_ray", form.secondsPerRay},
             {"steps", form.steps},
             {"reads", form.reads},
             {"steps_max", form.mostSteps},

@@ -15,8 +15,8 @@ struct BaseLevelMeasure {
 };
 // Measures a method with base=auto of its own on up to 4096 rays of the view. Returns std::nullopt for any other
 // method, and if no polygon is visible. Throws Cancelled, InputError.
-std::optional<BaseLevelMeasure> measureBaseLevel(const FrameRequest& request, const MethodChoice& asked, MapCache& maps,
-                                                 Work& work);
+std::optional<BaseLevelMeasure> measureBaseLevel(const FrameRequest& request, const MethodChoice& method,
+                                                 MapCache& maps, Work& work);
 // Returns the measurement as one sentence.
 Message baseLevelSentence(const BaseLevelMeasure& measure);
 

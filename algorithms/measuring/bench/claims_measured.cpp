@@ -157,7 +157,7 @@ class Measuring {
     void pyramids();
     void diagonal();
     void highest();
-    void twoALevel();
+    void twoPerLevel();
     void excludes();
     void rates();
     void approximations();
@@ -214,7 +214,7 @@ void Measuring::pyramids() {
     say("hybrid", some(pays), values);
     diagonal();
     highest();
-    twoALevel();
+    twoPerLevel();
     excludes();
     rates();
 }
@@ -266,7 +266,7 @@ void Measuring::highest() {
 }
 
 // Counts, for recursions that end with the return to the level above, how many of the four texels each visited.
-void Measuring::twoALevel() {
+void Measuring::twoPerLevel() {
     constexpr std::size_t kMost = 3;
     std::array<std::int64_t, kMost + 1> taken{};
     for (const Subject& s : subjects_) {

@@ -89,7 +89,7 @@ namespace {
 
 // Steps of one query over one ray family in a case after which the family ends early; one segment at least is tested.
 // Every segment is also logged.
-constexpr std::uint64_t kStepsAFamily = 50'000;
+constexpr std::uint64_t kStepsPerFamily = 50'000;
 
 class QueryTurn {
   public:
@@ -100,7 +100,7 @@ class QueryTurn {
 
     void over(const FamilyRays& familyRays) {
         std::uint64_t steps = 0;
-        for (std::size_t r = 0; r < familyRays.rays.size() && steps < kStepsAFamily; ++r) {
+        for (std::size_t r = 0; r < familyRays.rays.size() && steps < kStepsPerFamily; ++r) {
             steps += one(familyRays.family, familyRays.rays[r], familyRays.truth[r]);
             ++coverage_.rays[std::string(familyRays.family)];
         }
@@ -116,7 +116,7 @@ class QueryTurn {
         answer.sight = counted.sight[0];
         answer.steps = counted.steps[0];
         // A longer log would take too much memory.
-        if (answer.steps <= kStepsAFamily) {
+        if (answer.steps <= kStepsPerFamily) {
             queried(family, ray, answer.log);
             ++coverage_.logs;
         }

@@ -11,7 +11,7 @@ namespace relief::stress_detail {
 namespace {
 
 // Steps of one method over one ray family in a case after which the family ends early; one ray at least is traced.
-constexpr std::uint64_t kStepsAFamily = 100'000;
+constexpr std::uint64_t kStepsPerFamily = 100'000;
 // Logs are compared up to kLoggedSteps steps, longer ones up to kLongLoggedSteps and kLongLogs times per method and
 // case.
 constexpr std::uint32_t kLoggedSteps = 4096;
@@ -54,7 +54,7 @@ class Turn {
     void run(const FamilyRays& familyRays) {
         familyRays_ = &familyRays;
         std::uint64_t steps = 0;
-        for (std::size_t r = 0; r < familyRays.rays.size() && steps < kStepsAFamily; ++r) {
+        for (std::size_t r = 0; r < familyRays.rays.size() && steps < kStepsPerFamily; ++r) {
             const CountedHit answer = counted(familyRays.rays[r]);
             steps += answer.steps;
             ++coverage_.rays[std::string(familyRays.family)];

@@ -90,7 +90,7 @@ namespace stress_detail {
 
 namespace {
 
-constexpr int kFramesACase = 4;
+constexpr int kFramesPerCase = 4;
 constexpr int kWidth = 24;
 constexpr int kHeight = 18;
 constexpr int kManyThreads = 3;
@@ -272,9 +272,9 @@ class FrameTry {
 }  // namespace
 
 void stressFrames(const CaseRun& run) {
-    for (int n = 0; n < kFramesACase; ++n) {
+    for (int n = 0; n < kFramesPerCase; ++n) {
         run.work.throwIfStopped();
-        FrameTry(run, run.of.number * kFramesACase + static_cast<std::uint64_t>(n))();
+        FrameTry(run, run.of.number * kFramesPerCase + static_cast<std::uint64_t>(n))();
     }
 }
 

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Maximum number of listed violations of one kind, so that a single fault does not displace all others.
-constexpr std::size_t kListedAlike = 5;
+constexpr std::size_t kListedPerKind = 5;
 
 Json methodJson(const StressMethodCoverage& method) {
     return {{"rays", method.rays},
@@ -47,7 +47,7 @@ StressViolation violationOf(const Json& json) {
 
 bool StressTally::lists(const std::string& kind) const {
     const auto found = alike_.find(kind);
-    return found == alike_.end() || found->second < kListedAlike;
+    return found == alike_.end() || found->second < kListedPerKind;
 }
 
 void StressTally::add(const StressCase& one) {
@@ -71,7 +71,7 @@ void StressTally::add(const StressCase& one) {
         whole.refused += part.refused;
     }
     for (const StressViolation& violation : one.violations) {
-        if (alike_[violation.kind]++ < kListedAlike && !full()) report_.violations.push_back(violation);
+        if (alike_[violation.kind]++ < kListedPerKind && !full()) report_.violations.push_back(violation);
     }
 }
 
