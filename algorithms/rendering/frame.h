@@ -288,6 +288,7 @@ class LayerPlanes {
     std::unique_ptr<Tools> tools_;
     std::vector<NamedPlane> planes_;
 };
+// Returns the names of all layers.
 const std::vector<std::string>& layerNames();
 
 }  // namespace relief

@@ -12,6 +12,7 @@ namespace relief {
 inline constexpr int kTileWidth = 64;
 inline constexpr int kTileHeight = 32;
 
+// Returns the number of tiles that cover the width (pixels) or height of a picture.
 constexpr int tilesAcross(int width) {
     return (width + kTileWidth - 1) / kTileWidth;
 }
@@ -19,6 +20,7 @@ constexpr int tilesDown(int height) {
     return (height + kTileHeight - 1) / kTileHeight;
 }
 
+// Returns true if the stage is in the set, given as bits of Stage.
 constexpr bool has(std::uint32_t stages, Stage stage) {
     return (stages & bit(stage)) != 0;
 }

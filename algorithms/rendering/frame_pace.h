@@ -42,11 +42,17 @@ class FramePace {
     void rested(double seconds);
 
   private:
+    // Returns the median frame time on this level, or a cautious estimate from fewer than three frames.
     double typical() const;
+    // Adapts the scale so that the expected time of the level equals `seconds`.
     void follow(double seconds);
+    // Moves to a coarser level after frames that were too slow, and corrects scale or nominal seconds.
     void coarser();
+    // Moves to a finer level if it is expected to keep within the budget, or on trial.
     void finer();
     void go(int level);
+    // Returns the finest level, from `first` on, that is expected to take at most `seconds`; the coarsest if there is
+    // none.
     int finestWithin(int first, double seconds) const;
 
     double budget_;

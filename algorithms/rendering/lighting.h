@@ -20,6 +20,7 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
+// Returns the unit vector towards the light, world space.
 glm::dvec3 lightDirection(const Light& light);
 
 // A polygon's axes normalised to length 1, computed once for many normals.

@@ -36,6 +36,7 @@ struct MovingLevel {
 };
 // Returns the wall seconds of the frame's stages on the work's threads, without the maps, which are built only once.
 double pixelSeconds(const Frame& frame, Work& work);
+// Returns the request with the filter and the size of a level.
 FrameRequest coarserRequest(const FrameRequest& request, const MovingLevel& level);
 
 class ProgressiveRenderer {

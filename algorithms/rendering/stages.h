@@ -52,6 +52,7 @@ struct StageRow {
     std::uint32_t stages;  // bits of Stage, whose buffers it reads
 };
 
+// Returns the bit of an input or stage in a set.
 constexpr std::uint32_t bit(Input input) {
     return 1u << static_cast<unsigned>(input);
 }

@@ -34,6 +34,7 @@ inline void coveredPixels(const PixelArea& tile, const Frame& frame, std::vector
     });
 }
 
+// Copies the rays of these pixels into `block`, and returns it.
 inline RayBlock& raysOf(const std::vector<std::size_t>& pixels, const RayStage& rays, RayBlock& block) {
     block.resize(pixels.size());
     for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);

@@ -100,6 +100,7 @@ class TileWorker {
     std::size_t number(const PixelArea& tile) const {
         const int across = tilesAcross(frame_.width);
         const int down = (tile.y0 - frame_.stored.begin) / kTileHeight;
+        // Returns the tile's index in Kept::blank.
         return static_cast<std::size_t>(down * across + tile.x0 / kTileWidth);
     }
     // Returns true if the stage's buffer still holds this tile's data from an earlier frame.

@@ -30,6 +30,7 @@ struct VisiblePolygon : PixelView {
     // Writes the entries of the pixels [first, last) of row y, within its span. Returns the largest distance, in
     // texels, between the mapping's coordinates and those of direct.
     double entries(int y, PixelSpan span, int first, int last, Entry* out) const;
+    // Returns 1 / camera depth of the polygon at the centre of pixel (x, y), 1 / world units.
     float inverseDepth(int x, int y) const;
     // Returns the pixels of row y that the polygon covers, [begin, end) within [0, width).
     PixelSpan span(int y, int width) const;

@@ -31,6 +31,8 @@ struct JsonSource {
 
 class JsonReader {
   public:
+    // path: keys that lead to the object in the file. Throws InputError if `object` is not a JSON object. Keeps
+    // references.
     JsonReader(const JsonSource& source, const Json& object, std::vector<std::string> path)
         : source_(source), object_(object), path_(std::move(path)) {
         if (!object.is_object()) fail({}, MessageId::WantAObject);

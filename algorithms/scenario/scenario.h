@@ -101,6 +101,7 @@ struct ScenarioNumber {
     double (*get)(const Scenario&);
     void (*set)(Scenario&, double);
 };
+// Returns all numbers; scenarioNumber() returns one by name and throws InputError, with the known names, for others.
 const std::vector<ScenarioNumber>& scenarioNumbers();
 const ScenarioNumber& scenarioNumber(std::string_view name);
 // Sets the number. Throws InputError naming `subject` ("--relief-depth") if it is out of range.
@@ -118,6 +119,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
 // Parses a scenario. fileName: for messages and for resolving relative paths. Throws InputError with the line for
 // invalid JSON, unknown keys, wrong types, values out of range and other versions.
 Scenario parseScenario(const std::string& text, const std::string& fileName);
+// Reads or writes a file with a scenario. Throws InputError; WorkError if the file cannot be written.
 Scenario loadScenario(const std::string& path);
 void saveScenario(const std::string& path, const Scenario& scenario);
 
@@ -140,6 +142,7 @@ class AssetStore {
     Assets assets_;
 };
 
+// Returns the request that renders the scenario with these pictures.
 FrameRequest frameRequest(const Scenario& scenario, const Assets& assets);
 
 // Returns the `relief trace` command of the scenario's selected pixel, quoted for a shell.

@@ -27,6 +27,7 @@ int distinguishingDecimals(double a, double b);
 // Returns the decision's name in the user's language: "skip", "пропуск".
 Message decisionTitle(Decision decision);
 
+// Describes one step in a sentence.
 Message stepSentence(const Step& step, const StepContext& context);
 
 // Compares the claim of the map on which a step relies with the exact hit. None: the step relies on no distance or

@@ -94,6 +94,7 @@ std::string namesOf(const std::vector<Named>& list) {
     return commaList(names);
 }
 
+// The names of the values, as on the command line and in files.
 std::string_view surfaceName(Surface surface);
 std::string_view addressName(Address address);
 std::string_view guaranteeName(Guarantee guarantee);

@@ -48,6 +48,7 @@ struct HeightRange {
 
 // Parses "auto", "full" or "LO,HI". Throws InputError naming "--range".
 HeightRange parseHeightRange(const std::string& text);
+// Returns the text that parseHeightRange() parses.
 std::string heightRangeText(const HeightRange& range);
 
 struct HeightReadOptions {

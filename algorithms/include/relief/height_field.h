@@ -18,6 +18,7 @@ enum class Surface : std::uint8_t { Bilinear, Columns };
 // An immutable value whose copies share the heights. Heights are in [0, 1]; the map is at least 1 x 1.
 class HeightField {
   public:
+    // heights: not null and not empty. reliefDepth: thickness of the slab in texture widths.
     HeightField(std::shared_ptr<const FloatImage> heights, Surface surface = Surface::Bilinear,
                 Address address = Address::Repeat, double reliefDepth = 0.1)
         : heights_(std::move(heights)), surface_(surface), address_(address), reliefDepth_(reliefDepth) {

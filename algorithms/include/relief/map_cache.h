@@ -56,6 +56,7 @@ class MapCache {
     // Returns the bytes of all maps in the cache.
     std::size_t bytes() const;
     std::size_t budget() const { return budget_; }
+    // Removes all maps from the cache; maps in use remain valid.
     void clear();
 
   private:

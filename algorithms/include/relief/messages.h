@@ -43,6 +43,7 @@ struct MessageValue {
     template <std::floating_point T>
     MessageValue(std::string valueName, T value)
         : name(std::move(valueName)), text(numberText(static_cast<double>(value))) {}
+    // A message, or a word from the table, as the value.
     MessageValue(std::string valueName, Message message);
     MessageValue(std::string valueName, MessageId word);
 };

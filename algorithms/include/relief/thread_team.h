@@ -25,6 +25,7 @@ class ThreadTeam {
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
 
+    // Returns the number of threads that may run a loop at once, at least 1.
     int size() const;
 
     // Calls body(first, last) for parts that together make up [0, count), in any order, and returns when all are done.

@@ -24,6 +24,7 @@ struct ChoiceOption {
     OptionDescription description;  // the name includes the prefix
     std::string defaultValue;
 };
+// Returns all options that the choice can have; the inner method is that of the choice or the default.
 std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice);
 // Returns true if the method, and its inner method, support such a field.
 bool supports(const MethodChoice& choice, Surface surface, Address address);

@@ -84,6 +84,7 @@ struct ReliefFigures {
     double steep = 0;                // share of neighbouring texels with a slope above 45 degrees between them
     bool flat = false;               // all heights are equal
 };
+// Computes these statistics over the whole height map.
 ReliefFigures reliefFigures(const HeightField& field);
 
 struct FilterFigures {
@@ -127,8 +128,11 @@ struct Advice {
 // Measures all forms within about options.seconds and returns the advice. Throws Cancelled.
 Advice recommend(const AdviceOptions& options, Work& work);
 
+// Measures the library's filters on small pictures of the map; with more than 10 seconds the pictures are larger.
+// Throws Cancelled.
 FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work& work);
 
+// Returns the advice as text with reasons, and as JSON.
 std::string adviceText(const AdviceOptions& options, const Advice& advice, Language language = Language::English);
 std::string adviceJson(const AdviceOptions& options, const Advice& advice);  // with "\n"
 // Returns notes for standard error: the time was too short, or building the map dominates.
@@ -147,6 +151,7 @@ struct AdviceRegret {
     bool anyIsValid() const { return std::isfinite(bestCost); }
     double regret() const { return chosenCost / bestCost - 1; }  // requires anyIsValid()
 };
+// Runs the advice, and then measures all forms completely. Throws Cancelled.
 AdviceRegret adviceRegret(const AdviceOptions& options, Work& work);
 
 // The advice for one of several reliefs.

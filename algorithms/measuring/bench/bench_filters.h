@@ -26,6 +26,7 @@ struct FilterScene {
 };
 // Names of the procedural scenes: checker (a flat plane), bricks, city, hills; size x size texels, seeded.
 std::vector<std::string> filterSceneNames();
+// Makes the scene of this name, size x size texels. Throws InputError for unknown names.
 FilterScene filterScene(const std::string& name, int size, std::uint64_t seed);
 // Returns a picture of coloured patches of a few texels, dark where the heights are low, for height maps without a
 // picture.

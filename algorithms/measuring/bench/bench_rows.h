@@ -22,6 +22,7 @@ std::string_view precisionName(RowPrecision precision);
 // front). Along a row q falls to 0.37 of its maximum at 60 degrees, to 0.10 at 25 and to 0.05 at 8. The rows lie on
 // lines y that cover the visible height of the wall's far edge.
 inline constexpr double kWallDistance = 0.55;
+// obliqueWall: the homography from pixels to texels of this view. wallRows: the lines of the view's rows.
 Homography obliqueWall(double texels, std::int64_t width, double elevation);
 RowBlock wallRows(std::int64_t width, std::int64_t rows, double elevation);
 

@@ -262,7 +262,7 @@ class Bench {
 
 }  // namespace
 
-std::shared_ptr<PreparedTracers> nothingPrepared() {
+std::shared_ptr<PreparedTracers> noPreparedTracers() {
     return std::make_shared<PreparedTracers>();
 }
 

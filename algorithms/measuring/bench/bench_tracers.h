@@ -33,6 +33,7 @@ using Elevation = std::optional<double>;
 // Parses "80" or "random". Throws InputError naming the option.
 Elevation parseElevation(const std::string& text, const std::string& option);
 std::string elevationText(Elevation elevation);
+// Returns the rays of a view. lowestRandom: lowest elevation of random rays, degrees. Throws MemoryError.
 RayBlock benchRays(const HeightField& field, Elevation elevation, std::size_t count, std::uint64_t seed,
                    double lowestRandom = kLowestRandomElevation);
 
@@ -44,6 +45,7 @@ struct TracerErrors {
     std::int64_t wrongOutcome = 0;  // rays whose outcome differs
     std::int64_t overshoots = 0;    // hits behind the exact hit, and misses where exact hits
 };
+// Compares hits with the exact ones of the same rays.
 TracerErrors tracerErrors(const RayBlock& rays, const HitBlock& truth, const HitBlock& hits);
 
 // A row of the table; units as in the columns of files.
@@ -85,7 +87,8 @@ std::string benchText(std::span<const BenchRow> rows);
 // Tracers built over one map. Kept between calls that measure the same methods over it, so that its maps are built only
 // once.
 struct PreparedTracers;
-std::shared_ptr<PreparedTracers> nothingPrepared();
+// Returns an empty PreparedTracers for BenchOptions::prepared.
+std::shared_ptr<PreparedTracers> noPreparedTracers();
 
 struct BenchOptions {
     std::vector<BenchMap> maps;

@@ -34,6 +34,7 @@ using ChildrenByLevel = std::map<int, ChildCounts>;
 // Adds the children in the steps [begin, end) of one ray, from either implementation of the max pyramid tracer.
 // Children are the steps one level lower whose texel lies in the one descended into.
 void addChildren(const std::vector<Step>& steps, std::size_t begin, std::size_t end, ChildrenByLevel& counts);
+// Returns the counts of all levels together.
 ChildCounts sumOf(const ChildrenByLevel& counts);
 
 // Returns "level,one,two,three,mean,ended" with a line per level from the top, then a line "all".

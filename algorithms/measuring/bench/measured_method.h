@@ -20,6 +20,7 @@ struct MeasuredMethod {
     bool buildsMaps = false;  // of other maps than pyramids, such as distances and cones, which take long to build
     Make make;                // tests substitute a faulty tracer here
 
+    // Returns true if the method supports such a field.
     bool knows(Surface surface, Address address) const;
 };
 

@@ -17,6 +17,7 @@ class CertificateRays {
 
     // any direction; grazing; along walls; into walls; at edges. Ray n of a block is of family n % 5.
     static const std::vector<std::string_view>& families();
+    // Returns a random ray of a family; `block` returns `count` rays of all families in turn.
     ViewRay ray(Random& random, std::size_t family) const;
     RayBlock block(std::uint64_t seed, std::size_t count) const;
 
