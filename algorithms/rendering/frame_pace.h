@@ -3,11 +3,11 @@
 // Levels are ways to draw, each cheaper than the one before. The expected time of a frame is the level's nominal
 // seconds times one scale for all levels, which follows the view, the method and the machine.
 // - A single frame that was slow for a reason of its own (a map was built, the machine was busy) changes nothing: the
-// median of the last three frames counts, or the fastest if there are fewer.
+//   median of the last three frames counts, or the fastest if there are fewer.
 // - If that time is above the budget, the finest level expected to keep within it is taken at once.
 // - If a finer level is expected to be well within the budget, it is taken after three frames; if much time is left,
-// the next finer level is tried whatever its expected time. If it proves too slow, its nominal seconds are corrected
-// and further trials become rarer.
+//   the next finer level is tried whatever its expected time. If it proves too slow, its nominal seconds are corrected
+//   and further trials become rarer.
 // The budget is the target; up to kTolerated times the budget is accepted, so that a view does not alternate between
 // levels.
 #pragma once

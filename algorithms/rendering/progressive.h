@@ -4,12 +4,11 @@
 // filter, which take most of the time of a frame with such a filter:
 // - the requested filter;
 // - elliptical-visible:form=grid with 2 points per pixel instead of more;
-// - elliptical, without visibility tests (instead of supersample: the plain filter);
+// - elliptical, without visibility tests (in place of supersample: the default filter);
 // - further levels reduce the resolution: a picture 2, 3, 4, 6, 8 times smaller.
-// Hits, light and shadows are computed at
-// the picture's own resolution on every level. FramePace chooses the finest level that keeps within the budget by the
-// measured frame times. All frames of the full size are made by one renderer, so that no ray is traced again when the
-// camera comes to rest.
+// Hits, light and shadows are never approximated: on every level they are exactly those of a picture of that size.
+// FramePace chooses the finest level that keeps within the budget by the measured frame times. All frames of the full
+// size are made by one renderer, so that no ray is traced again when the camera comes to rest.
 #pragma once
 
 #include <memory>

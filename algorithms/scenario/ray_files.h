@@ -17,10 +17,12 @@ inline constexpr std::string_view kHitsHeader = "outcome,lambda,s,t,steps";
 // kStepColumns: the columns that every steps file has. kSubjectColumns: the columns that may follow: the kind of what a
 // step examined (subject::, kSubjectNames), and the kind's values besides level, i, j, k and value. Columns that a kind
 // does not use are empty:
-// sphere: s, t, z: centre; cone: s, t, z: apex, index of count: sector, width and height: 1 if the cone belongs to a
-// cell;
-// voxel: width and height: footprint, count: number of layers; quad: s, t: first corner, width, height: size in texels;
-// layer: index of count; texel: s, t: the ray's coordinates on its level, if it continues one level below.
+// - sphere: s, t, z are its centre;
+// - cone: s, t, z are its apex, index its sector of count; width and height are 1 if it belongs to a cell;
+// - voxel: width and height are its footprint in cells, count is the number of layers;
+// - quad: s, t are its first corner, width and height its size, texels;
+// - layer: index is its number of count;
+// - texel: s, t are the ray's coordinates on its level, if the ray continues one level below.
 inline constexpr std::string_view kStepColumns =
     "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after";
 inline constexpr std::array<std::string_view, 8> kSubjectColumns{"kind",  "s",      "t",     "z",

@@ -109,7 +109,7 @@ class Bench {
   public:
     Bench(const BenchOptions& options, Work& work) : options_(options), work_(work) {
         for (const MeasuredMethod& method : options.methods) {
-            if (method.knows(options.surface, options.address)) {
+            if (method.supports(options.surface, options.address)) {
                 methods_.push_back(&method);
             } else {
                 note(Message(MessageId::BenchWithout,

@@ -30,7 +30,7 @@ bool buildsMaps(const MethodChoice& choice) {
 
 }  // namespace
 
-bool MeasuredMethod::knows(Surface surface, Address address) const {
+bool MeasuredMethod::supports(Surface surface, Address address) const {
     const auto has = [](const auto& all, auto value) { return std::find(all.begin(), all.end(), value) != all.end(); };
     return has(surfaces, surface) && has(addresses, address);
 }

@@ -21,7 +21,7 @@ struct MeasuredMethod {
     Make make;                // tests substitute a faulty tracer here
 
     // Returns true if the method supports such a field.
-    bool knows(Surface surface, Address address) const;
+    bool supports(Surface surface, Address address) const;
 };
 
 // Returns a method of the list with these options. Throws InputError for unknown names.

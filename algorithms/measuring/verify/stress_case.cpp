@@ -155,7 +155,7 @@ void traceRays(const CaseRun& run, const std::vector<FamilyRays>& familyRays) {
     for (std::size_t g = 0; g < run.groups.size(); ++g) {
         const MeasuredMethod& method = run.groups[g].forms[(turn + g) % run.groups[g].forms.size()];
         if (method.buildsMaps && tried.field.heights().size() > kStressBuildTexels) continue;
-        if (!method.knows(tried.field.surface(), tried.field.address())) continue;
+        if (!method.supports(tried.field.surface(), tried.field.address())) continue;
         const auto tracer = method.make(tried.field, *run.maps, run.work);
         Turn methodTurn(tried, method, *tracer, run.watched, run.result, run.work);
         for (const FamilyRays& family : familyRays) {

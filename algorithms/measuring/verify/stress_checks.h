@@ -25,13 +25,13 @@ struct CountedHit {
 bool sameHit(const Hit& a, const Hit& b);
 
 // Checks an answer; reference: the answer of `exact`. The checks:
-// not-finite: a hit has a NaN or infinite number, or lambda is outside [0, 1];
-// inconsistent: s, t are not the ray's position at lambda;
-// miss: a miss where no ray can miss (repeat, clamp);
-// limit: an exact method reached a limit within the domain;
-// steps: more than Tracer::stepBound;
-// bits: an exact method differs from `exact`;
-// overshoot: a conservative method hits later than `exact`, or misses.
+// - not-finite: a hit has a NaN or infinite number, or lambda is outside [0, 1];
+// - inconsistent: s, t are not the ray's position at lambda;
+// - miss: a miss where no ray can miss (repeat, clamp);
+// - limit: an exact method reached a limit within the domain;
+// - steps: more than Tracer::stepBound;
+// - bits: an exact method differs from `exact`;
+// - overshoot: a conservative method hits later than `exact`, or misses.
 // Beyond the domain (kMaxRun) bits and overshoot are not checked, because either tracer may have reached a limit there.
 std::optional<StressFault> answerFault(const Tracer& tracer, const ViewRay& ray, const CountedHit& answer,
                                        const Hit& reference);

@@ -216,7 +216,7 @@ class FrameTry {
         const MeasuredMethod& method =
             group.forms[static_cast<std::size_t>(random_.below(static_cast<int>(group.forms.size())))];
         const bool builds = method.buildsMaps && field.heights().size() > kStressBuildTexels;
-        if (!builds && method.knows(field.surface(), field.address())) scenario_.method = method.choice;
+        if (!builds && method.supports(field.surface(), field.address())) scenario_.method = method.choice;
     }
 
     FrameRequest request(bool skip, bool spare = true) const {
