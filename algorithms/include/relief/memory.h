@@ -32,13 +32,13 @@ constexpr std::uint64_t byteSum(std::initializer_list<std::uint64_t> terms) {
     return sum;
 }
 
-// The bytes that this process can take without disturbing others: the least of
-// - MemAvailable of /proc/meminfo (what is free, and file cache that can be dropped),
-// - for each memory control group that the process is in and each above it (versions 1 and 2): limit minus use, of
-//   which file cache that is not in active use does not count,
-// - the limits on address space (ulimit -v) and on data (ulimit -d) minus what the process has of each.
-// kEndlessBytes where nothing is known, as on systems without /proc. root: the folder that holds proc/ and sys/, other
-// than "/" in tests. Thread safe; reads some ten small files.
+// Returns the bytes that this process can allocate without harming others, the minimum of
+// - MemAvailable of /proc/meminfo: free memory, and file cache that can be dropped;
+// - for each memory control group of the process, and each group above it (versions 1 and 2): limit minus use, where
+//   file cache that is not in active use does not count as used;
+// - the limits on address space (ulimit -v) and on data (ulimit -d), minus the process's own use of each.
+// Returns kEndlessBytes if none of these is known, as on systems without /proc. root: the folder that contains proc/
+// and sys/, which only tests set to another one than "/". Thread safe; reads about ten small files.
 std::uint64_t availableMemory(const std::string& root = "/");
 
 // What the user can do about a refusal.

@@ -46,8 +46,8 @@ StressViolation violationOf(const Json& json) {
 }  // namespace
 
 bool StressTally::lists(const std::string& kind) const {
-    const auto found = alike_.find(kind);
-    return found == alike_.end() || found->second < kListedPerKind;
+    const auto found = countByKind_.find(kind);
+    return found == countByKind_.end() || found->second < kListedPerKind;
 }
 
 void StressTally::add(const StressCase& one) {
@@ -71,7 +71,7 @@ void StressTally::add(const StressCase& one) {
         whole.refused += part.refused;
     }
     for (const StressViolation& violation : one.violations) {
-        if (alike_[violation.kind]++ < kListedPerKind && !full()) report_.violations.push_back(violation);
+        if (countByKind_[violation.kind]++ < kListedPerKind && !full()) report_.violations.push_back(violation);
     }
 }
 

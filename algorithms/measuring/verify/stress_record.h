@@ -30,7 +30,7 @@ class StressTally {
   private:
     std::size_t listed_;
     StressReport report_;
-    std::map<std::string, std::size_t> alike_;
+    std::map<std::string, std::size_t> countByKind_;
 };
 
 // Returns one line of JSON with "\n", printable ASCII.
