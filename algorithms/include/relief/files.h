@@ -105,8 +105,8 @@ struct NamedPlane {
     std::string name;
     FloatImage plane;
 };
-// Writes 32-bit float OpenEXR with the planes in the given order, all of one size. band: only these rows; null: all.
-// Throws WorkError.
+// Writes 32-bit float OpenEXR with the planes in the given order, at least one and all of one size. band: only
+// these rows; null: all. Throws InputError if the extension is not .exr, WorkError.
 void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band = nullptr);
 
 // An output file that is written under a temporary name in the same folder and renamed when complete, so that readers

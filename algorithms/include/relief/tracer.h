@@ -66,8 +66,9 @@ class Tracer {
     virtual double segmentRecords() const = 0;
 
     // Traces the block; hits is resized to its size. All three overloads give identical bits in outcome, lambda, s and
-    // t, for any number of threads. Large blocks are divided among the work's threads. NullSink: no counts;
-    // BlockCounts: sets totals, and steps and reads of hits; StepLog: sets all step records. Throws Cancelled.
+    // t, for any number of threads. NullSink: nothing is counted. BlockCounts: sets steps and reads of hits, and adds
+    // them to the totals in sink. StepLog: sets steps and reads of hits, and appends the records of all rays to sink.
+    // Large blocks are divided among the work's threads, except for logs. Throws Cancelled.
     virtual void trace(const RayBlock& rays, HitBlock& hits, NullSink& sink, Work& work) const = 0;
     virtual void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& sink, Work& work) const = 0;
     virtual void trace(const RayBlock& rays, HitBlock& hits, StepLog& sink, Work& work) const = 0;

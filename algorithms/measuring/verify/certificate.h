@@ -43,7 +43,7 @@ struct Certificate {
     double worst = 0;                     // largest distance past the first hit, texels
     std::optional<CounterExample> first;  // the first of the seeded rays, or else a ray through a broken value
     // Set if no ray was found that the tracer leads past the surface: the ray, of those tried, that the broken value
-    // alone would lead farthest past it (`answered`: to where).
+    // alone would lead farthest past it (`answered`: the lambda that it leads to).
     std::optional<CounterExample> byValue;
 
     bool safe() const { return !first && (!bounds || bounds->broken == 0); }

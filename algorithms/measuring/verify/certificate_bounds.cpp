@@ -89,7 +89,7 @@ class DistanceCheck {
             return;
         }
         const double z0 = static_cast<double>(place.k) / map_.layers();
-        // In layer 0, the surface can be at height 0, so a free voxel always needs a mark.
+        // Layer 0 includes height 0, where the surface may lie, so all of its voxels must be marked.
         if (place.k == 0 || z0 < highestIn(box)) {
             place.what = BrokenBound::What::Free;
             note(part, place);

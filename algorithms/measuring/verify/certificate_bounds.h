@@ -16,8 +16,8 @@ namespace relief {
 // A value that does not keep its bound.
 struct BrokenBound {
     // Free: a voxel is free of surface according to the map but must be marked. Distance: larger than the bound. Apex:
-    // lower than the highest of the 3 x 3 cells. Slope: a cell stands out of the cone. NotANumber: the value is NaN or
-    // negative.
+    // lower than the highest of the 3 x 3 cells. Slope: a cell stands out of the cone. NotANumber: the value is NaN, or
+    // negative in a cone map.
     enum class What : std::uint8_t { Free, Distance, Apex, Slope, NotANumber };
     What what = What::Distance;
     int i = 0;  // voxel (i, j, k), or cell (i, j) of cell_grid.h, counted from 0

@@ -73,8 +73,8 @@ class HorizonScan {
         // Lines farther away than the run of the flattest ray require no steeper slope than that ray has.
         for (int n = 0; n + (high - low) <= reach_ * cosine + 1; ++n) {
             const int line = fromBelow ? low - n : high + n;
-            // Range of the ray's offset across the axis where it crossed this line, from which the box is n to n + high
-            // - low texels away.
+            // Range of the ray's offset across the axis where it crossed this line, which is between n and
+            // n + (high - low) texels behind the ray's points in the box.
             double from = std::numeric_limits<double>::infinity();
             double to = -from;
             for (const double back : {static_cast<double>(n), static_cast<double>(n + high - low)}) {
