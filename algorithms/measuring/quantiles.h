@@ -1,4 +1,4 @@
-// Medians and spreads of repeated measurements.
+// Medians and relative spreads of repeated measurements.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-// Between the values, linearly; share in [0, 1], at least one value.
+// Returns the quantile with linear interpolation between values; share in [0, 1], at least one value.
 inline double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
     const double at = share * static_cast<double>(values.size() - 1);
@@ -16,7 +16,7 @@ inline double quantile(std::vector<double> values, double share) {
     return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
-// (p75 - p25) / median.
+// Returns (p75 - p25) / median.
 inline double relativeSpread(const std::vector<double>& values) {
     return (quantile(values, 0.75) - quantile(values, 0.25)) / quantile(values, 0.5);
 }

@@ -1,4 +1,4 @@
-// Random numbers and rays for measurements and tests: seeded, the same on every machine and compiler.
+// Random numbers and rays for measurements and tests: seeded, and the same on every machine and compiler.
 #pragma once
 
 #include <cmath>
@@ -22,24 +22,24 @@ class Random {
         z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
         return z ^ (z >> 31U);
     }
-    // In [0, 1).
+    // Uniform in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * unit(); }
-    // In [0, n), n > 0.
+    // Uniform in [0, n), n > 0.
     int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
 
   private:
     std::uint64_t state_;
 };
 
-// A seed that hangs on the first and on what it is for: streams side by side that do not overlap in practice.
+// Returns a seed that depends on both arguments: streams for different purposes do not overlap in practice.
 inline std::uint64_t seedFor(std::uint64_t seed, std::uint64_t purpose) {
     Random random(seed ^ (purpose * 0xd1342543de82ef95ULL));
     return random.bits();
 }
 
-// Entry uniform over the picture, azimuth uniform, elevation uniform in [lowest, 90] degrees over a slab of
-// reliefDepth texture widths.
+// Returns a ray whose entry is uniform over the picture, with uniform azimuth and with elevation uniform in
+// [lowestElevation, 90] degrees over a slab of reliefDepth texture widths.
 inline ViewRay randomRay(Random& random, const HeightField& field, double lowestElevation) {
     const double azimuth = random.between(0, 2 * std::numbers::pi);
     const double elevation = random.between(lowestElevation, 90) * std::numbers::pi / 180;

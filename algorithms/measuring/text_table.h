@@ -1,4 +1,4 @@
-// Tables for people, in a terminal's letters.
+// Plain-text tables for a terminal.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@ namespace relief {
 
 using TableRow = std::vector<std::string>;
 
-// Columns as wide as their longest entry, two blanks apart, indented by two: the first `left` ones and those from
-// `textFrom` on begin at their left edge, the others end at their right one. Each line ends with "\n".
+// Formats a table. Columns are as wide as their longest entry, separated by two spaces, the table indented by two. The
+// first `left` columns and those from `textFrom` on are left-aligned, the others right-aligned. Each line ends with
+// "\n".
 std::string textTable(const std::vector<TableRow>& rows, std::size_t left = 1, std::size_t textFrom = 1000);
 
-// `digits` significant digits; without an exponent from 0.001 to a million.
+// Formats a number with `digits` significant digits, without an exponent from 0.001 to a million.
 std::string readable(double value, int digits);
 
 }  // namespace relief

@@ -14,7 +14,7 @@ namespace relief {
 
 namespace {
 
-constexpr int kPlaces = 32;  // rows of the picture, and pixels of a row, that are looked at
+constexpr int kPlaces = 32;  // number of sampled rows of the picture, and of sampled pixels per row
 
 double narrowest(const VisiblePolygon& polygon, PixelSpan span, int y) {
     double texels = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ FootprintLevel footprintLevel(const FrameRequest& request) {
 }
 
 MethodChoice methodOfView(const FrameRequest& request, MethodChoice method) {
-    std::optional<int> level;  // found once, and only where somebody asks for it
+    std::optional<int> level;  // computed at most once, and only if an option needs it
     for (auto& [name, text] : method.options) {
         if (text != kBaseAuto || !name.ends_with(kBaseOption)) continue;
         if (!level) level = footprintLevel(request).level;

@@ -1,5 +1,5 @@
-// base=auto: one base level for a whole frame, that of the resolution its pixels need. [MIP18]: tracing ends at the
-// level "that corresponds to the resolution needed".
+// Computes the base level for base=auto: one pyramid level for a whole frame, at the resolution that its pixels need.
+// [MIP18]: tracing ends at the level "that corresponds to the resolution needed".
 #pragma once
 
 #include "rendering/frame.h"
@@ -10,13 +10,13 @@ struct FootprintLevel {
     int level = 0;
     double pixelTexels = 0;  // width of the narrowest pixel, texels: minor semi-axis of the circle of radius 1 pixel
 };
-// The highest level whose texels are no wider than the narrowest pixel of the view; {0, 0} where no polygon is seen.
-// Pixels are looked at where they lie on the top plane, on a grid of about 32 x 32 and at both ends of its rows.
-// Throws InputError("--camera", ...).
+// Returns the highest pyramid level whose texels are no wider than the narrowest pixel of the view, or {0, 0} if no
+// polygon is visible. Pixel widths are measured on the top plane, on a grid of about 32 x 32 pixels including both ends
+// of its rows. Throws InputError("--camera", ...) for a degenerate camera.
 FootprintLevel footprintLevel(const FrameRequest& request);
 
-// The method with base=auto, its own or that of a method inside it, replaced by the view's level. The request's own
-// method is not looked at.
+// Returns `method` with base=auto, its own or that of a method inside it, replaced by the level that footprintLevel()
+// finds for the request's view. The request's own method is ignored.
 MethodChoice methodOfView(const FrameRequest& request, MethodChoice method);
 
 }  // namespace relief

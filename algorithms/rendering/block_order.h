@@ -1,5 +1,5 @@
 // The order in which the pixels of a tile are traced: neighbours on the screen are neighbours in the block of rays, so
-// that lanes and packets of 4, 8 and 16 rays hold a square or half a square of pixels.
+// that vectors and packets of 4, 8 and 16 rays hold a square or half a square of pixels.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,12 @@
 
 namespace relief {
 
-inline constexpr int kBlockSide = 4;    // of the smallest squares: 16 pixels
-inline constexpr int kSquareSide = 16;  // of the squares of those
+inline constexpr int kBlockSide = 4;    // side of the smallest squares, pixels
+inline constexpr int kSquareSide = 16;  // side of the squares that consist of those, pixels
 
-// body(x, y) once for every pixel of the tile: squares of 16 x 16 from its upper left corner, row after row; in each
-// blocks of 4 x 4, row after row; in each the pixels, row after row. Pixels beyond the tile's edge are left out.
+// Calls body(x, y) once for every pixel of the tile. The tile is divided into squares of 16 x 16 pixels from its upper
+// left corner, each square into blocks of 4 x 4; squares, blocks and pixels are each visited row by row. Positions
+// beyond the tile's edge are skipped.
 template <class Body>
 void inBlockOrder(const PixelArea& tile, const Body& body) {
     const auto split = [](const PixelArea& area, int side, const auto& part) {

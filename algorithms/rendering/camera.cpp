@@ -22,8 +22,8 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Right and forward are known without a division by the horizontal part of the view, so straight down is no special
-// case: up follows from them.
+// Right and forward are computed without dividing by the horizontal part of the view direction, and up follows from
+// them; straight down is therefore no special case.
 void placeInOrbit(const Camera& camera, PinholeCamera& pinhole) {
     if (!(camera.elevation >= -90 && camera.elevation <= 90)) {
         refuse({"what", "elevation"}, camera.elevation,
@@ -53,7 +53,7 @@ void placeFreely(const Camera& camera, PinholeCamera& pinhole) {
     pinhole.eye = camera.eye;
     pinhole.forward = view / length;
     const glm::dvec3 side = glm::cross(pinhole.forward, glm::dvec3{0, 1, 0});
-    // Straight up or down: as an orbit of azimuth 0 looks.
+    // Straight up or down: oriented as an orbit of azimuth 0.
     pinhole.right = glm::length(side) < 1e-12 ? glm::dvec3{1, 0, 0} : glm::normalize(side);
     pinhole.up = glm::cross(pinhole.right, pinhole.forward);
 }

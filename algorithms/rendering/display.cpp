@@ -10,8 +10,8 @@ namespace relief {
 
 namespace {
 
-// Indexed by the square root of the linear value: the curve is steep at 0 and a table over the value itself would need
-// 16 times the entries there.
+// The table is indexed by the square root of the linear value: the sRGB curve is steep at 0, and a table over the value
+// itself would need 16 times as many entries.
 constexpr int kTableSize = 4096;
 
 std::vector<std::uint8_t> makeTable() {

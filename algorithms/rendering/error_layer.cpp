@@ -10,7 +10,7 @@ namespace relief {
 
 namespace {
 
-// The same bits as `exact`, sooner.
+// Gives the same bits as the tracer `exact` in less time.
 constexpr const char* kExactTracer = "max-pyramid";
 
 void compare(const Hit& hit, const Hit& exact, const ViewRay& ray, std::size_t pixel, ErrorLayer& out) {

@@ -7,7 +7,7 @@ namespace relief {
 
 namespace {
 
-// Texels all round a reach: more than coordinates up to 10^6 are rounded by.
+// Margin around a reach, texels: larger than the rounding error of coordinates up to 10^6.
 constexpr double kRounding = 1e-6;
 
 struct Box {
@@ -43,13 +43,13 @@ FlatGround::FlatGround(HeightField field, std::shared_ptr<const HeightBoundsMap>
 std::optional<HeightBounds> FlatGround::reach(const RayBlock& rays, std::span<const std::size_t> which) const {
     HeightBounds reached = all_;
     for (int pass = 0; pass < 2; ++pass) {
-        // Of a straight line the ends are enough.
+        // The path is a straight line, so its two ends bound it.
         const double first = 1 - reached.high;
         const double last = 1 - reached.low;
         Box box;
         for (const std::size_t i : which) {
             const ViewRay ray = rays[i];
-            // Well within the run up to which tracers are exact, and NaN fails.
+            // The limit is below the run up to which tracers are exact, and the comparison is false for NaN.
             if (!(ray.a * ray.a + ray.b * ray.b <= 0.99 * kMaxRun * kMaxRun)) return std::nullopt;
             box.add(ray.s0 + first * ray.a, ray.t0 + first * ray.b);
             box.add(ray.s0 + last * ray.a, ray.t0 + last * ray.b);
@@ -72,7 +72,8 @@ Ground FlatGround::ground(const RayBlock& rays, std::span<const std::size_t> whi
 
 Hit FlatGround::flatHit(const ViewRay& ray, double height) const {
     NullSink sink;
-    // From just above the ground, by what the leaf's rounding could still call a hit, as pyramids start.
+    // The search starts just above the ground, by the margin within which the leaf's rounding may still report a hit,
+    // as in the pyramid tracers.
     const double start = std::max(0.0, 1 - height - kExclusionMargin);
     return leaf_.traceSegment(ray, {start, 1}, sink);
 }

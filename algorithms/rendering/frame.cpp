@@ -30,7 +30,7 @@ double Frame::depth(int x, int y) const {
     const std::size_t i = index(x, y);
     const HitBlock& block = hits->hits;
     if (block.outcome[i] != Outcome::Hit) return std::numeric_limits<double>::quiet_NaN();
-    // The hit lies lambda of the slab's thickness under the entry, along the view ray, whose depth grows with it.
+    // The hit lies lambda slab thicknesses below the entry, along the view ray, and camera depth grows in proportion.
     const TexturedQuad& quad = polygons[rays->polygon[i]];
     const double texel = glm::length(quad.plane.perS);
     const glm::dvec3 direction = camera.rayThrough(x + 0.5, y + 0.5);
@@ -55,7 +55,7 @@ glm::vec3 Frame::normal(int x, int y, const FrameRequest& request) const {
     } else {
         return glm::vec3(reliefNormal(quad, request.field.slope(place.x, place.y), slabTexels));
     }
-    // Opposed vectors can cancel between texels.
+    // Opposite normals of neighbouring texels can cancel when they are interpolated.
     return glm::length(mapped) > 0 ? glm::vec3(mappedNormal(quad, mapped)) : glm::vec3(quad.normal);
 }
 

@@ -1,4 +1,5 @@
-// A frame's rays traced again by any method, in batches, so that it can be stopped and progress be told in between.
+// Traces a frame's rays again with any method, in batches, so that it can be cancelled and report progress between
+// them.
 #pragma once
 
 #include <algorithm>

@@ -11,13 +11,15 @@ namespace relief {
 
 namespace {
 
-// The spare buffer if it has as many pixels and nobody else holds it, or a new one. What it holds is of an older frame.
+// Returns the spare buffer if it has as many pixels and no other owner, or else a new one. A reused buffer still holds
+// the data of an older frame.
 template <class T>
 std::shared_ptr<T> taken(std::shared_ptr<T>& spare, bool fits) {
-    // Whoever held it last has let go before this thread writes.
+    // The last owner's reads must have finished before this thread writes.
     if (spare && spare.use_count() == 1 && fits) {
 #ifdef __SANITIZE_THREAD__
-        const std::shared_ptr<T> counted = spare;  // the sanitizer knows no fences, but sees what a count synchronizes
+        // thread sanitizer does not model fences, but it does see reference counts
+        const std::shared_ptr<T> counted = spare;
 #else
         std::atomic_thread_fence(std::memory_order_acquire);
 #endif
@@ -27,7 +29,7 @@ std::shared_ptr<T> taken(std::shared_ptr<T>& spare, bool fits) {
     return std::make_shared<T>();
 }
 
-// What a buffer's tiles hold is known of pictures of one size; without skipping, they are cleared all the same.
+// The blank marks of tiles are valid only for pictures of the same size; without skipping, all tiles are cleared.
 template <class T>
 void fitTiles(Kept<T>& buffer, const Frame& frame, bool skip) {
     const bool same = buffer.width == frame.width && buffer.height == frame.height;
@@ -46,7 +48,7 @@ std::shared_ptr<T>& made(std::shared_ptr<T>& stage) {
     return stage;
 }
 
-// Every column of a band's stages.
+// Visits every column of a band's stages.
 template <class Visit>
 void overColumns(FrameBuffers& band, const Visit& visit) {
     RayStage& rays = *band.rays;
@@ -114,7 +116,7 @@ FrameBuffers allocateBuffers(Frame& frame, const Frame* last, FrameBuffers& spar
         hits.outcome.resize(pixels);
         for (auto* column : {&hits.lambda, &hits.s, &hits.t}) column->resize(pixels);
         buffers.hits->by.resize(pixels);
-        // A mesh counts its triangles as it draws; rays are counted when somebody asks.
+        // A mesh counts its triangles as it draws; rays are counted only on request.
         hits.steps.assign(mesh ? pixels : 0, 0);
         hits.reads.assign(mesh ? pixels : 0, 0);
         fitTiles(*buffers.hits, frame, request.skip);

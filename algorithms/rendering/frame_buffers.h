@@ -1,4 +1,4 @@
-// The buffers of a frame's stages, kept from frame to frame: inside the renderer, not for others.
+// The buffers of a frame's stages, kept from frame to frame. Internal to the renderer.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@ namespace relief {
 inline constexpr int kTileWidth = 64;
 inline constexpr int kTileHeight = 32;
 
+// Returns the number of tiles that cover the width (pixels) or height of a picture.
 constexpr int tilesAcross(int width) {
     return (width + kTileWidth - 1) / kTileWidth;
 }
@@ -19,19 +20,21 @@ constexpr int tilesDown(int height) {
     return (height + kTileHeight - 1) / kTileHeight;
 }
 
+// Returns true if the stage is in the set, given as bits of Stage.
 constexpr bool has(std::uint32_t stages, Stage stage) {
     return (stages & bit(stage)) != 0;
 }
 
-// A stage's buffer, and which of its tiles are blank: no pixel of theirs saw a polygon when it was used last, and all
-// is there as TileWorker clears it. So what a picture shows of the sky is not written frame after frame.
+// A stage's buffer, and which of its tiles are blank: none of their pixels saw a polygon in the last frame that used
+// the buffer, and they still hold the values that TileWorker::clear() sets. Sky tiles are therefore not cleared again
+// in every frame.
 template <class T>
 struct Kept : T {
     int width = 0, height = 0;        // of the picture
-    std::vector<std::uint8_t> blank;  // one a tile, rows top-down
+    std::vector<std::uint8_t> blank;  // one per tile, rows top-down
 };
 
-// The buffers of one frame in the making: those of stale stages are new, the others are the last frame's.
+// The buffers of a frame that is being made: new ones for stale stages, the last frame's for all others.
 struct FrameBuffers {
     std::shared_ptr<Kept<RayStage>> rays;
     std::shared_ptr<Kept<HitStage>> hits;
@@ -40,22 +43,24 @@ struct FrameBuffers {
     std::shared_ptr<LightStage> light;
 };
 
-// Bytes a pixel of all stages but light; and of steps and reads.
+// Bytes per pixel of all stages but light; and of steps and reads.
 inline constexpr std::size_t kStageBytes = 4 * sizeof(double) + sizeof(std::uint8_t) + sizeof(float) +  // rays
                                            3 * sizeof(double) + sizeof(Outcome) + sizeof(HitBy) +       // hits
                                            sizeof(Color) + sizeof(std::uint8_t);                        // and shadows
 inline constexpr std::size_t kCountBytes = 2 * sizeof(std::uint32_t);
 
-// Buffers for all stages but light of so many rows of the frame's picture, no tile blank: those given, made to fit.
+// Makes `band` hold all stages but light for this many rows of the frame's picture, reusing its buffers; no tile is
+// marked blank.
 void fitBand(FrameBuffers& band, const Frame& frame, int rows, const FrameRequest& request, bool counts);
-// Forgets this many rows at the top and moves the others up.
+// Discards this many rows at the top and moves the others up.
 void shiftBand(FrameBuffers& band, const Frame& frame, int rows);
 
-// The light stage as a buffer for the frame's picture: this one if nobody else holds it, or a new one.
+// Returns a light stage of the frame's picture size: the given one if no other owner holds it, or else a new one.
 std::shared_ptr<LightStage> fitLight(std::shared_ptr<LightStage>& light, const Frame& frame);
 
-// Buffers for stale stages, to be cleared by the tiles; the frame points to what its later stages read. spare: of an
-// older frame, taken where nobody else holds them. last: null where all stages are stale. Throws MemoryError.
+// Returns buffers for stale stages, which the tiles must clear; the frame points to those that its later stages read.
+// spare: buffers of an older frame, reused where no other owner holds them. last: null if all stages are stale. Throws
+// MemoryError.
 FrameBuffers allocateBuffers(Frame& frame, const Frame* last, FrameBuffers& spare, const FrameRequest& request,
                              bool mesh, std::uint32_t stale);
 

@@ -7,27 +7,29 @@ namespace relief {
 
 namespace {
 
-// Where frames take no more than this part of the budget, the next finer level is tried whatever is expected of it.
+// If frames take no more than this part of the budget, the next finer level is tried whatever its expected time.
 constexpr double kMuchWithin = 0.5;
-// A frame at rest tells that the finest level is too slow only if it took this many budgets: it may have come late.
+// A frame at rest shows that the finest level is too slow only if it took this many budgets; it may have been delayed
+// by other work.
 constexpr double kFarAbove = 4;
-// Frames before such a trial; after one that failed, so many times more.
+// Frames before such a trial; after a failed trial the wait is multiplied by kLonger, up to kLongestWait frames.
 constexpr int kFirstWait = 6, kLonger = 4, kLongestWait = 1536;
-// A finer level that lasted so many waits is no trial any more.
+// A finer level is no longer on trial after this many waits.
 constexpr int kProven = 4;
-// Frames within which a level that is too slow is so by itself, and not since the view has changed.
+// If a level on trial proves too slow within this many frames, its own nominal seconds are corrected; later, the common
+// scale (the view has changed).
 constexpr int kTrial = 5;
-constexpr double kForget = 1.0 / 512;  // of a correction, a frame
+constexpr double kForget = 1.0 / 512;  // part of a correction that is forgotten per frame
 
 }  // namespace
 
 void FramePace::setLevels(const std::vector<double>& nominal) {
     assert(!nominal.empty());
-    if (nominal == asked_) return;
-    asked_ = nominal_ = nominal;
+    if (nominal == given_) return;
+    given_ = nominal_ = nominal;
     wait_ = kFirstWait;
     go(finestWithin(0, budget_));
-    tried_ = false;
+    onTrial_ = false;
 }
 
 double FramePace::expected(int level) const {
@@ -42,12 +44,12 @@ int FramePace::finestWithin(int first, double seconds) const {
 }
 
 void FramePace::go(int level) {
-    tried_ = level < level_;
+    onTrial_ = level < level_;
     level_ = level;
     frames_ = 0;
 }
 
-// One frame alone is believed only if it was faster than expected.
+// A single frame counts only if it was faster than expected.
 double FramePace::typical() const {
     const auto [a, b, c] = recent_;
     if (frames_ == 1) return std::min(a, expected(level_));
@@ -67,8 +69,8 @@ void FramePace::took(double seconds) {
     if (typical() > kTolerated * budget_) return coarser();
     if (frames_ < 3) return;
     follow(typical());
-    if (tried_ && frames_ > kProven * wait_) {
-        tried_ = false;
+    if (onTrial_ && frames_ > kProven * wait_) {
+        onTrial_ = false;
         wait_ = kFirstWait;
     }
     if (level_ > 0) finer();
@@ -76,12 +78,12 @@ void FramePace::took(double seconds) {
 
 void FramePace::coarser() {
     const double seconds = typical();
-    if (tried_ && frames_ <= kTrial) {
+    if (onTrial_ && frames_ <= kTrial) {
         nominal_[static_cast<std::size_t>(level_)] = seconds / scale_;
     } else {
         follow(seconds);
     }
-    if (tried_) wait_ = std::min(kLonger * wait_, kLongestWait);
+    if (onTrial_) wait_ = std::min(kLonger * wait_, kLongestWait);
     const int last = static_cast<int>(nominal_.size()) - 1;
     if (level_ < last) go(finestWithin(level_ + 1, budget_));
 }
@@ -93,8 +95,8 @@ void FramePace::finer() {
     } else if (frames_ >= wait_ && typical() <= kMuchWithin * budget_) {
         go(level_ - 1);
     } else {
-        // What was corrected may have been an evil hour's.
-        for (std::size_t n = 0; n < nominal_.size(); ++n) nominal_[n] += kForget * (asked_[n] - nominal_[n]);
+        // Corrections decay, because they may stem from a time when the machine was busy.
+        for (std::size_t n = 0; n < nominal_.size(); ++n) nominal_[n] += kForget * (given_[n] - nominal_[n]);
     }
 }
 
@@ -109,12 +111,12 @@ void FramePace::rested(double seconds) {
     if (!(seconds > 0)) return;
     const bool slow = level_ == 0 && seconds > kFarAbove * budget_;
     const bool fast = level_ > 0 && seconds <= kWellWithin * budget_;
-    // What it costs more or less than was thought, beside the level that is drawn.
+    // The measured cost of the finest level corrects its nominal seconds relative to the level that is drawn.
     if (level_ > 0 && frames_ >= 3) nominal_[0] = seconds / scale_;
     if (!slow && !fast) return;
     scale_ *= seconds / expected(0);
     go(finestWithin(0, budget_));
-    tried_ = false;
+    onTrial_ = false;
 }
 
 }  // namespace relief

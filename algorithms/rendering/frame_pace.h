@@ -1,14 +1,15 @@
-// How coarse the next frame of a picture that moves is drawn, by what the frames before it took.
+// Chooses how coarsely the next frame of a moving picture is drawn, from the times of the frames before it.
 //
-// Levels are ways to draw, each cheaper than the one before. What a frame takes on them is expected to be in
-// proportion to their nominal seconds, by one factor for all that follows the view, the method and the machine.
-// - One frame that was slow for a reason of its own (a map was built, the machine was busy) changes nothing: it is the
-//   median of the last three that counts, of fewer the fastest.
-// - Where that is above the budget, the finest level is taken that is expected within it, at once.
-// - Where a finer level is expected well within it, that one is taken as soon as three frames say so; where there is
-//   much time to spare, the next finer one is tried whatever is expected. What was too slow nonetheless has its nominal
-//   seconds corrected, and such trials are made ever more seldom.
-// The budget is what is aimed at; up to kTolerated of it are borne, lest a view change its look to and fro.
+// Levels are ways to draw, each cheaper than the one before. The expected time of a frame is the level's nominal
+// seconds times one scale for all levels, which follows the view, the method and the machine.
+// - A single frame that was slow for a reason of its own (a map was built, the machine was busy) changes nothing: the
+//   median of the last three frames counts, or the fastest if there are fewer.
+// - If that time is above the budget, the finest level expected to keep within it is taken at once.
+// - If a finer level is expected to be well within the budget, it is taken after three frames; if much time is left,
+//   the next finer level is tried whatever its expected time. If it proves too slow, its nominal seconds are corrected
+//   and further trials become rarer.
+// The budget is the target; up to kTolerated times the budget is accepted, so that a view does not alternate between
+// levels.
 #pragma once
 
 #include <array>
@@ -19,42 +20,49 @@ namespace relief {
 
 class FramePace {
   public:
-    // Parts of the budget.
+    // In parts of the budget.
     static constexpr double kTolerated = 1.25, kWellWithin = 0.85;
 
-    // budget: seconds a frame may take; not positive: none does, and the coarsest level is taken.
+    // budget: seconds that a frame may take; if it is not positive, no level keeps within it and the coarsest is taken.
     explicit FramePace(double budget) : budget_(budget) {}
 
-    // Seconds of a frame on each level where nothing has been measured, the finest first. Where they are the same as
-    // before nothing is done; otherwise the finest level is taken that is expected within the budget.
+    // Sets the nominal seconds per frame of each level, finest first, used until times are measured. Values equal to
+    // the last call's have no effect; others select the finest level that is expected to keep within the budget.
     void setLevels(const std::vector<double>& nominal);
     int level() const { return level_; }
-    // Seconds of a frame on a level.
+    // Returns the expected seconds of a frame on a level.
     double expected(int level) const;
 
-    // A frame on level() was made.
+    // Records that a frame on level() was made in this many seconds.
     void took(double seconds);
-    // It was given up after so long.
+    // Records that a frame on level() was cancelled after this many seconds.
     void gaveUp(double seconds);
-    // A frame on the finest level was made while nothing moved; seconds without what is made only once.
+    // Records a frame on the finest level that was made while nothing moved; seconds: without work done only once
+    // (maps).
     void rested(double seconds);
 
   private:
+    // Returns the median frame time on this level, or a cautious estimate from fewer than three frames.
     double typical() const;
+    // Adapts the scale so that the expected time of the level equals `seconds`.
     void follow(double seconds);
+    // Moves to a coarser level after frames that were too slow, and corrects scale or nominal seconds.
     void coarser();
+    // Moves to a finer level if it is expected to keep within the budget, or on trial.
     void finer();
     void go(int level);
+    // Returns the finest level, from `first` on, that is expected to take at most `seconds`; the coarsest if there is
+    // none.
     int finestWithin(int first, double seconds) const;
 
     double budget_;
-    std::vector<double> asked_, nominal_;  // as they were given; and corrected
-    double scale_ = 1;                     // of what frames take to the nominal seconds
+    std::vector<double> given_, nominal_;  // as passed to setLevels(); and with corrections
+    double scale_ = 1;                     // measured seconds per nominal second
     int level_ = 0;
     std::array<double, 3> recent_{};  // seconds of the last frames on this level
-    int frames_ = 0;                  // on it
-    bool tried_ = false;              // it was come to from a coarser one
-    int wait_ = 0;                    // frames on a level before a finer one is tried whatever is expected
+    int frames_ = 0;                  // frames made on this level
+    bool onTrial_ = false;            // the level was reached from a coarser one
+    int wait_ = 0;                    // frames on a level before a finer one is tried whatever its expected time
 };
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Pictures for one use: the stages of a band of rows at a time, the light of all.
+// Pictures for one use: all stages but light are kept only for a band of rows, the light stage for the whole picture.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -14,9 +14,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Tiles of a band: so many that threads seldom wait for the last one, and for each thread. 40 MB of stages.
+// Tiles of a band, and the least number per thread: enough that threads seldom wait for the last tile. About 40 MB of
+// stages.
 constexpr int kBandTiles = 256, kThreadTiles = 16;
-// Rows above and below a band whose hits the filter may ask for, where it does: more than its reach.
+// Rows above and below a band whose hits are kept for filters that read their neighbours' hits; more than the filters'
+// reach.
 constexpr int kHaloRows = kTileHeight;
 
 int bandRows(int width, int threads) {
@@ -28,11 +30,11 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Makes one picture, band after band, from the top.
+// Makes one picture band by band, from the top.
 class BandMaker {
   public:
-    // first: the row from which rays are traced, the first of a tile. counts: steps and reads of traced rays are
-    // wanted; a mesh's come with its hits.
+    // first: the row from which rays are traced, the first row of a tile. counts: whether steps and reads of traced
+    // rays are counted; a mesh counts its own with its hits.
     BandMaker(const FrameRequest& request, const FrameSetup& setup, FrameBuffers& band, int first, bool counts,
               Work& work)
         : request_(request),
@@ -41,30 +43,30 @@ class BandMaker {
           band_(band),
           counts_(counts),
           work_(work),
-          met_(first) {
+          firstUntraced_(first) {
         setup.frame->stored = {first, first};
     }
 
-    // Makes rows [begin, end), the stages of `halo` rows more on either side being kept.
-    void make(RowRange rows, int halo, bool tellProgress) {
+    // Makes rows [begin, end) and keeps the stages of `halo` more rows on either side.
+    void make(RowRange rows, int halo, bool reportProgress) {
         Frame& frame = *setup_.frame;
         const RowRange stored{std::max(0, rows.begin - halo), std::min(frame.height, rows.end + halo)};
         shiftBand(band_, frame, stored.begin - frame.stored.begin);
         frame.rows = rows, frame.stored = stored;
         const TileWorker worker(request_, frame, tools_, band_, kAllStages, totals);
         if (halo > 0) {
-            const std::vector<PixelArea> ahead = tilesOf(frame.width, {met_, stored.end});
-            overTiles(ahead, false, work_, [&](const PixelArea& tile) { worker.meet(tile, work_); });
-            met_ = stored.end;
+            const std::vector<PixelArea> ahead = tilesOf(frame.width, {firstUntraced_, stored.end});
+            overTiles(ahead, false, work_, [&](const PixelArea& tile) { worker.findHits(tile, work_); });
+            firstUntraced_ = stored.end;
         }
         const std::vector<PixelArea> tiles = tilesOf(frame.width, rows);
-        overTiles(tiles, tellProgress, work_, [&](const PixelArea& tile) {
-            if (halo == 0) worker.meet(tile, work_);
-            worker.paint(tile, work_);
+        overTiles(tiles, reportProgress, work_, [&](const PixelArea& tile) {
+            if (halo == 0) worker.findHits(tile, work_);
+            worker.shade(tile, work_);
         });
         if (!counts_) return;
         const auto begin = Clock::now();
-        // Pixels without a polygon are not counted.
+        // Pixels without a polygon keep counts of 0.
         for (auto* column : {&band_.hits->hits.steps, &band_.hits->hits.reads}) {
             std::fill(column->begin(), column->end(), 0U);
         }
@@ -83,10 +85,10 @@ class BandMaker {
     FrameBuffers& band_;
     bool counts_;
     Work& work_;
-    int met_;  // the first row whose rays are not traced yet
+    int firstUntraced_;  // the first row whose rays are not traced yet
 };
 
-// The tiles' rows around those that are wanted: tiles begin where they do in the whole picture.
+// Returns the rows of the tiles that contain the wanted rows; tiles begin where they do in the whole picture.
 RowRange madeRows(const RowRange& wanted, int height) {
     if (wanted.begin == wanted.end) return {0, height};
     assert(wanted.begin >= 0 && wanted.begin < wanted.end && wanted.end <= height);
@@ -100,7 +102,7 @@ std::uint64_t pictureBytes(const FrameRequest& request, int threads) {
     const int ring = samples ? kGaussianRing : 0;
     const auto width = static_cast<std::uint64_t>(request.width + 2 * ring);
     const auto height = static_cast<std::uint64_t>(request.height + 2 * ring);
-    // Samples are of pixels' centres, and need no halo.
+    // Sample passes use the bilinear filter, which needs no halo.
     const int rows = bandRows(request.width + 2 * ring, threads) + (samples ? 0 : 2 * kHaloRows);
     return byteSum({byteProduct({width, height, sizeof(Color)}),
                     byteProduct({width, std::min(height, static_cast<std::uint64_t>(rows)), kStageBytes + kCountBytes}),
@@ -127,7 +129,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     fitBand(*band_, frame, std::min(frame.height, rows + 2 * halo), request, counts || mesh);
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
     frame.light = fitLight(band_->light, frame);
-    const RowRange made = madeRows(parts.wanted, frame.height);
+    const RowRange made = madeRows(parts.onlyRows, frame.height);
     if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.end - made.begin));
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
     for (int y = made.begin; y < made.end; y += rows) {
@@ -139,14 +141,14 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     report(frame, request, setup->visible, maker.totals, kAllStages, mesh);
     if (counts && !mesh) reportCounts(frame, maker.countTotals);
     if (request.filter.name == kSupersample) {
-        // The samples take the place of what was made.
+        // The mean of the samples replaces the frame's own light stage.
         frame.light = nullptr;
         band_.reset();
         frame.light = std::make_shared<LightStage>(
-            LightStage{supersampled(request, maps_, work, {}, frame.counters, parts.wanted)});
+            LightStage{supersampled(request, maps_, work, {}, frame.counters, parts.onlyRows)});
     }
     finish(frame, begin, work);
-    // The picture is the caller's alone.
+    // The picture belongs to the caller alone.
     auto last = std::make_shared<Frame>(frame);
     last->light = nullptr;
     last_ = request, frame_ = std::move(last), tracer_ = setup->tracer;

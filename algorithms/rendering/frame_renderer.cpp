@@ -15,10 +15,10 @@ namespace relief {
 
 namespace {
 
-// What of a request differs from the last one.
+// Returns the inputs (bits of Input) in which the request differs from the last one.
 std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
-    // A field that is added to the request stops the build here: it belongs to an input. Only `counts` changes
-    // nothing.
+    // A field that is added to the request breaks the build here, because it must be assigned to an input. Only
+    // `counts` changes no input.
     const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows, counts, mapping,
                  skip, bounded, sky, sample, margin] = now;
     std::uint32_t changed = 0;
@@ -45,7 +45,7 @@ std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     return changed;
 }
 
-// What a filter is made of; the camera is not.
+// The inputs that a filter is made from; the camera is not among them.
 constexpr std::uint32_t kFilterInputs = bit(Input::HeightSize) | bit(Input::Heights) | bit(Input::Surface) |
                                         bit(Input::Address) | bit(Input::Depth) | bit(Input::ColorPicture) |
                                         bit(Input::Filter) | bit(Input::Skip) | bit(Input::Bounded);
@@ -58,14 +58,14 @@ std::uint32_t staleStages(std::uint32_t changed) {
     return stale;
 }
 
-// Heights in grey, for filters that need a whole picture.
+// Returns the heights as a grey picture, for filters that need a picture.
 std::shared_ptr<const ColorImage> greyPicture(const FloatImage& heights) {
     auto picture = std::make_shared<ColorImage>(heights.width(), heights.height());
     std::transform(heights.pixels().begin(), heights.pixels().end(), picture->pixels().begin(), heightGrey);
     return picture;
 }
 
-// What a frame says of itself before any pixel is made.
+// Returns a frame with everything that is known before any pixel is made.
 std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
     auto frame = std::make_shared<Frame>();
     frame->width = request.width;
@@ -106,7 +106,7 @@ std::string sizeSubject(const FrameRequest& request) {
 
 std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameRequest& request, Work& work) {
     const bool levels = needsLevels(request.filter);
-    // Those of other pictures go, also where this filter needs none.
+    // The levels of another picture are released even if this filter needs none.
     if (levels_ && (request.color ? levels_->picture() != request.color : greyOf_ != request.field.sharedHeights())) {
         levels_.reset();
         greyOf_.reset();
@@ -132,7 +132,7 @@ std::shared_ptr<const TextureFilter> FrameRenderer::madePlainFilter(const FrameR
 std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& request, const Tracer& tracer,
                                                             Work& work) {
     const bool traces = tracer.description().kind == MethodKind::Tracer;
-    // Only exact methods agree with the one cell; a base level is another relief.
+    // Only exact methods agree with the intersection of the single cell, and a base level traces a different relief.
     const bool flat = request.skip && tracer.guarantee() == Guarantee::Exact && tracer.baseLevel() == 0;
     if (groundOf_ != request.field.sharedHeights()) {
         ground_.reset();
@@ -147,7 +147,8 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
     return ground->never() ? nullptr : std::move(ground);
 }
 
-// The max pyramid's hits by cones, as soon as these pay or are there for shadows or the filter anyway.
+// Returns a cone tracer that finds the max pyramid's hits, if its map has been built for shadows or the filter anyway
+// or enough rays were traced to pay for building it.
 std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameRequest& request, const Tracer& tracer,
                                                                   bool readsNeighbours, Work& work) {
     const std::shared_ptr<const FloatImage>& heights = request.field.sharedHeights();
@@ -162,7 +163,7 @@ std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameReq
     return std::make_unique<const PackedConeHits>(request.field, packedCones(request.field, *maps_, work));
 }
 
-// Which of the maps that methods share are not built because nothing reads them.
+// Counts how many of the maps that methods share are not built because nothing reads them.
 void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work) {
     const bool tracesVisibility = frame.filter && frame.filter->description().visible;
     const bool needed[] = {tracer.pyramid() != nullptr || tracesVisibility || request.shadows, tracesVisibility,
@@ -177,7 +178,7 @@ void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const 
 }
 
 std::uint32_t FrameRenderer::changedSince(const FrameRequest& request) const {
-    // Without skipping nothing is kept, either.
+    // Without skipping, no stage is reused either.
     const bool all = !frame_ || !last_ || !request.skip;
     return all ? (1U << kInputs) - 1 : changedInputs(request, *last_);
 }
@@ -225,7 +226,7 @@ void FrameRenderer::finish(Frame& frame, Clock::time_point begin, Work& work) co
 std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, Work& work, const Snapshot& snapshot) {
     const auto begin = Clock::now();
     checkRequest(request);
-    // After picture() there are no stages.
+    // A frame of picture() has no stages to reuse.
     if (frame_ && !frame_->rays) frame_.reset();
     band_.reset();
     const std::uint32_t changed = changedSince(request), stale = staleStages(changed);
@@ -240,11 +241,11 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     if (stale != 0) {
         const std::vector<PixelArea> tiles = tilesOf(frame->width, frame->rows);
         const bool twice = worker.hitsFirst();
-        if (twice) overTiles(tiles, false, work, [&](const PixelArea& tile) { worker.meet(tile, work); });
+        if (twice) overTiles(tiles, false, work, [&](const PixelArea& tile) { worker.findHits(tile, work); });
         if (!partOfMore_) work.progress().begin("frame", static_cast<std::int64_t>(tiles.size()));
         overTiles(tiles, !partOfMore_, work, [&](const PixelArea& tile) {
-            if (!twice) worker.meet(tile, work);
-            worker.paint(tile, work);
+            if (!twice) worker.findHits(tile, work);
+            worker.shade(tile, work);
         });
     }
     report(*frame, request, setup->visible, totals, stale, setup->mesh != nullptr);

@@ -26,10 +26,11 @@ void reportFilter(Frame& frame, const FrameTotals& totals) {
 
 void reportCounts(Frame& frame, const FrameTotals& totals) {
     const auto count = [&](MessageId what, double value) { frame.counters[what] = value; };
-    // Those rays are not traced: they are counted once. Frames whose counts are made later are counted again.
+    // Rays that start at the highest height are not traced, and are counted once. If the counts are made after the
+    // frame, this replaces the frame's own numbers.
     double& highest = frame.counters[MessageId::CountRaysHighest];
     double& traced = frame.counters[MessageId::CountRaysTraced];
-    // Hits of an earlier frame that are shown again were not traced in this one.
+    // Reused hits of an earlier frame were not traced in this one.
     traced = std::max(traced + highest - static_cast<double>(totals.startHighest), 0.0);
     highest = static_cast<double>(totals.startHighest);
     count(MessageId::CountSteps, static_cast<double>(totals.steps));

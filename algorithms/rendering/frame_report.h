@@ -1,14 +1,14 @@
-// What a frame reports of its making: stages and counters. Inside the renderer, not for others.
+// Fills in a frame's report: stages and counters. Internal to the renderer.
 #pragma once
 
 #include "rendering/tile_worker.h"
 
 namespace relief {
 
-// Fills the frame's stages and counters. counted: totals have steps and reads of the rays.
+// Sets the frame's stages and counters. counted: whether totals contain the steps and reads of the rays.
 void report(Frame& frame, const FrameRequest& request, const VisiblePolygons& visible, const FrameTotals& totals,
             std::uint32_t stale, bool counted);
-// Of steps and reads alone.
+// Sets only the counters of steps and reads.
 void reportCounts(Frame& frame, const FrameTotals& totals);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// What a frame is made with, and loops over its tiles: inside the renderer, not for others.
+// The tools that a frame is made with, and loops over its tiles. Internal to the renderer.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ struct FrameSetup {
     FrameTools tools() const { return {visible, *tracer, mesh.get(), query.get(), ground.get(), coneHits.get()}; }
 };
 
-// Throws InputError where the request's sizes or its filter are out of range.
+// Throws InputError if the request's sizes or its filter are out of range.
 void checkRequest(const FrameRequest& request);
 
-// "--size WxH", for messages.
+// Returns "--size WxH" as the subject of messages.
 std::string sizeSubject(const FrameRequest& request);
 
-// Tiles of these rows, which begin with a tile; from the top.
+// Returns the tiles of these rows, from the top; the first row must be the first row of a tile.
 inline std::vector<PixelArea> tilesOf(int width, RowRange rows) {
     std::vector<PixelArea> tiles;
     for (int y = rows.begin; y < rows.end; y += kTileHeight) {
@@ -43,12 +43,12 @@ inline std::vector<PixelArea> tilesOf(int width, RowRange rows) {
     return tiles;
 }
 
-// body(tile) for all tiles, in parallel. Throws Cancelled.
+// Calls body(tile) for all tiles, in parallel. Throws Cancelled.
 template <class Body>
-void overTiles(const std::vector<PixelArea>& tiles, bool tellProgress, Work& work, const Body& body) {
+void overTiles(const std::vector<PixelArea>& tiles, bool reportProgress, Work& work, const Body& body) {
     parallelFor(work, tiles.size(), [&](std::size_t n) {
         body(tiles[n]);
-        if (tellProgress) work.progress().advance();
+        if (reportProgress) work.progress().advance();
     });
 }
 

@@ -1,4 +1,4 @@
-// Layers: what a frame knows of its pixels, as planes of numbers.
+// Layers: per-pixel data of a frame as planes of numbers.
 #include <array>
 #include <cassert>
 #include <limits>
@@ -40,11 +40,12 @@ const Layer& findLayer(const std::string& name) {
     throw InputError("--layers", unknownName({"what", MessageId::WordLayer}, name, known));
 }
 
-// What a layer needs beyond the frame, made only for those that need it.
+// Data that layers need beyond the frame, made only for the layers that need it.
 struct LayerTools {
     ErrorLayer error{};
     VisiblePolygons visible{};
-    // Tells which texels are hidden; null: the filter asks for none, or it was not made yet.
+    // The filter that tells which texels are hidden; null: the frame's filter is not a visible-part filter, or it was
+    // not made yet.
     std::shared_ptr<const TextureFilter> visibleFilter = nullptr;
     bool visibleFilterMade = false;
 };
@@ -55,13 +56,13 @@ std::shared_ptr<const TextureFilter> visibleFilterOf(const Frame& frame, const F
     if (frame.filter->tracesBack()) return frame.filter;
     FilterChoice choice = request.filter;
     choice.options["form"] = "plane";
-    // Only its size matters.
+    // Only the picture's size matters.
     std::shared_ptr<const ColorImage> picture = request.color;
     if (!picture) picture = std::make_shared<ColorImage>(request.field.width(), request.field.height());
     return makeFilter(choice, {picture, nullptr, request.field, request.skip}, maps, work);
 }
 
-// Semi-axes, and the share of hidden texels (NaN where the filter asks for none).
+// Returns the semi-axes, or the share of hidden texels (NaN if the filter does not test visibility).
 std::array<float, 3> footprintValues(const std::string& name, const Frame& frame, const FrameRequest& request,
                                      const LayerTools& tools, int x, int y, Work& work) {
     const std::optional<FilterQuery> query = filterQuery(frame, request, tools.visible, x, y);
@@ -79,7 +80,7 @@ std::array<float, 3> footprintValues(const std::string& name, const Frame& frame
             0, 0};
 }
 
-// The values of one pixel in the planes of a layer.
+// Returns the values of one pixel in the planes of a layer.
 std::array<float, 3> layerValues(const std::string& name, const Frame& frame, const FrameRequest& request,
                                  const LayerTools& tools, int x, int y, Work& work) {
     const std::size_t i = frame.index(x, y);

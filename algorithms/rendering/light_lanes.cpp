@@ -6,7 +6,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rendering/light_lanes.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Must be included after foreach_target.h.
 #include "relief/simd/slope_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,4 +1,4 @@
-// Lambert light from one direction, and the normal of the relief.
+// Lambert shading with one directional light, and the normal of the relief.
 #pragma once
 
 #include <utility>
@@ -10,8 +10,8 @@
 
 namespace relief {
 
-// Direction towards the light: azimuth and elevation in degrees, as of the camera. ambient in [0, 1]: what reaches a
-// surface that is turned away; intensity scales all.
+// Direction towards the light: azimuth and elevation in degrees, as for the camera. ambient in [0, 1]: the part of the
+// light that also reaches surfaces turned away; intensity scales both parts.
 struct Light {
     double azimuth = -50;
     double elevation = 40;
@@ -20,31 +20,34 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
+// Returns the unit vector towards the light, world space.
 glm::dvec3 lightDirection(const Light& light);
 
-// A polygon's axes of length 1, made once for many normals.
+// A polygon's axes normalised to length 1, computed once for many normals.
 struct ReliefAxes {
     glm::dvec3 normal, alongS, alongT;
 
     explicit ReliefAxes(const TexturedQuad& quad);
-    // As reliefNormal.
+    // The same result as reliefNormal().
     glm::dvec3 normalOf(std::pair<double, double> slope, double slabTexels) const;
 };
 
-// World normal of the relief: slope (dh/ds, dh/dt) per texel, slab thickness in texels, on a polygon's axes.
+// Returns the world-space unit normal of the relief. slope: (dh/ds, dh/dt) per texel; slabTexels: slab thickness in
+// texels.
 glm::dvec3 reliefNormal(const TexturedQuad& quad, std::pair<double, double> slope, double slabTexels);
-// World normal from a normal map's vector (OpenGL: x along s, y against t, z out).
+// Returns the world-space unit normal for a normal map's vector (OpenGL convention: x along s, y against t, z
+// outwards).
 glm::dvec3 mappedNormal(const TexturedQuad& quad, glm::vec3 tangent);
 
-// The colour of a height where there is no colour picture.
+// Returns the grey that shows a height where there is no colour picture.
 inline Color heightGrey(double height) {
     return Color(static_cast<float>(0.2 + 0.6 * height));
 }
 
-// As lambert of a surface that is turned to the light by this cosine; not positive: turned away.
+// The same as lambert() for a surface with this cosine between its normal and the light; not positive: turned away.
 Color lit(Color albedo, double facing, const Light& light);
 
-// albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)); in shadow only the ambient part.
+// Returns albedo * intensity * (ambient + (1 - ambient) * max(0, n . l)); in shadow only the ambient part.
 Color lambert(Color albedo, glm::dvec3 normal, glm::dvec3 toLight, const Light& light, bool shadowed = false);
 
 }  // namespace relief

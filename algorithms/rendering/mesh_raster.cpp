@@ -17,15 +17,16 @@ namespace relief {
 
 namespace {
 
-// Quads along the side of a block.
+// Side of a block, in quads.
 constexpr int kBlock = 16;
-// World units, as for polygons: nearer than this nothing is drawn.
+// Near plane, world units, as for polygons: nothing nearer is drawn.
 constexpr double kNear = 1e-4;
 
 using Triangle = std::array<ClipVertex, 3>;
 
-// The nine coefficients of the triangle's own plane, q = 1 / depth, in pixels measured from `origin`: near the
-// triangle, so that small triangles far from the screen's corner keep their digits. Facing away or edge-on: no value.
+// Returns the nine coefficients of the homography onto the triangle's own plane, with q = 1 / depth, in pixels relative
+// to `origin`. An origin near the triangle preserves precision for small triangles far from the screen's corner.
+// Returns std::nullopt for triangles that face away or are edge-on.
 std::optional<Homography> rowsOf(const Triangle& triangle, glm::dvec2 origin) {
     std::array<glm::dvec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -47,7 +48,7 @@ std::optional<Homography> rowsOf(const Triangle& triangle, glm::dvec2 origin) {
 
 }  // namespace
 
-// Pixels and depths of one area, and the triangles drawn there.
+// The pixels and depths of one area, and the number of triangles drawn there.
 struct MeshRaster::Target {
     const PixelArea& area;
     const RayStage& rays;
@@ -57,7 +58,7 @@ struct MeshRaster::Target {
     int width = 0;
     int firstRow = 0;
 
-    // One quad of the mesh, by its place and its vertices' heights.
+    // A quad of the mesh: its position and the heights of its vertices.
     struct Quad {
         const DisplacementMesh& mesh;
         const TexturedQuad& surface;
@@ -108,7 +109,7 @@ void MeshRaster::Target::drawRow(const Quad& quad, const Homography& rows, glm::
             static_cast<std::size_t>(y - firstRow) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
         if (rays.polygon[pixel] != quad.number || !inside(rays.rays.s0[pixel], rays.rays.t0[pixel])) continue;
         const TexelPoint at = rows.at(x + 0.5 - origin.x, y + 0.5 - origin.y);
-        // Place in the quad; a centre on an edge may be rounded out of it.
+        // Position in the quad, clamped because rounding can move a pixel centre on an edge out of it.
         const double u = std::clamp((at.s - 0.5) / quad.mesh.texelsPerColumn() - quad.i, 0.0, 1.0);
         const double v = std::clamp((at.t - 0.5) / quad.mesh.texelsPerRow() - quad.j, 0.0, 1.0);
         const double s = 0.5 + (quad.i + u) * quad.mesh.texelsPerColumn();
@@ -128,7 +129,8 @@ MeshRaster::MeshRaster(const DisplacementMesh& mesh, const VisiblePolygons& visi
                        int width, Work& work)
     : mesh_(mesh), camera_(camera), width_(width) {
     for (const VisiblePolygon& polygon : visible.polygons) {
-        // From the last vertex at or before the polygon's edge to the first at or behind the other one.
+        // The columns run from the last vertex at or before the polygon's edge to the first at or behind the opposite
+        // edge.
         const auto first = [](double each) { return static_cast<int>(std::floor(-0.5 / each)); };
         const auto last = [](double size, double each) { return static_cast<int>(std::ceil((size - 0.5) / each)); };
         Part part{&polygon, first(mesh.texelsPerColumn()), first(mesh.texelsPerRow())};
@@ -149,7 +151,7 @@ MeshRaster::MeshRaster(const DisplacementMesh& mesh, const VisiblePolygons& visi
     }
 }
 
-// Vertex (i, j) of the mesh, any integers, on this polygon.
+// Vertex (i, j) of the mesh, for any integers, on this polygon.
 ClipVertex MeshRaster::vertex(const Part& part, int i, int j) const {
     const TexturedPlane& plane = part.polygon->quad.plane;
     const glm::dvec2 texel{0.5 + i * mesh_.texelsPerColumn(), 0.5 + j * mesh_.texelsPerRow()};
@@ -170,7 +172,7 @@ MeshRaster::Box MeshRaster::boxOf(const Part& part, int blockX, int blockY) cons
             box = {std::min(box.x0, at.x), std::min(box.y0, at.y), std::max(box.x1, at.x), std::max(box.y1, at.y)};
         }
     }
-    // Rounding to float: a pixel more on every side.
+    // One more pixel on every side, because the box is rounded to float.
     return {box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1};
 }
 

@@ -1,4 +1,4 @@
-// The camera as a pinhole in the pixels of a screen.
+// Converts a camera to a pinhole in the pixels of a screen.
 #pragma once
 
 #include "mapping/homography.h"
@@ -6,8 +6,8 @@
 
 namespace relief {
 
-// The camera in pixels of a width x height screen, its principal point in the middle.
-// Throws InputError("--camera", ...) where the camera is degenerate (eye at the target, fov out of range, NaN).
+// Returns the camera in the pixels of a width x height screen, with its principal point at the centre. Throws
+// InputError("--camera", ...) for a degenerate camera (eye at the target, fov out of range, NaN).
 PinholeCamera pinholeCamera(const Camera& camera, int width, int height);
 
 }  // namespace relief

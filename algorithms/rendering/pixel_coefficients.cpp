@@ -5,7 +5,7 @@
 namespace relief {
 
 std::optional<PixelCoefficients> pixelCoefficients(const FrameRequest& request, int x, int y) {
-    if (!pixelRay(request, x, y)) return std::nullopt;  // looks whether the pixel is there, too
+    if (!pixelRay(request, x, y)) return std::nullopt;  // also throws for pixels outside the picture
     const VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
                         request.width, request.height, request.field.reliefDepth());

@@ -1,4 +1,4 @@
-// The numbers behind the picture, of pixels of a view.
+// The coefficients of the screen-to-texture mapping at single pixels of a view.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace relief {
 
-// Of the nearest polygon's top plane at the pixel, texels of the height map; nothing where no polygon is seen. Throws
-// InputError outside the picture.
+// Returns the coefficients of the nearest polygon's top plane at the pixel, in texels of the height map; std::nullopt
+// if no polygon covers the pixel. Throws InputError for pixels outside the picture.
 std::optional<PixelCoefficients> pixelCoefficients(const FrameRequest& request, int x, int y);
 
 }  // namespace relief

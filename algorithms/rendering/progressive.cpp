@@ -13,7 +13,7 @@ constexpr const char* kVisible = "elliptical-visible";
 constexpr const char* kPlain = "elliptical";
 constexpr const char* kFewPoints = "2";
 
-// Of a pixel on a small machine: traced and filtered plainly; only lit anew.
+// Initial estimates of seconds per pixel on a small machine: traced and filtered with the plain filter; only relit.
 constexpr double kTracedSeconds = 4e-7, kLitSeconds = 2e-8;
 constexpr int kFactors[]{2, 3, 4, 6, 8};
 
@@ -22,7 +22,7 @@ std::string valueOf(const FilterChoice& choice, const std::string& option) {
     return given != choice.options.end() ? given->second : findFilter(choice.name).defaults.at(option);
 }
 
-// What a pixel takes, of one that is filtered plainly: roughly, to begin with.
+// Returns a rough initial estimate of the cost per pixel, relative to the plain filter.
 double costOf(const FilterChoice& choice) {
     if (choice.name == kSupersample) return choice.samples * choice.samples;
     if (choice.name != kVisible) return 1;
@@ -31,7 +31,7 @@ double costOf(const FilterChoice& choice) {
     return form == kGridForm ? 1 + 0.1 * points * points : form == "rays" ? 8 : 100;
 }
 
-// Whether the one's hits are the other's.
+// Returns true if both requests have the same hits.
 bool sameHits(const FrameRequest& a, const FrameRequest& b) {
     return a.width == b.width && a.height == b.height && a.field.sharedHeights() == b.field.sharedHeights() &&
            a.field.surface() == b.field.surface() && a.field.address() == b.field.address() &&
@@ -80,19 +80,19 @@ std::vector<MovingLevel> ProgressiveRenderer::levels(const FrameRequest& request
     const double pixels = static_cast<double>(request.width) * request.height;
     std::vector<MovingLevel> levels;
     const auto add = [&](const FilterChoice& filter, int factor) {
-        // Only light is made anew where the filter has done its part already.
+        // If the filtered colours can be reused, only the light stage is computed.
         const bool filtered = lit && factor == 1 && filter == drawn_->filter;
         const double cost = (lit ? kLitSeconds : kTracedSeconds) * (filtered ? 1 : costOf(filter));
         levels.push_back({static_cast<int>(levels.size()), filter, factor, cost * pixels / (factor * factor)});
     };
     add(request.filter, 1);
     FilterChoice filter = request.filter;
-    // Samples of whole pixels are never moved, and no filter that could be kept.
+    // Supersampling is never used while the picture moves, and is therefore no filter to keep.
     const bool keep = keepFilter_ && request.filter.name != kSupersample;
     for (int level = 1; level <= kCoarsestFilter && !keep; ++level) {
         if (coarserFilter(request.filter, level) == filter) continue;
         filter = coarserFilter(request.filter, level);
-        // What the filter has done is not thrown away for another light.
+        // For a change of light the filtered colours are reused, so coarser filters would save no time.
         if (!lit) add(filter, 1);
     }
     for (const int factor : kFactors) add(filter, factor);
@@ -109,7 +109,7 @@ MovingLevel ProgressiveRenderer::levelFor(const FrameRequest& request) {
     return all[static_cast<std::size_t>(pace_->level())];
 }
 
-// What the renderer of smaller pictures keeps of another relief is no help any more: it may be hundreds of megabytes.
+// Releases the buffers of the smaller pictures when they belong to another relief; they may take hundreds of megabytes.
 void ProgressiveRenderer::forgetSmall(const FrameRequest& shown) {
     if (!drawnSmall_) return;
     const bool same = drawnSmall_->field.sharedHeights() == shown.field.sharedHeights() &&

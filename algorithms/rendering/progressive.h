@@ -1,13 +1,14 @@
-// Frames within a budget while something moves, and the picture itself when it rests.
+// Renders frames within a time budget while the view moves, and the full picture when it rests.
 //
-// Frames that would take longer are given with less, level by level. First of what each pixel sees of the relief, which
-// is what a frame of a filter with regard to it takes most of its time for:
-//   the filter that was asked for;
-//   elliptical-visible:form=grid with 2 points a pixel instead of more;
-//   elliptical, as if nothing were hidden (the plain filter in the place of supersample);
-// then of the pixels: a picture 2, 3, 4, 6, 8 times smaller. Hits, light and shadows are the picture's own on every
-// level. Which one, FramePace decides: the finest that keeps within the budget by what frames took so far. Frames of
-// the picture's size are made by one renderer: to settle where the camera has come to rest, no ray is traced again.
+// Frames that would take longer are simplified level by level. The first levels simplify the visibility tests of the
+// filter, which take most of the time of a frame with such a filter:
+// - the requested filter;
+// - elliptical-visible:form=grid with 2 points per pixel instead of more;
+// - elliptical, without visibility tests (in place of supersample: the default filter);
+// - further levels reduce the resolution: a picture 2, 3, 4, 6, 8 times smaller.
+// Hits, light and shadows are never approximated: on every level they are exactly those of a picture of that size.
+// FramePace chooses the finest level that keeps within the budget by the measured frame times. All frames of the full
+// size are made by one renderer, so that no ray is traced again when the camera comes to rest.
 #pragma once
 
 #include <memory>
@@ -21,49 +22,51 @@ namespace relief {
 
 inline constexpr int kCoarsestFilter = 2;
 
-// The choice on a level of the filter, [0, kCoarsestFilter]; the same as on a finer one where there is nothing to leave
-// out.
+// Returns the filter on a level of simplification, [0, kCoarsestFilter]; the same as on the finer level if there is
+// nothing to simplify.
 FilterChoice coarserFilter(const FilterChoice& choice, int level);
 
 struct MovingLevel {
-    int number = 0;  // 0: what was asked for
+    int number = 0;  // 0: the full request
     FilterChoice filter;
-    int factor = 1;  // times smaller is the picture
-    // Of a frame, where nothing has been measured.
+    int factor = 1;  // the picture is this many times smaller
+    // Estimated seconds of a frame, used until times are measured.
     double seconds = 0;
 };
-// Of a frame's stages, on so many threads: without the maps, which are made once.
+// Returns the wall seconds of the frame's stages on the work's threads, without the maps, which are built only once.
 double pixelSeconds(const Frame& frame, Work& work);
+// Returns the request with the filter and the size of a level.
 FrameRequest coarserRequest(const FrameRequest& request, const MovingLevel& level);
 
 class ProgressiveRenderer {
   public:
-    // budget: seconds a frame may take; not positive: none does, and the coarsest level is taken.
+    // budget: seconds that a frame may take; if it is not positive, no level keeps within it and the coarsest is taken.
     ProgressiveRenderer(std::shared_ptr<MapCache> maps, double budget);
 
     struct Picture {
-        std::shared_ptr<const FrameRequest> request;  // as it was drawn
+        std::shared_ptr<const FrameRequest> request;  // the request as it was drawn
         std::shared_ptr<const Frame> frame;
-        std::shared_ptr<const Tracer> tracer;  // of the frame
+        std::shared_ptr<const Tracer> tracer;  // the frame's tracer
         MovingLevel level;
     };
-    // A frame on the level that the budget allows. The same bits as FrameRenderer's of coarserRequest().
-    // Throws what FrameRenderer::render throws.
+    // Renders a frame on the level that the budget allows, with the same bits as FrameRenderer gives for
+    // coarserRequest(). Throws what FrameRenderer::render throws.
     Picture moving(const FrameRequest& request, Work& work);
-    // The frame that was asked for. The same bits as FrameRenderer's.
+    // Renders the full request, with the same bits as FrameRenderer. Throws what FrameRenderer::render throws.
     Picture settled(const FrameRequest& request, Work& work);
-    // The picture's frame with steps and reads.
+    // Returns the picture's frame with steps and reads.
     std::shared_ptr<const Frame> counted(const Picture& picture, Work& work);
 
-    // What moving() is made of, for who does more with a frame than draw it and says what all that took.
+    // The parts of moving(), for callers that do more with a frame than draw it and report the total time.
     MovingLevel levelFor(const FrameRequest& request);
     Picture draw(const FrameRequest& request, const MovingLevel& level, Work& work);
     void took(double seconds) { pace_->took(seconds); }
-    // A frame on this level was given up after so long. Whether a coarser one comes next.
+    // Records that a frame on this level was cancelled after this many seconds. Returns true if a coarser level comes
+    // next.
     bool gaveUp(const MovingLevel& level, double seconds);
-    // What the frame itself takes, by what frames took so far; after levelFor().
+    // Returns the expected seconds of a full frame, from the measured frame times; call after levelFor().
     double fullSeconds() const { return pace_->expected(0); }
-    // What is looked at is what the filter does: it is not left out.
+    // keep: the filter is never simplified, because its effect is what the user examines.
     void keepFilter(bool keep) { keepFilter_ = keep; }
 
   private:
@@ -74,10 +77,10 @@ class ProgressiveRenderer {
 
     std::shared_ptr<MapCache> maps_;
     FrameRenderer full_, small_;
-    std::shared_ptr<const Frame> fullFrame_, smallFrame_;  // that they made last
-    std::optional<FrameRequest> drawn_, drawnSmall_;       // by full_, by small_
-    FramePace traced_, lit_;                               // where rays are traced; where only what follows changes
-    FramePace* pace_;                                      // that was asked last
+    std::shared_ptr<const Frame> fullFrame_, smallFrame_;  // the last frames of full_ and small_
+    std::optional<FrameRequest> drawn_, drawnSmall_;       // the requests last drawn by full_ and by small_
+    FramePace traced_, lit_;  // for frames that trace rays; for frames that change only later stages
+    FramePace* pace_;         // the one that levelFor() used last
     bool keepFilter_ = false;
 };
 

@@ -10,7 +10,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rendering/query_lanes.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Must be included after foreach_target.h.
 #include "relief/simd/slope_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +18,7 @@ namespace relief::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// As jacobianAt() and pixelQuery() have them, operation by operation.
+// Repeats jacobianAt() and pixelQuery() operation by operation.
 void queryJacobians(const PixelView& view, const double* lambda, int x, int y, std::size_t count, double* const* out) {
     using slopes::V;
     const slopes::D d;

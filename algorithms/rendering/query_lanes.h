@@ -1,4 +1,4 @@
-// What texture filters are asked for runs of pixels, in lanes: pixelQuery() of each, the same bits.
+// Makes the queries of texture filters for runs of pixels with SIMD; each has the same bits as pixelQuery().
 #pragma once
 
 #include "filtering/filter_block.h"
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-// Pixels of one row from (x, y) on, all of one polygon and with hits; columns from `from` on.
+// Pixels of one row from (x, y) on, all on one polygon and with hits; `from`: index of the first in the rays and hits.
 struct QueryRun {
     const VisiblePolygon& polygon;
     const RayBlock& rays;
@@ -17,7 +17,7 @@ struct QueryRun {
     std::size_t count = 0;
 };
 
-// Into block[first ...], which is there; without `exact`.
+// Writes the queries to block[first ...], which must be large enough; `exact` is not set.
 void setQueries(const QueryRun& run, const HeightField& field, FilterBlock& block, std::size_t first);
 
 }  // namespace relief

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kScenes{"floor", "wall", "cube"};
 
-// center: the middle of the polygon; alongS, alongT: its whole edges.
+// center: the middle of the polygon; alongS, alongT: its edge vectors, whole length.
 TexturedQuad quad(glm::dvec3 center, glm::dvec3 alongS, glm::dvec3 alongT, int width, int height) {
     TexturedQuad made;
     made.plane.origin = center - 0.5 * alongS - 0.5 * alongT;
@@ -51,8 +51,8 @@ std::vector<TexturedQuad> makeScene(SceneKind kind, int width, int height) {
         case SceneKind::Cube:
             break;
     }
-    // A box as wide and deep as the picture and as high as its aspect, so that texels stay square on all sides; on top
-    // and bottom the picture is cut or repeated to the square.
+    // The box is as wide and deep as the picture and as high as its aspect requires, so that texels are square on all
+    // sides; on top and bottom the picture is cropped or repeated to a square.
     const double high = aspect;
     std::vector<TexturedQuad> faces{
         quad({0, 0, 0.5}, x, -high * y, width, height), quad({0.5, 0, 0}, -z, -high * y, width, height),

@@ -1,4 +1,4 @@
-// The scene: textured parallelograms under which the relief lies.
+// The scene: textured parallelograms below which the relief lies.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace relief {
 
-// Floor: one polygon, face up. Wall: one, upright, facing +z. Cube: six, facing out. Each shows the picture once, with
-// the picture's aspect (the cube's faces are square).
+// Floor: one polygon, facing up. Wall: one upright polygon, facing +z. Cube: six, facing outwards. Each shows the
+// picture once, with the picture's aspect (the cube's faces are square).
 enum class SceneKind : std::uint8_t { Floor, Wall, Cube };
 
 std::string_view sceneName(SceneKind kind);
 SceneKind parseScene(std::string_view text);  // throws InputError("--scene", ...)
 
-// A parallelogram in world units that shows the texels [0, width] x [0, height] of its plane. normal: unit, towards the
-// front; the relief lies behind it, under the polygon.
+// A parallelogram in world units that shows the texels [0, width] x [0, height] of its plane. normal: unit vector
+// towards the front; the relief lies behind it, below the polygon.
 struct TexturedQuad {
     TexturedPlane plane;
     int width = 1;
@@ -27,7 +27,7 @@ struct TexturedQuad {
     glm::dvec3 normal{0, 0, 1};
 };
 
-// width, height: of the height map, texels.
+// width, height: size of the height map, texels.
 std::vector<TexturedQuad> makeScene(SceneKind kind, int width, int height);
 
 }  // namespace relief

@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-// `of`: the counters whose sum is the whole.
+// `of`: the counters whose sum is the total.
 struct Entry {
     Ledger ledger;
     const char* name;

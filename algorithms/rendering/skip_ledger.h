@@ -1,6 +1,6 @@
-// What a frame did not compute, how much of it, and why: two ledgers. Lossless: the picture has the same bits as
-// without skipping (FrameRequest::skip). Bounded: off unless asked for (FrameRequest::bounded), with the error
-// measured.
+// Two ledgers of the work that a frame skipped, how much of it and why. Lossless: the picture has the same bits as
+// without skipping (FrameRequest::skip). Bounded: an approximation that is off by default (FrameRequest::bounded), with
+// its measured error.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,20 @@ enum class Ledger : std::uint8_t { Lossless, Bounded };
 struct SkipRow {
     Ledger ledger = Ledger::Lossless;
     std::string name;  // a stable key, such as "flat-ground"
-    double count = 0;  // not computed ...
-    double of = 0;     // ... of so many
+    double count = 0;  // number of items not computed
+    double of = 0;     // total number of items
     Message what;
     Message why;
 };
 
-// The rows that this frame has counts of, zeros among them; in the order of the stages. Stages that were kept whole
-// have none of their own.
+// Returns the rows for which this frame has counts, including zeros, in the order of the stages. Stages that were
+// reused as a whole have no rows of their own.
 std::vector<SkipRow> skipLedger(const Frame& frame, const FrameRequest& request);
 
-// What the bounded ledger cost, over the pixels that it skipped.
+// Errors caused by bounded skipping, over the pixels that it skipped.
 struct BoundedError {
     std::int64_t rays = 0;
-    double rayMean = 0;  // texels, as the error layer measures
+    double rayMean = 0;  // texels, as in the error layer
     double rayMax = 0;
     std::int64_t wrongOutcomes = 0;
     std::int64_t footprints = 0;
@@ -38,10 +38,10 @@ struct BoundedError {
     double colorMax = 0;
 };
 
-// Sums the errors over the parts of a picture (FrameRenderer::picture()).
+// Accumulates the errors over the parts of a picture (FrameRenderer::picture()).
 class BoundedSums {
   public:
-    // Traces and filters the skipped pixels once more, in full; ray errors are against an exact tracer. Throws
+    // Traces and filters the skipped pixels again, in full; ray errors are relative to an exact tracer. Throws
     // Cancelled.
     void add(const Frame& part, const FrameRequest& request, MapCache& maps, Work& work);
     BoundedError error() const;
@@ -49,10 +49,10 @@ class BoundedSums {
   private:
     void addRays(const Frame& part, const FrameRequest& request, MapCache& maps, Work& work);
 
-    BoundedError error_;  // its means: sums
+    BoundedError error_;  // its means hold sums until they are divided
 };
 
-// The same of a whole frame.
+// Returns the errors of a whole frame. Throws Cancelled.
 BoundedError measureBounded(const Frame& frame, const FrameRequest& request, MapCache& maps, Work& work);
 
 }  // namespace relief

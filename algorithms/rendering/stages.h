@@ -1,5 +1,5 @@
-// A frame is stages, each a buffer keyed by its inputs. This one table serves caching, light-only redraws, the layers
-// of the result view and the ledger of what was not computed again.
+// A frame consists of stages, each a buffer that depends on certain inputs. This one table controls caching, redraws
+// that change only the light, the layers of the result view and the ledger of skipped work.
 #pragma once
 
 #include <array>
@@ -10,27 +10,27 @@
 
 namespace relief {
 
-// What a frame depends on.
+// The inputs of a frame.
 enum class Input : std::uint8_t {
-    Size,            // of the picture
-    Camera,          //
-    Scene,           //
-    HeightSize,      // of the height map (the polygon's aspect, texel units)
-    Heights,         //
-    Surface,         // bilinear or columns
-    Address,         //
-    Depth,           // relief_depth
-    Method,          // and its options
-    ColorPicture,    //
-    Filter,          //
-    NormalPicture,   //
-    LightDirection,  //
-    Light,           // its strength
-    Shadows,         // whether they are wanted
-    Sky,             //
-    Mapping,         // how coordinates are made along rows
-    Skip,            // whether lossless skipping is on
-    Bounded,         // how much may be wrong by skipping
+    Size,  // of the picture
+    Camera,
+    Scene,
+    HeightSize,  // of the height map (determines the polygon's aspect and texel units)
+    Heights,
+    Surface,  // bilinear or columns
+    Address,
+    Depth,   // relief_depth
+    Method,  // and its options
+    ColorPicture,
+    Filter,
+    NormalPicture,
+    LightDirection,
+    Light,    // intensity and ambient part
+    Shadows,  // on or off
+    Sky,
+    Mapping,  // how coordinates are computed along rows
+    Skip,     // whether lossless skipping is on
+    Bounded,  // error bound of approximate skipping
     Count
 };
 inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::Count);
@@ -39,9 +39,9 @@ inline constexpr std::array<std::string_view, kInputs> kInputNames{
     "depth",   "method", "color picture", "filter",      "normal picture", "light direction", "light",
     "shadows", "sky",    "mapping",       "skip",        "bounded"};
 
-// Rays: which polygon covers the pixel, where the view ray enters its slab. Hits: where it meets the relief. Color:
-// filtered colour at the hit, of what the pixel's footprint on the texture holds. Shadows: whether the light reaches
-// it. Light: the picture.
+// Rays: the polygon that covers the pixel, and where the view ray enters its slab. Hits: where the ray meets the
+// relief. Color: the colour at the hit, filtered over the pixel's footprint on the texture. Shadows: whether the light
+// reaches the hit. Light: the picture.
 enum class Stage : std::uint8_t { Rays, Hits, Color, Shadows, Light, Count };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
 inline constexpr std::array<MessageId, kStages> kStageNames{
@@ -52,6 +52,7 @@ struct StageRow {
     std::uint32_t stages;  // bits of Stage, whose buffers it reads
 };
 
+// Returns the bit of an input or stage in a set.
 constexpr std::uint32_t bit(Input input) {
     return 1u << static_cast<unsigned>(input);
 }
@@ -74,7 +75,7 @@ inline constexpr std::array<StageRow, kStages> kStageTable{{
      bit(Stage::Rays) | bit(Stage::Hits) | bit(Stage::Color) | bit(Stage::Shadows)},
 }};
 
-// All inputs on which a stage depends, through the stages before it, too.
+// Returns all inputs on which a stage depends, including those of the stages before it.
 constexpr std::uint32_t allInputs(Stage stage) {
     std::uint32_t inputs = 0;
     std::uint32_t stages = bit(stage);

@@ -10,7 +10,7 @@ namespace relief {
 
 namespace {
 
-// Estimates are told of after 1, 2, 4, ... passes, and then after every kSnapshotEvery.
+// Estimates are reported after 1, 2, 4, ... passes, and then after every kSnapshotEvery.
 constexpr int kSnapshotEvery = 64;
 
 bool toldOf(int done) {
@@ -21,14 +21,14 @@ bool toldOf(int done) {
 
 std::vector<glm::ivec2> sampleOrder(int samples) {
     assert(samples >= 1);
-    // M. Roberts 2018: the plastic number's powers, the least regular pair of steps.
+    // M. Roberts 2018, R2 sequence: 1/p and 1/p^2 of the plastic number p, a low-discrepancy pair of steps.
     constexpr double kStepX = 0.7548776662466927;
     constexpr double kStepY = 0.5698402909980532;
     const auto count = static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples);
     std::vector<char> taken(count, 0);
     std::vector<glm::ivec2> order;
     order.reserve(count);
-    // The points are dense in the square, so that every part is reached; those already taken are passed over.
+    // The sequence is dense in the square, so it reaches every part; parts already taken are skipped.
     for (double n = 0; order.size() < count; ++n) {
         const double x = 0.5 + n * kStepX;
         const double y = 0.5 + n * kStepY;
@@ -55,7 +55,7 @@ SampleWeights sampleWeights(PixelModel model, PixelAxis axis, int channel, doubl
 
 namespace {
 
-// Of all channels at once.
+// Weights of all channels.
 using ChannelWeights = std::array<glm::dvec3, 2 * kGaussianRing + 1>;
 
 ChannelWeights channelWeights(PixelModel model, PixelAxis axis, double place) {
@@ -67,7 +67,7 @@ ChannelWeights channelWeights(PixelModel model, PixelAxis axis, double place) {
     return weights;
 }
 
-// With the pixels around it whose samples it sees.
+// Returns the request enlarged by `ring` pixels on every side, whose samples contribute to pixels at the border.
 FrameRequest withRing(FrameRequest request, int ring) {
     request.margin += ring;
     request.width += 2 * ring;
@@ -75,7 +75,7 @@ FrameRequest withRing(FrameRequest request, int ring) {
     return request;
 }
 
-// The middle of a part of the pixel.
+// Returns the centre of a part of the pixel, [0, 1]^2.
 glm::dvec2 samplePlace(glm::ivec2 part, int samples) {
     return (glm::dvec2(part) + 0.5) / static_cast<double>(samples);
 }
@@ -101,7 +101,7 @@ void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work, RowRa
     parallelFor(work, rows.end - rows.begin, [&](int i) {
         const int y = rows.begin + i;
         std::vector<glm::dvec3> row(static_cast<std::size_t>(pass.width()), glm::dvec3(0));
-        // A sample n pixels up or to the left of a pixel sees that pixel n to its right or below.
+        // A sample whose own pixel is n pixels left of or above a pixel sees that pixel n to its right or below it.
         for (int n = -ring; n <= ring; ++n) {
             const glm::dvec3 weight = down[static_cast<std::size_t>(kGaussianRing + n)];
             const auto from = pass.row(y + ring - n);
@@ -173,8 +173,8 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
     work.progress().begin("samples", total);
     auto renderer = std::make_unique<FrameRenderer>(maps, true);
     PictureParts parts;
-    // The pass begins a margin higher, and a pixel sees as many rows above and below.
-    if (rows.begin != rows.end) parts.wanted = {rows.begin, rows.end + 2 * sums.margin()};
+    // The pass begins `margin` rows higher, and every pixel needs the same number of rows above and below it.
+    if (rows.begin != rows.end) parts.onlyRows = {rows.begin, rows.end + 2 * sums.margin()};
     for (int done = 0; done < total; ++done) {
         pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
         const auto frame = renderer->picture(pass, work, parts);
@@ -189,7 +189,7 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
             snapshot(sums.mean(work), done + 1, total);
     }
     counters[MessageId::CountSamples] = total;
-    // Its buffers go before the mean comes.
+    // Releases the renderer's buffers before the mean is allocated.
     renderer.reset();
     return sums.mean(work);
 }

@@ -13,13 +13,14 @@ namespace relief {
 
 namespace {
 
-// How far before the hit a shadow ray starts: texels along the view ray, and never more in heights. Above the rounding
-// of coordinates up to 10^6 texels, below what can be seen.
+// Distance before the hit at which a shadow ray starts: texels along the view ray, and at most this much in height.
+// Above the rounding error of coordinates up to 10^6 texels, and too small to be visible.
 constexpr double kShadowStart = 1e-6;
 
 }  // namespace
 
-// From just before the hit, on the free side (the viewer's side of a wall is always its front), to the top plane.
+// Returns the ray from just before the hit, on its free side (the viewer always sees the front of a wall), to the top
+// plane.
 AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const {
     const double back = kShadowStart / std::max(1.0, std::hypot(view.a, view.b));
     const double from = std::max(0.0, lambda - back);
@@ -27,12 +28,12 @@ AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, doub
     ray.s = view.s0 + from * view.a;
     ray.t = view.t0 + from * view.b;
     ray.z = 1 - from;
-    // What is not found exactly may lie under the surface, and would shade itself.
+    // A hit that is not exact may lie below the surface, which would then shadow itself.
     if (tools_.tracer.guarantee() != Guarantee::Exact) ray.z = std::max(ray.z, request_.field.at(ray.s, ray.t));
     const glm::dvec3& perS = quad.plane.perS;
     const glm::dvec3& perT = quad.plane.perT;
     const double texel = glm::length(perS);
-    // World units towards the light until the top plane is reached.
+    // World units towards the light up to the top plane.
     const double length = (1 - ray.z) * frame_.slabTexels * texel / glm::dot(toLight_, quad.normal);
     ray.ds = length * glm::dot(toLight_, perS) / glm::dot(perS, perS);
     ray.dt = length * glm::dot(toLight_, perT) / glm::dot(perT, perT);
@@ -65,7 +66,8 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
         }
         const bool turned = facing[static_cast<std::size_t>(x - tile.x0)] <= 0;
         away += turned ? 1 : 0;
-        // Then the answer cannot matter; without skipping it is asked for, and the light takes it.
+        // The surface is turned away from the light, so the shadow ray cannot change its colour; without skipping it is
+        // traced all the same.
         if (turned && request_.skip) return;
         const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
         if (ray.dz > 0) {
@@ -100,7 +102,8 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     totals_.shadowSteps += static_cast<std::int64_t>(counts.steps);
 }
 
-// Of the tile's pixels in row y: how far their surface is turned to the light; of those without a hit anything.
+// Writes the cosine between the surface normal and the light for the tile's pixels in row y; values of pixels without a
+// hit are unspecified.
 void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facing) const {
     const HitBlock& hits = frame_.hits->hits;
     const std::vector<std::uint8_t>& polygon = frame_.rays->polygon;
@@ -122,7 +125,7 @@ void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facin
     }
 }
 
-// Where nothing is met.
+// Fills the tile's light stage with the sky's colour.
 void TileWorker::fillSky(const PixelArea& tile) const {
     for (int y = tile.y0; y < tile.y1; ++y) {
         std::fill_n(buffers_.light->color.row(y).begin() + tile.x0, tile.x1 - tile.x0, request_.sky);

@@ -1,4 +1,4 @@
-// Inside tile_worker.cpp, not for others: what a tile's work on a stage needs, kept for the next tile.
+// Scratch buffers of a tile's stages, reused for the next tile. Internal to tile_worker.cpp.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,7 @@ struct ShadowWork {
     AnyRayBlock rays;
 };
 
-// Indices of the tile's pixels that see a polygon.
+// Collects the indices of the tile's pixels that see a polygon.
 inline void coveredPixels(const PixelArea& tile, const Frame& frame, std::vector<std::size_t>& pixels) {
     pixels.clear();
     inBlockOrder(tile, [&](int x, int y) {
@@ -34,6 +34,7 @@ inline void coveredPixels(const PixelArea& tile, const Frame& frame, std::vector
     });
 }
 
+// Copies the rays of these pixels into `block`, and returns it.
 inline RayBlock& raysOf(const std::vector<std::size_t>& pixels, const RayStage& rays, RayBlock& block) {
     block.resize(pixels.size());
     for (std::size_t n = 0; n < pixels.size(); ++n) block.set(n, rays.rays[pixels[n]]);

@@ -14,10 +14,10 @@ namespace relief {
 
 namespace {
 
-// Of hits that are none.
-constexpr double kNotMet = std::numeric_limits<double>::quiet_NaN();
+// Coordinates of pixels without a hit.
+constexpr double kNoPosition = std::numeric_limits<double>::quiet_NaN();
 
-// Pixels along a side of the squares whose rays are looked at together before they are traced.
+// Side, in pixels, of the squares that are tested together for rays that need no search.
 constexpr int kSkipSide = 16;
 
 }  // namespace
@@ -46,7 +46,7 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
     }
 }
 
-// What an older frame left in the buffers; the light stage sets every pixel itself.
+// Clears data of an earlier frame from the buffers; the light stage is not cleared, since every pixel of it is set.
 void TileWorker::clear(const PixelArea& tile) const {
     const auto rows = [&](auto&& data, const auto& value) {
         for (int y = tile.y0; y < tile.y1; ++y) {
@@ -54,32 +54,32 @@ void TileWorker::clear(const PixelArea& tile) const {
             std::fill(first, first + (tile.x1 - tile.x0), value);
         }
     };
-    if (stained(buffers_.rays, tile)) {
+    if (needsClearing(buffers_.rays, tile)) {
         rows(buffers_.rays->polygon, kNoPolygon);
         rows(buffers_.rays->inverseDepth, 0.0F);
     }
-    if (stained(buffers_.hits, tile)) {
+    if (needsClearing(buffers_.hits, tile)) {
         HitBlock& hits = buffers_.hits->hits;
         rows(hits.outcome, Outcome::Unset);
         rows(buffers_.hits->by, HitBy::Traced);
-        // A mesh sets only what it covers.
+        // A mesh sets only the pixels that it covers.
         if (tools_.mesh != nullptr) {
-            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNotMet);
+            for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNoPosition);
         }
     }
-    if (stained(buffers_.color, tile)) rows(buffers_.color->color.pixels(), Color(0));
+    if (needsClearing(buffers_.color, tile)) rows(buffers_.color->color.pixels(), Color(0));
     if (buffers_.shadows && !buffers_.shadows->shadowed.empty()) rows(buffers_.shadows->shadowed, std::uint8_t{0});
 }
 
-// Rays and hits of pixels that see no polygon; all others are set.
+// Clears the rays and hits of pixels that see no polygon; all other pixels are set by the stages.
 void TileWorker::clearUncovered(const PixelArea& tile) const {
-    const bool rays = stained(buffers_.rays, tile), met = stained(buffers_.hits, tile);
+    const bool rays = needsClearing(buffers_.rays, tile), met = needsClearing(buffers_.hits, tile);
     if (!rays && !met) return;
     const std::uint8_t* polygon = frame_.rays->polygon.data();
     const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
     for (int y = tile.y0; y < tile.y1; ++y) {
         const std::size_t first = frame_.index(tile.x0, y);
-        // Most rows are covered whole.
+        // Most rows are completely covered.
         if (std::memchr(polygon + first, kNoPolygon, width) == nullptr) continue;
         for (std::size_t i = first, end = i; i < first + width; i = end + 1) {
             for (end = i; end < first + width && polygon[end] == kNoPolygon;) ++end;
@@ -92,7 +92,7 @@ void TileWorker::clearUncovered(const PixelArea& tile) const {
             }
             if (met) {
                 HitBlock& hits = buffers_.hits->hits;
-                for (auto* column : {&hits.lambda, &hits.s, &hits.t}) fill(*column, kNotMet);
+                for (auto* column : {&hits.lambda, &hits.s, &hits.t}) fill(*column, kNoPosition);
             }
         }
     }
@@ -107,7 +107,7 @@ bool TileWorker::covered(const PixelArea& tile) const {
 }
 
 void TileWorker::markBlank(const PixelArea& tile) const {
-    // A mesh may draw anywhere.
+    // A mesh may draw in any tile.
     const auto blank = static_cast<std::uint8_t>(tools_.mesh == nullptr && !covered(tile) ? 1 : 0);
     const auto mark = [&](const auto& stage) {
         if (stage) stage->blank[number(tile)] = blank;
@@ -165,7 +165,7 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     totals_.traced += static_cast<std::int64_t>(pixels.size());
 }
 
-// Squares of pixels, and their quarters where the whole needs a search.
+// Tries whole squares of pixels, and the quarters of squares that need a search.
 void TileWorker::skipRays(const PixelArea& tile) const {
     const auto parts = [](const PixelArea& area, int side, const auto& body) {
         for (int y = area.y0; y < area.y1; y += side) {
@@ -179,9 +179,10 @@ void TileWorker::skipRays(const PixelArea& tile) const {
     });
 }
 
-// True: nothing is left to do in the block.
+// Returns true if nothing is left to trace in the block.
 bool TileWorker::skipBlock(const PixelArea& block) const {
-    // What one ray reaches, all of them do.
+    // The reach of all rays contains that of the middle one, so a middle ray that needs a search decides for the block
+    // at little cost.
     const std::array<std::size_t, 1> middle{frame_.index((block.x0 + block.x1) / 2, (block.y0 + block.y1) / 2)};
     if (frame_.rays->polygon[middle[0]] != kNoPolygon) {
         const auto reached = tools_.ground->reach(frame_.rays->rays, middle);
@@ -222,7 +223,7 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
     const int width = tile.x1 - tile.x0;
     for (int y = tile.y0; y < tile.y1; ++y) {
         const Outcome* row = buffers_.hits->hits.outcome.data() + frame_.index(tile.x0, y);
-        // One after the other: most rows are hits alone.
+        // The outcomes are counted in sequence, because most rows consist of hits only.
         for (int n = 0, counted = 0; n < 3 && counted < width; ++n) {
             int here = 0;
             for (int x = 0; x < width; ++x) here += row[x] == kOutcomes[static_cast<std::size_t>(n)] ? 1 : 0;
@@ -235,8 +236,8 @@ void TileWorker::countOutcomes(const PixelArea& tile) const {
     totals_.limits += found[2];
 }
 
-// Footprints so small that the plain filter's colour will do: coloured and left out of the block.
-void TileWorker::leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const {
+// Colours footprints that are small enough for the plain filter, and removes them from the block.
+void TileWorker::filterTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const {
     std::size_t kept = 0;
     for (std::size_t n = 0; n < pixels.size(); ++n) {
         const FilterQuery query = block[n];
@@ -252,7 +253,7 @@ void TileWorker::leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block,
     pixels.resize(kept);
 }
 
-// A tile's hits in one block: neighbours have like footprints.
+// Filters all hits of a tile in one block, because neighbouring pixels have similar footprints.
 void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts,
                              Work& work) const {
     const HitBlock& hits = frame_.hits->hits;
@@ -279,7 +280,7 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
             }
         }
     }
-    if (frame_.plainFilter) leaveTiny(pixels, block, work);
+    if (frame_.plainFilter) filterTiny(pixels, block, work);
     block.resize(pixels.size());
     colors.resize(pixels.size());
     filter.colors(block, colors, counts, work);
@@ -289,7 +290,7 @@ void TileWorker::filterBlock(const PixelArea& tile, const TextureFilter& filter,
 void TileWorker::colorHits(const PixelArea& tile, Work& work) const {
     const HitBlock& hits = frame_.hits->hits;
     const TextureFilter* filter = frame_.filter.get();
-    // Others need no more than the place.
+    // Filters without a footprint need only the position.
     const bool footprints = filter != nullptr && filter->description().footprint;
     FootprintCounts counts;
     if (footprints) {
@@ -333,7 +334,7 @@ void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, 
         }
         totals.steps += static_cast<std::int64_t>(counts.steps);
         totals.reads += static_cast<std::int64_t>(counts.reads);
-        // What was not traced is counted as that alone.
+        // Rays that were skipped are counted as skipped only.
         if (part == &pixels) totals.startHighest += static_cast<std::int64_t>(counts.startHighest);
     }
 }

@@ -1,4 +1,4 @@
-// The work on one tile of a frame, stage by stage: inside the renderer, not for others.
+// The work on one tile of a frame, stage by stage. Internal to the renderer.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 
 namespace relief {
 
-// What was done and what was not needed, of all tiles.
+// Counts of work done and skipped, summed over all tiles.
 struct FrameTotals {
     using Count = std::atomic<std::int64_t>;
     std::array<Count, kStages> nanoseconds{};
@@ -30,10 +30,10 @@ struct FrameTotals {
     Count clearFootprints{0}, hiddenFootprints{0};
     Count shadowRays{0}, shadowBlocked{0}, shadowAway{0}, shadowTop{0}, shadowSteps{0}, shadowLimits{0};
     Count shadowHits{0}, flatRays{0}, parallaxRays{0}, tinyFootprints{0};
-    std::atomic<double> mappingOff{0};  // texels, the most
+    std::atomic<double> mappingOff{0};  // maximum, texels
 };
 
-// What a frame is made with. mesh: null where rays are traced; query: null where no shadows are wanted or stale.
+// The tools that a frame is made with. mesh: null if rays are traced; query: null if shadows are off or not stale.
 struct FrameTools {
     const VisiblePolygons& visible;
     const Tracer& tracer;
@@ -43,20 +43,20 @@ struct FrameTools {
     const PackedConeHits* coneHits = nullptr;  // null: the tracer itself traces
 };
 
-// References are kept; one worker serves all tiles, from any thread.
+// Keeps references to its arguments. One worker serves all tiles and may be called from any thread.
 class TileWorker {
   public:
     TileWorker(const FrameRequest& request, const Frame& frame, const FrameTools& tools, const FrameBuffers& buffers,
                std::uint32_t stale, FrameTotals& totals);
 
-    // Whether all hits of the rows kept are made before any colour: then the filter need not trace what neighbouring
-    // tiles have.
+    // Returns true if the hits of all stored rows are made before any colour, so that the filter can use the hits of
+    // neighbouring tiles instead of tracing those rays again.
     static bool hitsFirst(const Frame& frame, const FrameRequest& request, std::uint32_t stale) {
         return has(stale, Stage::Color) && frame.filter && frame.filter->readsNeighbours() && frame.exactHits &&
                !(request.bounded > 0);
     }
     bool hitsFirst() const { return hitsFirst(frame_, request_, stale_); }
-    void meet(const PixelArea& tile, Work& work) const {
+    void findHits(const PixelArea& tile, Work& work) const {
         clear(tile);
         timed(Stage::Rays, [&] { makeRays(tile); });
         clearUncovered(tile);
@@ -66,7 +66,7 @@ class TileWorker {
             overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
         });
     }
-    void paint(const PixelArea& tile, Work& work) const {
+    void shade(const PixelArea& tile, Work& work) const {
         if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(tile); });
         timed(Stage::Color, [&] { colorHits(tile, work); });
         timed(Stage::Shadows, [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, work); }); });
@@ -82,7 +82,8 @@ class TileWorker {
         totals_.nanoseconds[static_cast<std::size_t>(stage)] += (std::chrono::steady_clock::now() - begin).count();
     }
 
-    // Parts of a tile with no more rays than a thread traces at once: more would be shared out again.
+    // Calls body for parts of a tile that have no more rays than one thread traces at once; a larger block would be
+    // divided among threads again.
     template <class Body>
     void overRayBlocks(const PixelArea& tile, const Body& body) const {
         constexpr int kRows = static_cast<int>(kRayGrain) / kTileWidth;
@@ -99,14 +100,15 @@ class TileWorker {
     std::size_t number(const PixelArea& tile) const {
         const int across = tilesAcross(frame_.width);
         const int down = (tile.y0 - frame_.stored.begin) / kTileHeight;
+        // Returns the tile's index in Kept::blank.
         return static_cast<std::size_t>(down * across + tile.x0 / kTileWidth);
     }
-    // Whether what the stage's buffer holds of the tile is to be cleared.
+    // Returns true if the stage's buffer still holds this tile's data from an earlier frame.
     template <class T>
-    bool stained(const std::shared_ptr<Kept<T>>& stage, const PixelArea& tile) const {
+    bool needsClearing(const std::shared_ptr<Kept<T>>& stage, const PixelArea& tile) const {
         return stage && stage->blank[number(tile)] == 0;
     }
-    // Whether any of the tile's pixels sees a polygon.
+    // Returns true if any of the tile's pixels sees a polygon.
     bool covered(const PixelArea& tile) const;
     void clear(const PixelArea& tile) const;
     void clearUncovered(const PixelArea& tile) const;
@@ -119,7 +121,7 @@ class TileWorker {
     void drawMesh(const PixelArea& tile) const;
     void countOutcomes(const PixelArea& tile) const;
     void colorHits(const PixelArea& tile, Work& work) const;
-    void leaveTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const;
+    void filterTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const;
     void filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts, Work& work) const;
     void castShadows(const PixelArea& tile, Work& work) const;
     AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;
@@ -134,12 +136,12 @@ class TileWorker {
     FrameTotals& totals_;
     glm::dvec3 toLight_;
     PictureHits picture_;
-    std::vector<const VisiblePolygon*> polygons_;  // by their numbers; null: not visible
-    std::vector<ReliefAxes> axes_;                 // by the same
-    std::optional<SlopeScene> slopes_;             // of bilinear relief that shades by itself
+    std::vector<const VisiblePolygon*> polygons_;  // by polygon number; null: not visible
+    std::vector<ReliefAxes> axes_;                 // by polygon number
+    std::optional<SlopeScene> slopes_;             // set for bilinear relief that is shaded with its own normals
 };
 
-// Steps and reads of the tile's rays: traced once more by the tracer that made the hits.
+// Counts steps and reads of the tile's rays by tracing them again with the tracer that made the hits.
 void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, HitStage& hits, FrameTotals& totals,
                Work& work);
 

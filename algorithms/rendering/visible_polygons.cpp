@@ -10,7 +10,7 @@ namespace relief {
 
 namespace {
 
-// World units: nearer than this to the eye nothing is drawn.
+// Near plane, world units: nothing nearer to the eye is drawn.
 constexpr double kNear = 1e-4;
 
 void placeEye(VisiblePolygon& polygon, const PinholeCamera& camera, double reliefDepth) {
@@ -23,7 +23,7 @@ void placeEye(VisiblePolygon& polygon, const PinholeCamera& camera, double relie
     polygon.runPerTexel = thickness / height;
 }
 
-// 1 / depth is linear on the screen, as q is, and both vanish on the horizon: they differ by a factor.
+// 1 / depth and q are both linear on the screen and zero on the horizon, so they differ by a constant factor.
 double inverseDepthPerQ(const VisiblePolygon& polygon, const ClipPolygon& clipped) {
     double best = 0;
     double factor = 0;
@@ -41,7 +41,7 @@ double inverseDepthPerQ(const VisiblePolygon& polygon, const ClipPolygon& clippe
 
 VisiblePolygon::Entry VisiblePolygon::entry(int x, int y) const {
     Entry entry;
-    // direct needs no row.
+    // The mapping direct needs no row.
     entries(y, mapping == kDirectRows ? PixelSpan{} : span(y, screenWidth), x, x + 1, &entry);
     return entry;
 }
@@ -55,7 +55,8 @@ double VisiblePolygon::entries(int y, PixelSpan span, int first, int last, Entry
         }
         return 0;
     }
-    // The whole row: where it begins and ends decides what affine and opposed rows are and how far others drift.
+    // The whole row is evaluated, because its ends determine the coordinates of affine and opposed rows and the drift
+    // of the other mappings.
     thread_local std::vector<float> u, v;
     const auto count = static_cast<std::size_t>(span.end - span.begin);
     u.resize(count), v.resize(count);
@@ -64,7 +65,7 @@ double VisiblePolygon::entries(int y, PixelSpan span, int first, int last, Entry
     for (int x = first; x < last; ++x) {
         TexelPoint texel = texelFromScreen.at(x + 0.5, y + 0.5);
         const float seen = depth(texel);
-        // Next to the horizon rows in float are cut short: direct goes on.
+        // Rows in float are cut short next to the horizon, where direct mapping is used.
         if (x >= made.begin && x < made.end) {
             const auto n = static_cast<std::size_t>(x - span.begin);
             off = std::max(off, std::hypot(u[n] - texel.s, v[n] - texel.t));
@@ -110,7 +111,7 @@ VisiblePolygons visiblePolygons(const std::vector<TexturedQuad>& scene, const Pi
         polygon.height = scene[n].height;
         polygon.number = static_cast<std::uint8_t>(n);
         const TexturedPlane& plane = polygon.quad.plane;
-        // A view in the plane itself would see a line: nothing to draw.
+        // A view from within the plane sees only a line, which is not drawn.
         const double above = glm::dot(camera.eye - plane.origin, polygon.quad.normal);
         if (isBackFacing(plane, camera.eye) || above <= kNear) {
             ++visible.backFacing;

@@ -38,7 +38,7 @@ Assets AssetStore::load(const Pictures& pictures, Work& work) {
     Assets assets = assets_;
     if (!assets.height || !sameHeights(pictures, last_)) {
         assets.height = loadHeights(pictures, work);
-        // The image lives as long as either handle to it.
+        // This pointer shares ownership with assets.height.
         assets.heights = std::shared_ptr<const FloatImage>(assets.height, &assets.height->heights);
     }
     const std::int64_t cap = pictures.reading.maxPixels;

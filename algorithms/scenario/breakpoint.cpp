@@ -7,7 +7,7 @@ namespace relief {
 
 namespace {
 
-// Whether the condition holds at a step, without regard to the one before.
+// Returns true if the condition holds at a step, whether or not it held at the step before.
 bool holds(const Breakpoint& breakpoint, const StoppedRay& ray, std::size_t step) {
     const Step& at = (*ray.steps)[step];
     switch (breakpoint.kind) {

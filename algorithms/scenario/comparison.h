@@ -1,5 +1,5 @@
-// What is looked at beside the scenario's own method, filter, mapping or heights, and how the pictures are set against
-// each other: a plain value. What stands for what: variation.h.
+// What is compared with the scenario's own method, filter, mapping or heights, and how the pictures are shown: a plain
+// value. Names and options of the alternatives: variation.h.
 #pragma once
 
 #include <cstdint>
@@ -11,40 +11,44 @@
 
 namespace relief {
 
-// Beside each other; parts of one picture, with dividers; one after the other in one place; differences only.
+// Tiles: next to each other; Swipe: parts of one picture, with dividers; Flicker: alternating in one place; Difference:
+// only the differences.
 enum class CompareMode : std::uint8_t { Tiles, Swipe, Flicker, Difference };
-// Of colours as a screen shows them: mean of the channels' absolute differences, or what a viewer notices (flip.h).
+// Measured on display colours. L1: mean of the channels' absolute differences; Flip: the differences that a viewer
+// notices (flip.h).
 enum class CompareMeasure : std::uint8_t { L1, Flip };
-// What the compared pictures differ in; all else is the scenario's. Methods with their options and maps; texture
-// filters; ways of making coordinates along rows; the heights as they were read or with fewer bits.
+// In what the compared pictures differ; all else is taken from the scenario. Methods: with their options and maps;
+// Filters: texture filters; Mappings: how coordinates are computed along rows; Heights: as read, or with fewer bits.
 enum class CompareSubject : std::uint8_t { Methods, Filters, Mappings, Heights };
-// Exact: what errs least of the subject (referenceVariation() in variation.h). MethodA: the scenario's own.
+// Exact: the most accurate alternative of the subject (referenceVariation() in variation.h). MethodA: the scenario's
+// own.
 enum class CompareReference : std::uint8_t { Exact, MethodA };
 
-inline constexpr std::size_t kMostCompared = 4;  // of a subject, the scenario's own included
+inline constexpr std::size_t kMostCompared = 4;  // per subject, including the scenario's own
 
 struct Comparison {
     CompareSubject subject = CompareSubject::Methods;
-    std::vector<MethodChoice> others;  // methods B, C, D; A is the scenario's. A duel has the same
-    // The same of the other subjects: names and options as variation.h has them.
+    std::vector<MethodChoice> others;  // methods B, C, D; A is the scenario's own. Also used by duels
+    // The alternatives of the other subjects: names and options as in variation.h.
     std::vector<MethodChoice> filters, mappings, heights;
     CompareMode mode = CompareMode::Tiles;
     CompareMeasure measure = CompareMeasure::Flip;
     CompareReference reference = CompareReference::Exact;
-    std::vector<double> dividers;  // between one picture and the next, shares of the picture's width; empty: even
-    double rate = 2;               // of flicker: pictures a second
+    // between neighbouring pictures, in shares of the picture's width; empty: equal widths
+    std::vector<double> dividers;
+    double rate = 2;  // of flicker: pictures per second
     bool operator==(const Comparison&) const = default;
 };
 
-// Those of the comparison's subject: B, C, D.
+// The alternatives B, C, D of the comparison's subject.
 const std::vector<MethodChoice>& othersOf(const Comparison& comparison);
 std::vector<MethodChoice>& othersOf(Comparison& comparison);
 
 inline constexpr double kSlowestFlicker = 0.2;
 inline constexpr double kFastestFlicker = 20;
 
-// "methods", "filters", "mappings", "heights"; "tiles", "swipe", "flicker", "difference"; "l1", "flip"; "exact", "A".
-// Parsing throws InputError with what is known.
+// The names: "methods", "filters", "mappings", "heights"; "tiles", "swipe", "flicker", "difference"; "l1", "flip";
+// "exact", "A". Parsing throws InputError that lists the known names.
 std::string_view compareSubjectName(CompareSubject subject);
 CompareSubject parseCompareSubject(std::string_view text);
 std::string_view compareModeName(CompareMode mode);
@@ -54,9 +58,10 @@ CompareMeasure parseCompareMeasure(std::string_view text);
 std::string_view compareReferenceName(CompareReference reference);
 CompareReference parseCompareReference(std::string_view text);
 
-// Throws InputError for what is out of range, or unknown, or too many.
+// Throws InputError for values that are out of range, unknown, or too many.
 void checkComparison(const Comparison& comparison, const std::string& subject);
-// Ascending, one fewer than pictures: the given ones if they fit, else even ones.
+// Returns the dividers in ascending order, one fewer than pictures: the given ones if their number is right, otherwise
+// equally spaced ones.
 std::vector<double> dividersOf(const Comparison& comparison);
 
 }  // namespace relief

@@ -6,7 +6,7 @@ namespace relief {
 
 namespace {
 
-// Past a string that begins at `at`.
+// Returns the position after the string that begins at `at`.
 std::size_t pastString(const std::string& text, std::size_t at) {
     for (++at; at < text.size() && text[at] != '"'; ++at) {
         if (text[at] == '\\') ++at;
@@ -14,7 +14,7 @@ std::size_t pastString(const std::string& text, std::size_t at) {
     return at;
 }
 
-// Where the n-th element of the array that begins at or after `at` begins.
+// Returns the beginning of the n-th element of the first array at or after `at`.
 std::size_t elementAt(const std::string& text, std::size_t at, std::size_t n) {
     const std::size_t begin = text.find('[', at);
     if (begin == std::string::npos) return at;
@@ -68,7 +68,7 @@ Json parseJson(const std::string& text, const std::string& fileName) {
     } catch (const Json::parse_error& error) {
         throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", lineAt(text, error.byte)}}));
     } catch (const Json::exception&) {
-        // A number beyond double ("1e999"): the library does not say where.
+        // For a number beyond double ("1e999") the library does not report the position.
         throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", 1}}));
     }
 }

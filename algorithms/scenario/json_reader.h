@@ -1,5 +1,5 @@
-// One object of a JSON file: hands out its members by name and type, knows which nobody asked for, and names the line
-// of a fault.
+// Reads the members of one object of a JSON file by name and type, records which members nobody has read, and reports
+// errors with their line.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ namespace relief {
 
 using Json = nlohmann::ordered_json;
 
-// The line (from 1) on which the text first names these keys, one after the other: where a fault of a value is. A key
-// "[3]" is the fourth element of the array that begins there.
+// Returns the line (from 1) on which the text contains these nested keys, which is the line reported for an error in
+// the value. The key "[3]" is the fourth element of the array that begins there.
 std::size_t lineOf(const std::string& text, const std::vector<std::string>& path);
-// Throws InputError with the line where the text is no JSON.
+// Throws InputError with the line if the text is not JSON.
 Json parseJson(const std::string& text, const std::string& fileName);
 
 struct JsonSource {
@@ -31,6 +31,8 @@ struct JsonSource {
 
 class JsonReader {
   public:
+    // path: keys that lead to the object in the file. Throws InputError if `object` is not a JSON object. Keeps
+    // references.
     JsonReader(const JsonSource& source, const Json& object, std::vector<std::string> path)
         : source_(source), object_(object), path_(std::move(path)) {
         if (!object.is_object()) fail({}, MessageId::WantAObject);
@@ -61,7 +63,7 @@ class JsonReader {
         if (!object_[key].is_string()) fail(key, MessageId::WantAText);
         value = object_[key].get<std::string>();
     }
-    // An array of exactly N numbers.
+    // Reads an array of exactly N numbers.
     template <std::size_t N>
     bool read(const char* key, std::array<double, N>& values) {
         if (!has(key)) return false;
@@ -81,7 +83,7 @@ class JsonReader {
         second = wholeAt<int>(key, array[1]);
         return true;
     }
-    // Runs what reads a name and says the line if that name is unknown.
+    // Reads a name and calls body(name); an InputError from body gets the line.
     template <class Body>
     void named(const char* key, const Body& body) {
         std::string text;
@@ -95,7 +97,7 @@ class JsonReader {
         path.emplace_back(key);
         return {source_, object_[key], path};
     }
-    // An array of texts; what reads them may throw.
+    // Reads an array of texts; an InputError from body gets the line.
     template <class Body>
     void readTexts(const char* key, const Body& body) {
         if (!has(key)) return;
@@ -105,7 +107,7 @@ class JsonReader {
             guarded({key}, [&] { body(text.get<std::string>()); });
         }
     }
-    // An array of objects.
+    // Calls body with a reader for each object of an array.
     template <class Body>
     void readObjects(const char* key, const Body& body) {
         if (!has(key)) return;
@@ -126,7 +128,7 @@ class JsonReader {
         }
     }
     const Json& object() const { return object_; }
-    // Everything may be asked for from now on (the names are the user's own).
+    // Marks all members as known, for objects whose keys are chosen by the user.
     void acceptAll() {
         for (const auto& [key, value] : object_.items()) known_.insert(key);
     }
@@ -139,8 +141,8 @@ class JsonReader {
                                                        {{"line", lineOf(source_.text, path)}, {"key", key}}));
         }
     }
-    // Runs what may throw InputError, and names the file and the line of the keys that lead to the fault. An option's
-    // name as the error's subject is dropped: no option is at fault.
+    // Calls body and adds the file and the line of these keys to an InputError that it throws. An option's name as the
+    // error's subject is dropped, because the error is in the file and not in an option.
     template <class Body>
     void guarded(const std::vector<std::string>& keys, const Body& body) const {
         try {
@@ -157,14 +159,14 @@ class JsonReader {
                              Message(MessageId::ScenarioLine, {{"line", lineOf(source_.text, path)}, {"why", why}}));
         }
     }
-    [[noreturn]] void fail(const std::string& key, MessageId wanted) const { fail(key, Message(wanted)); }
-    [[noreturn]] void fail(const std::string& key, const Message& wanted) const {
+    [[noreturn]] void fail(const std::string& key, MessageId expected) const { fail(key, Message(expected)); }
+    [[noreturn]] void fail(const std::string& key, const Message& expected) const {
         std::vector<std::string> path = path_;
         if (!key.empty()) path.push_back(key);
         const std::size_t line = lineOf(source_.text, path);
         if (path.empty()) throw InputError(source_.fileName, Message(MessageId::ScenarioNoObject, {{"line", line}}));
         throw InputError(source_.fileName, Message(MessageId::ScenarioWrongType,
-                                                   {{"line", line}, {"key", path.back()}, {"wanted", wanted}}));
+                                                   {{"line", line}, {"key", path.back()}, {"wanted", expected}}));
     }
 
   private:

@@ -45,7 +45,7 @@ void appendNumber(std::string& out, std::int64_t value) {
     out.append(buffer.data(), result.ptr);
 }
 
-// Calls number(name, value) and name(name, text) for each column of a step, in the order of kStepsHeader.
+// Calls put(name, value) or putName(name, text) for each column of a step, in the order of kStepsHeader.
 template <class Number, class Name>
 void forEachColumn(const Step& step, std::size_t ray, std::size_t number, const Number& put, const Name& putName) {
     put("ray", static_cast<std::int64_t>(ray));
@@ -64,7 +64,8 @@ void forEachColumn(const Step& step, std::size_t ray, std::size_t number, const 
     put("lambda_after", step.lambdaAfter);
 }
 
-// What the kind holds beside the columns above, in the order of kSubjectColumns without the first.
+// The values that a kind of subject has in addition to the columns above, in the order of kSubjectColumns without the
+// first.
 using SubjectValues = std::array<std::optional<double>, kSubjectColumns.size() - 1>;
 SubjectValues subjectValues(const Step& step) {
     SubjectValues values;
@@ -194,7 +195,7 @@ void appendStepObjects(std::string& out, const StepLog& log, std::size_t inLog, 
             log.steps[s], ray, s - log.begin[inLog] + 1,
             [&](std::string_view name, auto value) {
                 key(name);
-                // JSON has no NaN or infinity.
+                // JSON has no NaN and no infinity.
                 if (!std::isfinite(static_cast<double>(value))) {
                     out += "null";
                 } else {

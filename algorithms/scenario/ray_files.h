@@ -1,5 +1,5 @@
-// Rays, hits and step logs as text files. Numbers without the locale, 17 significant digits, so that they read back as
-// the same doubles. Lines end in "\n"; "\r\n" and a byte order mark are accepted when reading.
+// Text files of rays, hits and step logs. Numbers do not depend on the locale and have up to 17 significant digits, so
+// that they read back as the same doubles. Lines end with "\n"; "\r\n" and a byte order mark are accepted when reading.
 #pragma once
 
 #include <array>
@@ -14,11 +14,15 @@ namespace relief {
 
 inline constexpr std::string_view kRaysHeader = "s0,t0,a,b";
 inline constexpr std::string_view kHitsHeader = "outcome,lambda,s,t,steps";
-// What every steps file has, and what follows: the kind of what a step looked at (subject::, kSubjectNames), and what
-// that kind holds beside level, i, j, k and value; cells that it has no use for are empty.
-//   sphere: s, t, z its centre; cone: s, t, z its apex, index the sector of count, width and height 1 if it is a cell's
-//   voxel: width and height its footprint, count the layers; quad: s, t its first corner, width, height in texels
-//   layer: index of count; texel: s, t the ray's coordinates on its level, where it goes on one level below
+// kStepColumns: the columns that every steps file has. kSubjectColumns: the columns that may follow: the kind of what a
+// step examined (subject::, kSubjectNames), and the kind's values besides level, i, j, k and value. Columns that a kind
+// does not use are empty:
+// - sphere: s, t, z are its centre;
+// - cone: s, t, z are its apex, index its sector of count; width and height are 1 if it belongs to a cell;
+// - voxel: width and height are its footprint in cells, count is the number of layers;
+// - quad: s, t are its first corner, width and height its size, texels;
+// - layer: index is its number of count;
+// - texel: s, t are the ray's coordinates on its level, if the ray continues one level below.
 inline constexpr std::string_view kStepColumns =
     "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after";
 inline constexpr std::array<std::string_view, 8> kSubjectColumns{"kind",  "s",      "t",     "z",
@@ -27,38 +31,39 @@ inline constexpr std::string_view kStepsHeader =
     "ray,number,phase,level,i,j,k,lambda_in,lambda_out,z_in,z_out,value,decision,lambda_after,"
     "kind,s,t,z,width,height,index,count";
 
-// Header first, then one ray a line. fileName: for messages. Throws InputError with the line's number: another header,
-// not four numbers, a number that is not finite. Blank lines are accepted at the end only.
+// Parses a header and one ray per line. fileName: for messages. Throws InputError with the line's number for another
+// header, a line that is not four numbers, or a number that is not finite. Blank lines are accepted only at the end.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
-// Steps as they are written below, CSV or JSON (the text begins with "["), of `rays` rays, counted from 0. The rays may
-// come in any order and some be missing, the steps of one are together and count from 1. phase, i, j, k, z_in, z_out
-// and all that belongs to the kind need not be known: in JSON they may be left out, in CSV the columns from `kind` on;
-// columns of other names are passed over. InputError with the line: another header, wrong columns, an unknown decision,
-// phase or kind, a number that is not finite, lambda outside of [0, 1] or before the part's begin, heights that are not
-// 1 - lambda, steps out of order, a ray that the rays file has not.
-// In files steps have no period, and in those of earlier versions no kind: placeSteps() finds them.
+// Parses steps of `rays` rays, numbered from 0, in the formats written below: CSV, or JSON if the text begins with "[".
+// The rays may be in any order and some may be missing; the steps of one ray must be consecutive and numbered from 1.
+// phase, i, j, k, z_in, z_out and all values of the kind may be left out in JSON, the columns from `kind` on in CSV;
+// columns with other names are ignored. Throws InputError with the line for another header, wrong columns, an unknown
+// decision, phase or kind, a number that is not finite, lambda outside [0, 1] or before the interval's begin, heights
+// that differ from 1 - lambda, steps out of order, and rays that the rays file does not have. Files contain no periods,
+// and those of earlier versions no kinds: placeSteps() determines them.
 StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays);
-// Which texels they are under repeat, by where ray number `number` is; a log that never speaks of cells is of points.
-// InputError if the picture has no such texel.
+// Sets the period of each step's texel under repeat addressing, and missing kinds: in a log without any decision about
+// cells, steps without a kind examine points. number: number of the ray, for messages. Throws InputError if the picture
+// has no such texel.
 void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
                 std::size_t number);
-// The answer that the log of a ray ends with; a log that ends otherwise: Limit.
+// Returns the answer with which a ray's log ends; Limit if it ends without hit or miss.
 Hit answerOf(const std::vector<Step>& steps, const ViewRay& ray);
 
-// One ray as on the command line, "s0,t0,a,b"; throws InputError naming the option.
+// Parses one ray as on the command line, "s0,t0,a,b". Throws InputError naming the option.
 ViewRay parseRayText(const std::string& text, const std::string& option);
 
-// "hit", "miss", "limit"; a ray that was never asked for (a pixel without polygon) is a miss.
+// Returns "hit", "miss" or "limit"; "miss" for a ray that was never traced (a pixel without polygon).
 std::string_view outcomeName(Outcome outcome);
 
-// The lines of hits [first, last), without the header. Miss and limit leave lambda, s, t empty.
+// Appends the lines of hits [first, last), without the header. For miss and limit, lambda, s and t are empty.
 void appendHitLines(std::string& out, const HitBlock& hits, std::size_t first, std::size_t last);
-// All of it, formatted in parallel, the same text for any number of threads. Throws Cancelled.
+// Returns all lines, formatted in parallel; the text is the same for any number of threads. Throws Cancelled.
 std::string hitLines(const HitBlock& hits, Work& work);
 
-// The steps of ray `inLog` of the log, as ray number `ray`, steps counted from 1; without the header.
+// Appends the steps of ray `inLog` of the log as those of ray number `ray`, numbered from 1; without the header.
 void appendStepLines(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray);
-// The same as JSON objects, each followed by what stands between two of them. `empty`: nothing was written before.
+// Appends the same as JSON objects with separators. empty: true if no object was written before; set to false.
 void appendStepObjects(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray, bool& empty);
 
 }  // namespace relief

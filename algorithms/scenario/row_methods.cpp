@@ -107,7 +107,7 @@ constexpr const char* kDefaults[] = {"affine",
 
 const Homography kAnyMap{1, 0.25, 3, 0.5, 1, 7, 1e-9, 1e-9, 1};
 
-// Of a row of `count` pixels without its terms.
+// Counts the operations of a row of `count` pixels, without computing its terms.
 OperationCounts counted(const RowMethod& method, std::int64_t span, std::int64_t anchor, std::int64_t count) {
     OperationCounts counts;
     const auto make = [&](double value) { return Counted(value, &counts); };
@@ -216,7 +216,8 @@ std::vector<RowMethod> defaultRowMethods() {
 }
 
 PixelCounts pixelCounts(const RowMethod& method, std::int64_t span, std::int64_t anchor) {
-    // Two rows, the second longer by whole steps and stretches, of both halves of opposed streams.
+    // The difference of two rows is counted, of which the second is longer by whole steps and restart intervals, in
+    // both halves of opposed streams.
     const auto* variant = std::get_if<RowVariant>(&method.description->kind);
     const bool streams =
         variant != nullptr && (*variant == RowVariant::Streams || *variant == RowVariant::RowsParallel);

@@ -1,4 +1,5 @@
-// The row variants and the derivatives' as lists, command lines and tables take them: name, options, counts.
+// The variants of rows and of derivatives by name, for lists, command lines and tables: names, options, operation
+// counts.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace relief {
 
-// Settings of a row variant as texts know them; which of them a variant takes, its description says.
+// The settings that a variant's text can give; its description lists those that it accepts.
 struct RowSettings {
     int streams = 16;
     int span = 16;
@@ -23,42 +24,44 @@ struct RowSettings {
 };
 
 enum class DerivativeVariant : std::uint8_t { Direct, Iterative, Cached };
-// Nothing computed, the same bytes written past the cache: the yardstick of rates.
+// Computes nothing and writes the same number of bytes with non-temporal stores: the upper limit of rates.
 struct RowFill {};
 
 struct RowMethodDescription {
     std::string name;
     std::string title;
     std::string help;
-    std::string counts;  // of a pixel, mul / add / div, without restarts
-    std::string paper;   // the papers' own counts: mul / add / div, of derivatives mul / add / div / sub; empty: none
+    std::string counts;  // per pixel: mul / add / div, without restarts
+    std::string paper;   // the papers' own counts: mul / add / div, for derivatives mul / add / div / sub; empty: none
     std::string source;
     std::vector<OptionDescription> options;
     std::map<std::string, std::string> defaults;
     std::variant<RowVariant, DerivativeVariant, RowFill> kind;
 };
-// affine, direct, ... subspan, derivatives-direct, derivatives-iterative, derivatives-cached, fill.
+// affine, direct, ..., subspan, derivatives-direct, derivatives-iterative, derivatives-cached, fill.
 const std::vector<RowMethodDescription>& rowMethodList();
 
 struct RowMethod {
     const RowMethodDescription* description = nullptr;
     RowSettings settings;
-    std::string text;  // as it was spelled
+    std::string text;  // the spelling that was parsed
 
-    // Of a row variant; span as given.
+    // Returns the options of a row variant, with the span as given.
     RowOptions options() const;
 };
-// "streams", "streams:streams=4:anchor=0". Throws InputError naming `option`: unknown names, values out of range.
+// Parses "streams" or "streams:streams=4:anchor=0". Throws InputError naming `option` for unknown names and values out
+// of range.
 RowMethod parseRowMethod(const std::string& text, const std::string& option);
-// Of the variants alone, as a picture's rows are made. error of subspan is the bench's: InputError.
+// Parses a variant for the rows of a picture. Throws InputError also for the error of subspan, which only the benchmark
+// plans.
 RowOptions parseMapping(const std::string& text, const std::string& option);
-// The names that parseMapping() knows.
+// Returns the names that parseMapping() knows.
 std::vector<std::string> mappingNames();
-// What `relief bench rows` measures by itself.
+// Returns the variants that `relief bench rows` measures by default.
 std::vector<RowMethod> defaultRowMethods();
 
-// Operations a pixel, restarts in them: what one more pixel costs in the long run. By running the variant on a counting
-// scalar. anchor: pixels, 0 for never; span as resolved.
+// Operations per pixel including restarts: the asymptotic cost of one more pixel, determined by running the variant
+// with a counting scalar type. anchor: restart interval, pixels, 0: never; span: as resolved for the row.
 struct PixelCounts {
     double mul = 0, add = 0, div = 0;
 };

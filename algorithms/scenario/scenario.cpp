@@ -30,7 +30,7 @@ OptionDescription whole(const char* name, const char* unit, double low, double h
     return option;
 }
 
-// Reference to the member, as the table's two functions.
+// Generates the getter and setter of the table from a member expression.
 #define RELIEF_MEMBER(type, expression)                               \
     [](const Scenario& s) -> double { return double(s.expression); }, \
         [](Scenario& s, double value) { s.expression = static_cast<type>(value); }
@@ -63,7 +63,7 @@ std::vector<ScenarioNumber> makeNumbers() {
 
 #undef RELIEF_MEMBER
 
-// The units of the numbers above, as messages.
+// Returns the unit's word in messages.
 std::optional<MessageId> unitWord(std::string_view unit) {
     for (const MessageId word :
          {MessageId::UnitDegrees, MessageId::UnitTextureWidths, MessageId::UnitTexels, MessageId::UnitPixels}) {
@@ -144,7 +144,7 @@ void checkNotes(const Scenario& scenario, const std::string& subject, const Scen
     });
     run({"bookmarks"}, [&] {
         checkCount(MessageId::WordBookmarks, scenario.bookmarks.size(), kMostBookmarks, subject);
-        // The picture may have become smaller since: going there comes to its edge.
+        // The picture may have become smaller since the bookmark was set; its pixel is then clamped to the picture.
         for (const Bookmark& bookmark : scenario.bookmarks) {
             pinholeCamera(bookmark.camera, scenario.width, scenario.height);
         }
@@ -158,7 +158,7 @@ void checkNotes(const Scenario& scenario, const std::string& subject, const Scen
     });
 }
 
-// Where a scenario's file holds a number that a person turns.
+// Returns the keys under which a scenario's file stores an adjustable number.
 std::vector<std::string> placeOf(const std::string& number) {
     if (number == "relief-depth") return {"relief", "depth"};
     if (number == "light-azimuth" || number == "light-elevation") return {"light", number.substr(6)};
@@ -176,7 +176,8 @@ void checkPictures(const Pictures& pictures, const std::string& subject) {
     }
 }
 
-// Option by option, each with those before it: of hybrid, the method inside comes before the options of that.
+// Checks options one by one, each together with those before it: for hybrid, `inner` precedes the options of the inner
+// method.
 void checkOptions(const Scenario& scenario, const std::string& subject, const ScenarioCheck& run) {
     MethodChoice method{scenario.method.name, {}};
     run({"method", "name"}, [&] { checkMethod(method, subject); });
@@ -242,7 +243,7 @@ FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
     request.shadows = scenario.shadows;
     request.skip = scenario.skip;
     request.bounded = scenario.bounded;
-    // Triangles take no rows, and a ray through them must meet what is drawn.
+    // Meshes are not drawn by rows, and a ray through a pixel must meet the drawn triangles.
     const bool rows = findTracer(scenario.method.name).kind != MethodKind::Mesh;
     request.mapping = rows ? parseMapping(scenario.mapping, "--mapping") : kDirectRows;
     request.sky = Color(scenario.sky[0], scenario.sky[1], scenario.sky[2]);

@@ -1,5 +1,6 @@
-// What is looked at and how: a plain value that the command line, the window, certificates and stress reproductions all
-// speak. Stored as JSON with a schema version; numbers without the locale; paths relative to the file.
+// A scenario: everything that determines what is shown, as a plain value shared by the command line, the window,
+// certificates and reproductions of the stress test. It is stored as JSON with a schema version; numbers do not depend
+// on the locale, and paths are relative to the file.
 #pragma once
 
 #include <array>
@@ -20,8 +21,8 @@ namespace relief {
 
 inline constexpr int kScenarioVersion = 1;
 
-// Where the heights come from: a file, a procedural relief ("bricks", ...) or a relief drawn by hand, one of the
-// three; color and normal may be empty.
+// The source of the heights: either a file, a procedural relief ("bricks", ...) or a relief drawn by hand. color and
+// normal may be empty.
 struct Pictures {
     std::string height;
     std::string recipe;
@@ -35,7 +36,7 @@ struct Pictures {
     bool operator==(const Pictures&) const = default;
 };
 
-// The file; "bricks:256x256:1"; "drawn:8x8".
+// Returns the file's path, "bricks:256x256:1" or "drawn:8x8".
 std::string heightsName(const Pictures& pictures);
 
 struct PixelChoice {
@@ -44,7 +45,7 @@ struct PixelChoice {
     bool operator==(const PixelChoice&) const = default;
 };
 
-// A pixel worth coming back to, from where it was seen.
+// A pixel to return to, with the camera from which it was seen.
 struct Bookmark {
     std::string name;
     PixelChoice pixel;
@@ -54,8 +55,8 @@ struct Bookmark {
 };
 inline constexpr std::size_t kMostBookmarks = 1000;
 
-// Somebody else's tracer: a file of rays and one of the steps that it took on them (ray_files.h), and which of the rays
-// is looked at, from 0. Empty paths: there is none. shown: the panes show its steps instead of the method's.
+// Another program's tracer: a file of rays, a file of the steps that it took on them (ray_files.h), and the number of
+// the ray to show, from 0. Empty paths: there is none. shown: the panes show its steps instead of the method's.
 struct OtherTracer {
     std::string rays;
     std::string steps;
@@ -76,15 +77,15 @@ struct Scenario {
     Camera camera;
     Light light;
     bool shadows = false;
-    std::string mapping = "direct";              // coordinates along a row, as parseRowMethod() has it
-    bool skip = true;                            // work that cannot change a bit is left out
-    double bounded = 0;                          // texels: what hits may be wrong by where that spares work; 0: nothing
+    std::string mapping = "direct";  // coordinates along a row, as parseRowMethod() has it
+    bool skip = true;                // whether work that cannot change a bit is skipped
+    double bounded = 0;              // largest hit error, in texels, allowed to save work; 0: no approximations
     std::array<double, 3> sky{0.55, 0.65, 0.8};  // linear
     int width = 800;
     int height = 600;
-    std::optional<PixelChoice> pixel;     // the chosen one
-    int step = 0;                         // the chosen step of its ray, from 0
-    std::vector<Breakpoint> breakpoints;  // where stepping stops
+    std::optional<PixelChoice> pixel;     // the selected pixel
+    int step = 0;                         // the selected step of its ray, from 0
+    std::vector<Breakpoint> breakpoints;  // conditions on which stepping stops
     std::vector<Bookmark> bookmarks;
     OtherTracer other;
     Comparison comparison;  // with other methods
@@ -92,37 +93,39 @@ struct Scenario {
     bool operator==(const Scenario&) const = default;
 };
 
-// Every number of a scenario that a person turns, described once: sliders, flags, help and checks derive from it.
-// "relief-depth", "elevation", "azimuth", "distance", "fov", "light-azimuth", "light-elevation", "ambient",
-// "intensity", "bounded", "width", "height".
+// An adjustable number of a scenario, described once: sliders, command-line options, help and checks derive from it.
+// The numbers are "relief-depth", "elevation", "azimuth", "distance", "fov", "light-azimuth", "light-elevation",
+// "ambient", "intensity", "bounded", "width", "height".
 struct ScenarioNumber {
     OptionDescription description;
     double (*get)(const Scenario&);
     void (*set)(Scenario&, double);
 };
+// Returns all numbers; scenarioNumber() returns one by name and throws InputError, with the known names, for others.
 const std::vector<ScenarioNumber>& scenarioNumbers();
 const ScenarioNumber& scenarioNumber(std::string_view name);
-// Sets the number; InputError naming `subject` ("--relief-depth") if it is out of range.
+// Sets the number. Throws InputError naming `subject` ("--relief-depth") if it is out of range.
 void setScenarioNumber(Scenario& scenario, std::string_view name, double value, const std::string& subject);
 
-// What a scenario says beside its picture and its ray; nothing is rendered or traced anew when it changes.
-// a with the notes of b: step, breakpoints, bookmarks, the window's state.
+// Returns a with the notes of b: step, breakpoints, bookmarks and the window's state. Notes affect neither the picture
+// nor the ray, so that a change of notes renders and traces nothing again.
 Scenario withNotesOf(const Scenario& a, const Scenario& b);
 
 // Throws InputError for the first value that is out of its range or unknown; `subject` names the scenario.
 void checkScenario(const Scenario& scenario, const std::string& subject);
 
-// baseFolder: pictures below it are written relative to it (empty: as they are).
+// Returns the scenario as JSON. baseFolder: paths of pictures below it are written relative to it; empty: unchanged.
 std::string scenarioText(const Scenario& scenario, const std::string& baseFolder = {});
-// fileName: for messages and for relative paths. Unknown keys, wrong types, other versions: InputError; a fault of the
-// JSON itself names the line.
+// Parses a scenario. fileName: for messages and for resolving relative paths. Throws InputError with the line for
+// invalid JSON, unknown keys, wrong types, values out of range and other versions.
 Scenario parseScenario(const std::string& text, const std::string& fileName);
+// Reads or writes a file with a scenario. Throws InputError; WorkError if the file cannot be written.
 Scenario loadScenario(const std::string& path);
 void saveScenario(const std::string& path, const Scenario& scenario);
 
-// The pictures of a scenario, loaded. Kept by path and reading options, so that changing one picture loads only it.
+// The loaded pictures of a scenario.
 struct Assets {
-    std::shared_ptr<const HeightImage> height;  // what was read and done to it
+    std::shared_ptr<const HeightImage> height;  // with information on how it was read and converted
     std::shared_ptr<const FloatImage> heights;
     std::shared_ptr<const ColorImage> color;
     std::shared_ptr<const Image<glm::vec3>> normals;
@@ -130,7 +133,8 @@ struct Assets {
 
 class AssetStore {
   public:
-    // Loads what the last call did not. On an error nothing changes.
+    // Loads the pictures whose path or reading options differ from the last call. Throws InputError; the store is then
+    // unchanged.
     Assets load(const Pictures& pictures, Work& work);
 
   private:
@@ -138,13 +142,14 @@ class AssetStore {
     Assets assets_;
 };
 
+// Returns the request that renders the scenario with these pictures.
 FrameRequest frameRequest(const Scenario& scenario, const Assets& assets);
 
-// The relief trace command of the scenario's chosen pixel, quoted for a shell.
+// Returns the `relief trace` command of the scenario's selected pixel, quoted for a shell.
 std::string traceCommand(const Scenario& scenario);
-// The one that traces this ray over the scenario's heights with its method; the view does not matter.
+// Returns the command that traces this ray over the scenario's heights with its method, without a view.
 std::string traceCommand(const Scenario& scenario, const ViewRay& ray);
-// The relief render command of its picture, into frame.exr, quoted for a shell.
+// Returns the `relief render` command of the scenario's picture, which writes frame.exr, quoted for a shell.
 std::string renderCommand(const Scenario& scenario);
 
 }  // namespace relief

@@ -16,7 +16,7 @@ std::string relativeTo(const std::string& path, const std::string& folder) {
     const std::filesystem::path relative =
         std::filesystem::absolute(path).lexically_relative(std::filesystem::absolute(folder));
     const std::string text = relative.generic_string();
-    // Outside the folder's tree a path that climbs would break as soon as the file moves.
+    // Paths outside the folder are stored as absolute, since "../" would break as soon as the file is moved.
     return text.empty() || text.starts_with("..") ? std::filesystem::absolute(path).string() : text;
 }
 
@@ -25,7 +25,7 @@ std::string resolved(const std::string& path, const std::filesystem::path& folde
     return relative ? (folder / path).lexically_normal().string() : path;
 }
 
-// The window's own state is written again as it was read, by a library that recurses.
+// Maximum nesting of the window's state, which is written unchanged by a library that recurses.
 constexpr int kWindowDepth = 32;
 
 bool withinDepth(const Json& json, int depth) {
@@ -33,7 +33,7 @@ bool withinDepth(const Json& json, int depth) {
     return depth > 0 && std::all_of(json.begin(), json.end(), [&](const Json& j) { return withinDepth(j, depth - 1); });
 }
 
-// Each row a text, so that a person finds it; one row: a profile.
+// Each row of heights is a text, so that it is readable in the file; one row is a profile.
 void readDrawn(Reader reader, DrawnRelief& drawn) {
     reader.readWhole("width", drawn.width);
     reader.readWhole("height", drawn.height);
@@ -114,7 +114,7 @@ Json methodJson(const MethodChoice& method) {
     return json;
 }
 
-// Keys of what is compared, by subject.
+// The keys of the alternatives, by subject.
 constexpr std::pair<const char*, std::vector<MethodChoice> Comparison::*> kCompared[]{
     {"methods", &Comparison::others},
     {"filters", &Comparison::filters},
@@ -139,7 +139,8 @@ void readComparison(Reader reader, Comparison& comparison) {
 
 Json comparisonJson(const Comparison& comparison) {
     Json json = {{"methods", Json::array()}};
-    // Programs that know methods alone refuse these keys by their names: they stand where they say something.
+    // Earlier versions, which only compare methods, refuse the key "subject"; it is therefore written only if
+    // necessary.
     if (comparison.subject != CompareSubject::Methods) json["subject"] = compareSubjectName(comparison.subject);
     for (const auto& [key, list] : kCompared) {
         for (const MethodChoice& other : comparison.*list) json[key].push_back(methodJson(other));
@@ -288,7 +289,7 @@ std::string scenarioText(const Scenario& scenario, const std::string& baseFolder
     if (!(scenario.comparison == Comparison{})) json["compare"] = comparisonJson(scenario.comparison);
     if (!scenario.ui.empty()) json["ui"] = Json::parse(scenario.ui);
     writeNotes(json, scenario, baseFolder);
-    // Names of files need not be UTF-8; what is not is replaced rather than refused.
+    // File names may contain invalid UTF-8, which is replaced rather than refused.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -296,7 +297,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     const Json json = parseJson(text, fileName);
     const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
     Scenario scenario;
-    // A report (relief render --report) holds the scenario that it is of.
+    // A report (relief render --report) contains the scenario that was rendered.
     const bool report = json.is_object() && !json.contains("reliefscope") && json.contains("scenario");
     Reader reader =
         report ? Reader({text, fileName}, json["scenario"], {"scenario"}) : Reader({text, fileName}, json, {});
@@ -336,7 +337,7 @@ Scenario parseScenario(const std::string& text, const std::string& fileName) {
     if (reader.readPair("pixel", pixel.x, pixel.y)) scenario.pixel = pixel;
     reader.readWhole("step", scenario.step);
     if (reader.has("compare")) readComparison(reader.child("compare"), scenario.comparison);
-    // The second is its name in files of the first edition.
+    // "panes" is the key's name in files of the first edition.
     for (const char* key : {"ui", "panes"}) {
         if (!reader.has(key) || !scenario.ui.empty()) continue;
         const Reader ui = reader.child(key);

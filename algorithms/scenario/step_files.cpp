@@ -14,13 +14,14 @@ namespace relief {
 
 namespace {
 
-// Beyond them a texel's number has no digits left.
+// Limits on texel indices: the largest for which doubles represent all integers, and the limit for indices outside the
+// picture.
 constexpr std::int64_t kFarthestTexel = std::int64_t{1} << 53;
 constexpr std::int64_t kFarthestBeside = std::int64_t{1} << 30;
-// Heights are 1 - lambda, written with as many digits as somebody's tracer likes.
+// Tolerance for heights, which must be 1 - lambda but may have been written with few digits.
 constexpr double kSameHeight = 1e-5;
 
-// Of one step, wherever it stands.
+// The position of a step in the file, for error messages.
 struct Place {
     const std::string& fileName;
     std::size_t line;
@@ -61,20 +62,20 @@ struct Place {
     }
 };
 
-// What a line says of the kind of what was looked at, in the order of kSubjectColumns.
+// The columns of a line about the kind of what was examined, in the order of kSubjectColumns.
 struct SubjectRow {
     std::string kind;
     std::array<std::optional<double>, kSubjectColumns.size() - 1> values;
 };
 
-// Texel::level of a step whose file does not say what was looked at.
+// Texel::level of a step whose file does not state the kind of what was examined.
 constexpr int kUnknownLevel = -1;
 
 Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
     if (row.kind.empty()) return subject::Texel{kUnknownLevel, step.i, step.j, step.value};
-    const auto lacks = [&](std::size_t at, MessageId wanted) {
+    const auto lacks = [&](std::size_t at, MessageId expected) {
         const std::string key(kSubjectColumns[at + 1]);
-        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
+        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", expected}}));
     };
     const auto real = [&](std::size_t at) {
         const auto& value = row.values[at];
@@ -117,7 +118,7 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
     return subject::Point{step.value};
 }
 
-// One line of the file: the step, and which it is.
+// One line of the file: a step, with the numbers of ray and step.
 struct Row {
     std::int64_t ray = 0;
     std::int64_t number = 0;
@@ -138,7 +139,8 @@ void check(const Row& row, const Place& place) {
     if (row.zOut) place.height("z_out", *row.zOut, step.lambdaOut);
 }
 
-// The header's columns behind those that every file has: each one's number in kSubjectColumns, or none.
+// For each column of the header after those that every file has, its index in kSubjectColumns; std::nullopt for unknown
+// columns.
 using FurtherColumns = std::vector<std::optional<std::size_t>>;
 
 FurtherColumns furtherColumns(std::string_view header, const std::string& fileName) {
@@ -151,7 +153,7 @@ FurtherColumns furtherColumns(std::string_view header, const std::string& fileNa
     header.remove_prefix(kStepColumns.size());
     FurtherColumns columns;
     while (!header.empty()) {
-        header.remove_prefix(1);  // the comma
+        header.remove_prefix(1);  // skips the comma
         const std::string_view name = header.substr(0, header.find(','));
         header.remove_prefix(name.size());
         const auto found = std::find(kSubjectColumns.begin(), kSubjectColumns.end(), name);
@@ -185,7 +187,7 @@ Row csvRow(std::string_view text, const FurtherColumns& further, const Place& pl
     row.zIn = number();
     row.zOut = number();
     const std::string_view value = takeCell(text);
-    // A cone may be all of space.
+    // A cone that contains all of space has no finite slope; all spellings of such a value are accepted.
     const bool endless = value == "inf" || value == "-inf" || value == "nan" || value == "-nan";
     step.value = endless ? HUGE_VAL : finiteNumber(value, place.fileName, place.line);
     step.decision = place.word<Decision>("decision", takeCell(text), kDecisionNames);
@@ -206,8 +208,8 @@ Row csvRow(std::string_view text, const FurtherColumns& further, const Place& pl
 }
 
 Row jsonRow(const Json& object, const Place& place) {
-    const auto wrong = [&](const char* key, MessageId wanted) {
-        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", wanted}}));
+    const auto wrong = [&](const char* key, MessageId expected) {
+        place.refuse(Message(MessageId::StepField, {{"line", place.line}, {"key", key}, {"wanted", expected}}));
     };
     const auto whole = [&](const char* key, std::optional<std::int64_t> otherwise) -> std::int64_t {
         const auto found = object.find(key);
@@ -256,7 +258,7 @@ Row jsonRow(const Json& object, const Place& place) {
     return row;
 }
 
-// Puts rows together to the logs of rays.
+// Collects rows into the logs of rays.
 class Gatherer {
   public:
     explicit Gatherer(std::size_t rays) : logs_(rays) {}
@@ -290,7 +292,7 @@ class Gatherer {
     std::size_t last_ = 0;
 };
 
-// On which line each object of the array begins, without reading all of the text for each.
+// Returns the line on which each object of the array begins, in a single pass over the text.
 std::vector<std::size_t> objectLines(std::string_view text) {
     std::vector<std::size_t> lines;
     std::size_t line = 1;
@@ -344,12 +346,13 @@ StepLog parseSteps(std::string_view text, const std::string& fileName, std::size
 
 namespace {
 
-// One axis of a field: whether there is such a texel, cell or voxel, and in which period the ray meets it.
+// One axis of a field, with the ray's path along it: checks indices and determines periods.
 struct PlaceAxis {
     const GridAxis& axis;
     const RayAxis& along;
 
-    // known: the file says what was looked at.
+    // Returns false if there is no such texel, cell or voxel; sets the period in which the ray meets it. known: the
+    // file states what was examined.
     bool place(std::int64_t name, const Step& step, bool known, std::int64_t& period) const {
         const bool cells = !step.namesTexelUnderRay();
         const auto* const voxel = step.tests() ? nullptr : step.as<subject::Voxel>();
@@ -358,11 +361,12 @@ struct PlaceAxis {
         const std::int64_t index = cell ? name - axis.firstName : name;
         const std::int64_t most = cells ? axis.cells : axis.texels;
         std::int64_t count = (most - 1) / side + 1;
-        // Without kinds: voxels of maps are numbered from 0, cells from their first name.
+        // Steps without a kind are numbered either as voxels of maps, from 0, or as cells, from their first index; both
+        // are accepted.
         if (cell && !known) count = axis.cells - axis.firstName;
         period = 0;
         if (index < 0 || index >= count) {
-            // A ray may begin, and end, beside the picture.
+            // A ray may begin and end outside the picture.
             const bool end = step.decision == Decision::Start || step.decision == Decision::Miss;
             return end && step.level == 0 && std::abs(name) < kFarthestBeside;
         }
@@ -378,8 +382,9 @@ struct PlaceAxis {
     }
 };
 
-// The first step that names no texel of the field; the count of steps if all do. known: of which steps the file says
-// what they looked at; cells: what the others are about, else points of the ray.
+// Sets periods and missing kinds. Returns the index of the first step that names no texel of the field, or the number
+// of steps if there is none. known: whether the file states what the step examined; cells: the other steps examined
+// cells, otherwise points of the ray.
 std::size_t placeAll(std::vector<Step>& steps, const std::vector<bool>& known, const CellGrid& grid, const GridRay& ray,
                      bool cells) {
     const PlaceAxis x{grid.x, ray.x};
@@ -396,7 +401,7 @@ std::size_t placeAll(std::vector<Step>& steps, const std::vector<bool>& known, c
         if (!x.place(step.i, step, known[n], step.periodX) || !y.place(step.j, step, known[n], step.periodY)) return n;
         auto* const voxel = std::get_if<subject::Voxel>(&step.subject);
         if (voxel == nullptr || !step.tests()) continue;
-        // The columns name the cell that was tested.
+        // The columns contain the index of the tested cell; the voxel's index follows from it.
         voxel->i = (step.i - grid.x.firstName) / voxel->footprint;
         voxel->j = (step.j - grid.y.firstName) / voxel->footprint;
     }
@@ -419,7 +424,7 @@ void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField&
         known.push_back(texel == nullptr || texel->level != kUnknownLevel);
     }
     std::size_t wrong = placeAll(steps, known, grid, inCells, cells);
-    // Beyond the edge lie cells, not texels.
+    // Indices beyond the picture's edge may be those of cells.
     if (wrong < steps.size() && !cells) wrong = placeAll(steps, known, grid, inCells, true);
     if (wrong >= steps.size()) return;
     const Step& step = steps[wrong];

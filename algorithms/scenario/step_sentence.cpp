@@ -17,9 +17,9 @@ constexpr int kMostDecimals = 6;
 constexpr int kHeightDecimals = 3;
 constexpr int kTexelDecimals = 2;
 
-// Level, texel, the value read and the heights of the ray: what sentences about a texel draw from.
+// A message with the level, the texel, the stored value and the heights of the ray.
 Message aboutTexel(MessageId id, const Step& step) {
-    const int decimals = tellingDecimals(step.value, step.zOut());
+    const int decimals = distinguishingDecimals(step.value, step.zOut());
     return Message(id, {{"level", step.level},
                         {"i", step.i},
                         {"j", step.j},
@@ -29,9 +29,9 @@ Message aboutTexel(MessageId id, const Step& step) {
                         {"after", fixedText(1 - step.lambdaAfter, decimals)}});
 }
 
-// Of the surface's height at one point: layer, heights of ray and surface, place of the answer.
+// A message with the surface's height at one point: layer, heights of ray and surface, position of the answer.
 Message aboutPoint(MessageId id, const Step& step, const StepContext& context) {
-    const int decimals = std::max(tellingDecimals(step.value, step.zOut()), kHeightDecimals);
+    const int decimals = std::max(distinguishingDecimals(step.value, step.zOut()), kHeightDecimals);
     const auto height = [&](double z) { return fixedText(z, decimals); };
     const auto* const layer = step.as<subject::Layer>();
     const Hit hit = context.ray ? Hit::at(*context.ray, step.lambdaAfter) : Hit();
@@ -45,7 +45,7 @@ Message aboutPoint(MessageId id, const Step& step, const StepContext& context) {
                         {"t", fixedText(hit.t, kTexelDecimals)}});
 }
 
-// Of the highest texel of a pyramid of more than one level.
+// Returns true for the top texel of a pyramid of more than one level.
 bool ofTop(const Step& step) {
     const auto* const texel = step.as<subject::Texel>();
     return texel != nullptr && texel->level > 0;
@@ -62,8 +62,8 @@ Message startSentence(const Step& step) {
                    {{"i", step.i}, {"j", step.j}});
 }
 
-// Lambda that a map's promise counts from: a voxel's distance and a cell's cone from where the ray leaves it, others
-// from where the ray is.
+// Returns the lambda from which a map's claim counts: for a voxel's distance and a cell's cone, where the ray leaves
+// the cell; otherwise the ray's current position.
 double claimStart(const Step& step) {
     const auto* const cone = step.as<subject::Cone>();
     const bool ofCell = cone != nullptr ? cone->ofCell : step.as<subject::Voxel>() != nullptr;
@@ -110,7 +110,7 @@ Message testSentence(const Step& step) {
     if (step.as<subject::Cone>() != nullptr) return aboutTexel(MessageId::StepTestApex, step);
     if (const auto* const quad = step.as<subject::Quad>()) {
         const auto texels = [](double x) { return fixedText(x, kTexelDecimals); };
-        const int decimals = tellingDecimals(quad->maximum, step.zOut());
+        const int decimals = distinguishingDecimals(quad->maximum, step.zOut());
         return Message(MessageId::StepTestQuad, {{"s0", texels(quad->s)},
                                                  {"s1", texels(quad->s + quad->width)},
                                                  {"t0", texels(quad->t)},
@@ -121,12 +121,12 @@ Message testSentence(const Step& step) {
     return aboutTexel(MessageId::StepTest, step);
 }
 
-// A straight line's answer lies within the part; a halving's is one of the ends that are left.
+// The answer of a linear interpolation lies within the interval; that of a bisection is one of its ends.
 Message refineSentence(const Step& step, const StepContext& context) {
     if (!step.atPoint()) return aboutTexel(MessageId::StepRefine, step);
     if (step.lambdaAfter == step.lambdaIn) return aboutPoint(MessageId::StepHalvedAbove, step, context);
     const bool belowEnd = step.lambdaAfter == step.lambdaOut;
-    // A line ends there too where the surface is met exactly on the layer.
+    // Linear interpolation, too, gives the interval's end if the surface is met exactly there.
     const bool met = step.value == step.zOut();
     return aboutPoint(belowEnd && !met ? MessageId::StepHalvedBelow : MessageId::StepSecant, step, context);
 }
@@ -135,7 +135,7 @@ Message pointHitSentence(const Step& step, const StepContext& context) {
     if (step.as<subject::Layer>() != nullptr) return aboutPoint(MessageId::StepLayerHit, step, context);
     const bool first = context.before != nullptr && context.before->decision == Decision::Start;
     if (first && step.lambdaIn == 0) return aboutPoint(MessageId::StepOffsetHit, step, context);
-    // A search that ran out of steps answers with where it is.
+    // A search that reached its step limit answers with its current position.
     const bool above = step.value < step.zOut();
     return aboutPoint(above ? MessageId::StepPointGivenUp : MessageId::StepPointHit, step, context);
 }
@@ -143,7 +143,7 @@ Message pointHitSentence(const Step& step, const StepContext& context) {
 Message hitSentence(const Step& step, const StepContext& context) {
     if (step.atPoint()) return pointHitSentence(step, context);
     const auto height = fixedText(1 - step.lambdaAfter, kHeightDecimals);
-    // The hit directly follows the start of a pyramid walk and is as high as the highest point.
+    // True if the hit directly follows the start of a pyramid traversal and is as high as the highest point.
     const Step* const before = context.before;
     const bool atOnce = before != nullptr && before->phase == Phase::Start && ofTop(*before);
     if (atOnce && 1 - step.lambdaAfter >= before->value - kExclusionMargin) {
@@ -161,7 +161,8 @@ Message hitSentence(const Step& step, const StepContext& context) {
                                           {"t", fixedText(hit.t, kTexelDecimals)}});
 }
 
-// Where coordinates double on the level below, with the numbers: one decimal less doubled, so that both read alike.
+// Returns the sentence with the ray's coordinates and their doubles on the level below. The doubled numbers have one
+// decimal less, so that both agree as printed.
 Message descendSentence(const Step& step) {
     const auto* const texel = step.as<subject::Texel>();
     if (texel == nullptr || !texel->ray) return aboutTexel(MessageId::StepDescend, step);
@@ -173,7 +174,7 @@ Message descendSentence(const Step& step) {
     return message;
 }
 
-// The paper's reason, unless the ray met the surface all the same.
+// Gives the paper's reason for the ascent, unless the exact hit contradicts it.
 Message ascendSentence(const Step& step, const StepContext& context) {
     Message message = aboutTexel(MessageId::StepAscend, step);
     if (!context.exact || context.exact->outcome != Outcome::Hit) return message;
@@ -192,18 +193,18 @@ Message missSentence(const Step& step) {
 }  // namespace
 
 std::string fixedText(double value, int decimals) {
-    // Long enough for any double of the domain; what is larger is written as it is.
+    // Sufficient for any double of the domain; larger numbers are written with an exponent.
     std::array<char, 64> buffer{};
     const auto result =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
     if (result.ec != std::errc()) return numberText(value, kMostDecimals);
     std::string text(buffer.data(), result.ptr);
-    // -0.00 would make people wonder.
+    // Negative zero is written without its sign.
     const bool zero = text.find_first_not_of("-0.") == std::string::npos;
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-int tellingDecimals(double a, double b) {
+int distinguishingDecimals(double a, double b) {
     if (a == b || !std::isfinite(a) || !std::isfinite(b)) return kFewestDecimals;
     int decimals = kFewestDecimals;
     while (decimals < kMostDecimals && fixedText(a, decimals) == fixedText(b, decimals)) ++decimals;

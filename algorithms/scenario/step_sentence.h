@@ -1,4 +1,5 @@
-// Each step of a tracer, said in a sentence: by its decision and by what it looked at, so that a new tracer adds none.
+// Describes each step of a tracer in a sentence, determined by its decision and by what it examined, so that new
+// tracers need no sentences of their own.
 #pragma once
 
 #include <optional>
@@ -11,35 +12,36 @@
 
 namespace relief {
 
-// What a sentence says beyond its record.
+// Data for a sentence in addition to the step's record.
 struct StepContext {
-    const Step* before = nullptr;  // the step before, if there is one
-    std::optional<ViewRay> ray;    // to say where a hit lies
-    std::optional<Hit> exact;      // to say where a map's promise is broken
+    const Step* before = nullptr;  // the preceding step, if there is one
+    std::optional<ViewRay> ray;    // for the position of a hit
+    std::optional<Hit> exact;      // for broken claims of a map
 };
 
-// The number with `decimals` places after the point, whatever the locale.
+// Returns the number with `decimals` digits after the point, independent of the locale.
 std::string fixedText(double value, int decimals);
-// Decimals, at least 2 and at most 6, with which two numbers that differ read differently.
-int tellingDecimals(double a, double b);
+// Returns the number of decimals, from 2 to 6, with which two different numbers are printed differently.
+int distinguishingDecimals(double a, double b);
 
-// The decision's name for people: "skip", "пропуск".
+// Returns the decision's name in the user's language: "skip", "пропуск".
 Message decisionTitle(Decision decision);
 
+// Describes one step in a sentence.
 Message stepSentence(const Step& step, const StepContext& context);
 
-// What the exact hit shows of the sphere or cone that a step trusts. None: the step trusts none. Kept: also where no
-// exact hit is known. Broken: the surface is met on the part of the ray that the map promised free. Behind: the ray was
-// past the surface before.
+// Compares the claim of the map on which a step relies with the exact hit. None: the step relies on no distance or
+// cone. Kept: not contradicted, or no exact hit is known. Broken: the surface is met in the interval that the map
+// claims to be free. Behind: the ray had already passed the surface.
 enum class MapPromise : std::uint8_t { None, Kept, Broken, Behind };
 MapPromise mapPromise(const Step& step, const StepContext& context);
 
-// How far a method's answer is from the exact hit, texels: |lambda - exact lambda| max(1, hypot(a, b)); infinite where
-// the outcomes differ, 0 where neither hits or the exact one is not known (Limit, Unset).
+// Returns the distance of a method's answer from the exact hit, texels: |lambda - exact lambda| max(1, hypot(a, b));
+// infinite if the outcomes differ; 0 if neither hits or the exact answer is unknown (Limit, Unset).
 double answerError(const Hit& answer, const Hit& exact, const ViewRay& ray);
-// Where the exact hit is, and how far the answer is from it.
+// States the exact hit, and the distance of the answer from it.
 Message answerSentence(const Hit& answer, const Hit& exact, const ViewRay& ray);
-// Of step `index` of a ray's log. exact: the first hit, if it is known.
+// Describes step `index` of a ray's log. exact: the first hit, if it is known.
 Message stepSentence(const std::vector<Step>& steps, std::size_t index, const ViewRay& ray,
                      const std::optional<Hit>& exact = {});
 

@@ -15,7 +15,7 @@ constexpr std::size_t kQuotedLength = 60;
 
 std::string quoted(std::string_view text) {
     std::string out(text.substr(0, kQuotedLength));
-    // Cut between UTF-8 characters, not inside one.
+    // Cut only between UTF-8 characters.
     while (text.size() > kQuotedLength && !out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == 0x80U) {
         out.pop_back();
     }
@@ -45,7 +45,7 @@ double finiteNumber(std::string_view text, const std::string& fileName, std::siz
         throw InputError(fileName, Message(MessageId::RayNumber, {{"line", line}, {"text", quoted(text)}}));
     }
     if (error == std::errc::result_out_of_range) {
-        // Too small for a double is nothing; too large is not finite.
+        // Numbers too small for a double are read as 0; too large ones are refused as not finite.
         const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
         value = tiny ? 0 : HUGE_VAL;
     }

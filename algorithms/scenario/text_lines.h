@@ -1,4 +1,4 @@
-// Tables of text read line by line; what stood there is quoted in messages.
+// Reads tables of text line by line, and quotes their content in messages.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace relief {
 
-// What stood in a file, fit for one line of a message.
+// Returns text from a file shortened to fit into one line of a message.
 std::string quoted(std::string_view text);
-// Takes the next line, without its end ("\n" or "\r\n").
+// Removes and returns the next line, without its end ("\n" or "\r\n").
 std::string_view takeLine(std::string_view& text);
-// Takes what stands before the next comma.
+// Removes and returns the text before the next comma.
 std::string_view takeCell(std::string_view& line);
-// Without a byte order mark.
+// Returns the text without a byte order mark.
 std::string_view withoutMark(std::string_view text);
-// A finite number, the whole text, whatever the locale; InputError with the line.
+// Parses the whole text as a finite number, independent of the locale. Throws InputError with the line.
 double finiteNumber(std::string_view text, const std::string& fileName, std::size_t line);
 
 }  // namespace relief

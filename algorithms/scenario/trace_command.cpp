@@ -5,7 +5,7 @@ namespace relief {
 
 namespace {
 
-// Quoted for a POSIX shell where it needs to be.
+// Quotes an argument for a POSIX shell if necessary.
 std::string quoted(const std::string& text) {
     constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:@%+";
     if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
@@ -22,7 +22,7 @@ void addFlag(std::string& line, const std::string& flag, const std::string& valu
     line += " " + flag + " " + quoted(value);
 }
 
-// "relief trace" or "relief render" with heights and method.
+// Returns "relief trace" or "relief render" with the options for heights and method.
 std::string commandBegin(const Scenario& scenario, const std::string& command = "relief trace") {
     const Scenario defaults;
     std::string line = command;
@@ -47,7 +47,7 @@ std::string commandBegin(const Scenario& scenario, const std::string& command = 
     return line;
 }
 
-// Scene, camera and size.
+// Appends scene, camera and size.
 void addView(std::string& line, const Scenario& scenario) {
     const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
     add("--scene", std::string(sceneName(scenario.scene)));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostBits = 16;
 
-// What is proposed, in this order.
+// The alternatives that nextVariation() proposes, in this order.
 std::vector<MethodChoice> proposals(CompareSubject subject) {
     switch (subject) {
         case CompareSubject::Filters:
@@ -30,7 +30,7 @@ std::vector<MethodChoice> proposals(CompareSubject subject) {
 }
 
 bool promisesExact(const MethodChoice& method) {
-    // Its one option that gives the promise up.
+    // The option `base` is the only one that gives up the guarantee.
     const auto base = method.options.find("base");
     return findTracer(method.name).guarantee == Guarantee::Exact &&
            (base == method.options.end() || base->second == "0");
@@ -45,7 +45,7 @@ MethodDescription describedFilter(const MethodChoice& choice) {
     out.options = filter.options;
     out.defaults = filter.defaults;
     if (filter.name != kSupersample) return out;
-    // Fields of the choice that are no options of a texture filter, described like those.
+    // The settings of supersampling are fields of the choice and no filter options, but are described like those.
     const auto given = choice.options.find(kPixelModel);
     OptionDescription samples;
     samples.name = kSamples;
@@ -59,7 +59,7 @@ MethodDescription describedFilter(const MethodChoice& choice) {
     models.kind = OptionKind::Choice;
     models.choices.assign(kPixelModelNames.begin(), kPixelModelNames.end());
     models.help = "what a pixel of the display is: how samples are weighed";
-    // Another range wants other controls.
+    // The name contains the range, because another range needs other controls.
     if (samples.low > 1) out.name += " from " + numberText(samples.low);
     out.options = {samples, models};
     out.defaults = {{kSamples, numberText(FilterChoice().samples)},
@@ -130,17 +130,17 @@ FilterChoice filterOf(const MethodChoice& choice, const FilterChoice& own) {
     return filter;
 }
 
-bool there(const std::vector<MethodChoice>& list, CompareSubject subject, const MethodChoice& choice) {
+bool contains(const std::vector<MethodChoice>& list, CompareSubject subject, const MethodChoice& choice) {
     return std::any_of(list.begin(), list.end(), [&](const auto& one) { return sameVariation(subject, one, choice); });
 }
 
-// Values of an option beside its default, those that change most first.
+// Returns values of an option other than its default, those with the largest effect first.
 std::vector<std::string> otherValues(const OptionDescription& option, const std::string& standard) {
     if (option.kind == OptionKind::Choice || option.kind == OptionKind::Method) return option.choices;
     const double value = standard.empty() ? option.low : std::atof(standard.c_str());
     std::vector<std::string> values;
-    for (const double wanted : {value / 2, value * 2, option.low, option.high}) {
-        const double whole = option.kind == OptionKind::Integer ? std::floor(wanted) : wanted;
+    for (const double number : {value / 2, value * 2, option.low, option.high}) {
+        const double whole = option.kind == OptionKind::Integer ? std::floor(number) : number;
         values.push_back(numberText(std::clamp(whole, option.low, option.high)));
     }
     return values;
@@ -299,7 +299,7 @@ std::optional<MethodChoice> nextVariation(const Scenario& scenario) {
     const CompareSubject subject = scenario.comparison.subject;
     const std::vector<MethodChoice> all = comparedOf(scenario);
     const auto fits = [&](const MethodChoice& choice) {
-        return !there(all, subject, choice) &&
+        return !contains(all, subject, choice) &&
                (subject != CompareSubject::Methods || supports(choice, scenario.surface, scenario.address));
     };
     if (subject == CompareSubject::Methods && all.size() == 1) return rivalOf(scenario);
@@ -316,13 +316,13 @@ std::optional<MethodChoice> variedOption(const Scenario& scenario, const std::st
     const CompareSubject subject = scenario.comparison.subject;
     const std::vector<MethodChoice> all = comparedOf(scenario);
     const MethodChoice plain{name, {}};
-    if (!there(all, subject, plain)) return plain;
+    if (!contains(all, subject, plain)) return plain;
     MethodDescription described = describedVariation(subject, plain);
-    // Another map comes first: the same method over it is what is compared most.
+    // Another map comes first, because a method is most often compared over different maps.
     std::stable_partition(described.options.begin(), described.options.end(),
                           [](const OptionDescription& option) { return option.name == kMapOption; });
     for (const OptionDescription& option : described.options) {
-        if (option.name == kLayoutOption) continue;  // the same picture
+        if (option.name == kLayoutOption) continue;  // has no effect on the picture
         for (const std::string& value : otherValues(option, described.defaults.at(option.name))) {
             const MethodChoice choice{name, {{option.name, value}}};
             try {
@@ -330,7 +330,7 @@ std::optional<MethodChoice> variedOption(const Scenario& scenario, const std::st
             } catch (const InputError&) {
                 continue;
             }
-            if (!there(all, subject, choice)) return choice;
+            if (!contains(all, subject, choice)) return choice;
         }
     }
     return std::nullopt;
@@ -344,18 +344,18 @@ Scenario keptApart(const Scenario& before, Scenario after) {
         try {
             const MethodChoice was = ownVariation(before, subject);
             const MethodChoice is = ownVariation(after, subject);
-            // An option that is turned passes by what another has.
+            // If only an option of A changed, A may become equal to another alternative.
             if (was.name == is.name) continue;
             const auto same = std::find_if(others.begin(), others.end(),
                                            [&](const auto& one) { return sameVariation(subject, one, is); });
             if (same == others.end()) continue;
-            if (!there(others, subject, was)) {
+            if (!contains(others, subject, was)) {
                 *same = was;
             } else if (const auto next = nextVariation(after)) {
                 *same = *next;
             }
         } catch (const InputError&) {
-            continue;  // whoever takes the scenario says what is wrong with it
+            continue;  // the check of the scenario reports what is wrong with it
         }
     }
     after.comparison.subject = shown;

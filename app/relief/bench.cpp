@@ -202,7 +202,7 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
         if (said.insert(sentence(message)).second) session.note("bench", message);
     };
     // What was built while other ranks were at work is built again to be timed.
-    std::shared_ptr<PreparedTracers> counted = nothingPrepared(), timed = nothingPrepared();
+    std::shared_ptr<PreparedTracers> counted = noPreparedTracers(), timed = noPreparedTracers();
     to.what = sweepText(given, options, session);
     HeightsOf heightsOf;
     const std::vector<SweepMap> maps = sweepMaps(chosenPictures(given), session);
@@ -217,7 +217,7 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
                                      threads, [&, seed, elevation](Work& work, BenchPass pass) {
                                          BenchOptions one = options;
                                          one.pass = pass;
-                                         if (pass != BenchPass::Counts) counted = nothingPrepared();
+                                         if (pass != BenchPass::Counts) counted = noPreparedTracers();
                                          one.prepared = pass == BenchPass::Counts ? counted : timed;
                                          one.maps = {{map.name, heightsOf(map)}};
                                          one.seed = seed;

@@ -229,7 +229,7 @@ class OnePicture {
         std::optional<LayerPlanes> planes;
         if (!layers_.empty()) planes.emplace(*request_, layers_, *maps_);
         PictureParts parts;
-        if (band != nullptr) parts.wanted = {band->begin, band->end};
+        if (band != nullptr) parts.onlyRows = {band->begin, band->end};
         const bool wantsSteps = std::find(layers_.begin(), layers_.end(), "steps") != layers_.end();
         parts.counts = options_.report || wantsSteps;
         parts.done = [&](const Frame& part) {

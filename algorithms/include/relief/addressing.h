@@ -1,4 +1,4 @@
-// What lies outside a picture, in one place: repeat, clamp, border.
+// Texture addressing: which texel stands for an index outside the picture (repeat, clamp, border).
 #pragma once
 
 #include <algorithm>
@@ -10,29 +10,30 @@ namespace relief {
 
 enum class Address : std::uint8_t { Repeat, Clamp, Border };
 
-// i modulo size, in [0, size), also for negative i. size > 0.
+// Returns i modulo size, in [0, size), also for negative i. size > 0.
 constexpr std::int64_t wrapIndex(std::int64_t i, std::int64_t size) {
     assert(size > 0);
     const std::int64_t m = i % size;
     return m < 0 ? m + size : m;
 }
 
-// The texel that stands for index i. Border clamps, too: what is outside is decided by the caller, who knows the
-// domain; the half-texel rim inside it interpolates clamped.
+// Returns the texel, in [0, size), that stands for index i. Border addressing clamps as well: the caller, who knows the
+// domain, decides what is outside it, and within half a texel of its edge interpolation uses clamped texels.
 constexpr int addressIndex(std::int64_t i, int size, Address address) {
     if (address == Address::Repeat) return static_cast<int>(wrapIndex(i, size));
     return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));
 }
 
-// The two texels between whose centres x (texels, unwrapped) lies, and the second one's share, in [0, 1).
+// The two texels between whose centres a coordinate lies, and the weight of the second one, in [0, 1).
 struct BilinearSupport {
     int first = 0;
     int second = 0;
     float share = 0;
 };
 
+// Returns the support of x (texels, not wrapped) on an axis of `size` texels.
 inline BilinearSupport bilinearSupport(double x, int size, Address address) {
-    // Reduced first, so that far-off points keep their digits.
+    // Reduced to one period first, which preserves the precision of coordinates far from the origin.
     const double reduced = address == Address::Repeat ? std::fmod(x, size) : std::clamp(x, -1.0, size + 1.0);
     const double whole = std::floor(reduced - 0.5);
     const auto index = static_cast<std::int64_t>(whole);

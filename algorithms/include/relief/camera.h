@@ -14,9 +14,9 @@
 
 namespace relief {
 
-// Angles in degrees. Orbit: elevation above the horizontal plane through the target, -90 to 90; azimuth turns to the
-// right around the vertical axis, 0 in front (on +z); distance from the target, world units, > 0.
-// Free: eye and target in world units, apart from each other. fov: the vertical field of view, in (0, 180).
+// A camera; angles in degrees. Orbit: elevation above the horizontal plane through the target, -90 to 90; azimuth turns
+// to the right around the vertical axis, 0 in front (on +z); distance from the target, world units, > 0. Free: eye and
+// target in world units, which must differ. fov: vertical field of view, in (0, 180).
 struct Camera {
     enum class Kind : std::uint8_t { Orbit, Free };
     Kind kind = Kind::Orbit;
@@ -29,8 +29,9 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-// The view ray of pixel (x, y) of a width x height picture of the relief on the floor; nullopt where no relief is.
-// Throws InputError where the camera is degenerate or the pixel outside.
+// Returns the view ray of pixel (x, y) of a width x height picture of the relief on the floor; std::nullopt if the
+// pixel does not see the floor polygon. Throws InputError if the camera is degenerate or the pixel is outside the
+// picture.
 std::optional<ViewRay> floorRay(const HeightField& field, const Camera& camera, int width, int height, int x, int y);
 
 }  // namespace relief

@@ -1,4 +1,5 @@
-// Methods and their options described once: sliders, flags, help texts and tables derive from this.
+// Descriptions of methods and their options. Each is described once; sliders, command-line options, help texts and
+// tables derive from the description.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@ namespace relief {
 
 enum class OptionKind : std::uint8_t { Integer, Real, Choice, Method };
 
-// One setting: name as in --set NAME=VALUE, unit ("texels", "texture widths", ""), range and step of its slider.
+// An option: its name as in --set NAME=VALUE, its unit ("texels", "texture widths", ""), and the range and step of its
+// slider.
 struct OptionDescription {
     std::string name;
     OptionKind kind = OptionKind::Real;
@@ -24,35 +26,37 @@ struct OptionDescription {
     double low = 0;
     double high = 1;
     double step = 0.01;
-    // Choice: the names; Method: which may stand here; Integer: words that may stand instead of a number.
+    // Choice: the names; Method: the admissible methods; Integer: words that are accepted instead of a number.
     std::vector<std::string> choices;
     std::string help;
 };
 
-// A described field of a plain struct of options. Its default is what a fresh struct holds.
+// An option that is a member of a plain struct, with its description. Its default is the member's value in a
+// default-constructed struct.
 template <class Options>
 struct OptionField {
     OptionDescription description;
     std::variant<int Options::*, double Options::*, std::string Options::*> member;
 };
 
-// What tracers promise. Exact: the first hit. Conservative: never past the first hit. Approximate: no promise.
+// The guarantee of a tracer. Exact: finds the first hit. Conservative: never passes the first hit. Approximate: no
+// guarantee.
 enum class Guarantee : std::uint8_t { Exact, Conservative, Approximate };
-// Tracer: where rays meet the relief. Shading: the ray stays on the polygon. Mesh: the relief made of triangles, which
-// frames rasterise instead of tracing rays.
+// Tracer: finds where rays meet the relief. Shading: the ray ends on the polygon. AnyHit: tests only whether a segment
+// is free. Mesh: the relief as triangles, which frames rasterise instead of tracing rays.
 enum class MethodKind : std::uint8_t { Tracer, Shading, AnyHit, Mesh };
-// Whose normal lights what a method found. Relief: the normal picture's if there is one, else the surface's, at the
-// hit. Plane: the polygon's. Heights: the surface's slope. NormalMap: the normal picture's, or one made from the
-// heights.
+// The normal that lights the result of a method. Relief: that of the normal picture if there is one, otherwise the
+// surface's normal at the hit. Plane: the polygon's. Heights: from the surface's slope. NormalMap: that of the normal
+// picture, or of one made from the heights.
 enum class ShadingNormal : std::uint8_t { Relief, Plane, Heights, NormalMap };
-// Which implementation runs. Simd: the method's SIMD version. Scalar: the reference, one ray after the other.
+// The implementation that runs. Simd: the method's SIMD version. Scalar: the reference implementation, ray by ray.
 enum class Form : std::uint8_t { Simd, Scalar };
-// Which rays a method (its maps) is valid for.
+// The rays for which a method and its maps are valid.
 enum class RayClass : std::uint8_t { ViewRays, AnyRays };
 
 struct MethodDescription {
     std::string name;   // as on the command line
-    std::string title;  // a few words
+    std::string title;  // human-readable, a few words
     std::string help;   // one line
     std::string source;
     MethodKind kind = MethodKind::Tracer;
@@ -61,28 +65,28 @@ struct MethodDescription {
     ShadingNormal shading = ShadingNormal::Relief;
     std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};
     std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
-    std::vector<std::string> maps;       // names of the maps needed
-    std::vector<std::string> otherMaps;  // which it accepts in place of the first, chosen by the option `map`
+    std::vector<std::string> maps;       // names of the maps that the method needs
+    std::vector<std::string> otherMaps;  // maps that it accepts in place of the first, chosen by the option `map`
     std::vector<OptionDescription> options;
     std::map<std::string, std::string> defaults;  // of the options, as text
 };
 
-// Options as given: name to text ("layers" to "64"), as on the command line and in scenarios.
+// Options by name, as text ("layers": "64"), as on the command line and in scenarios.
 using OptionValues = std::map<std::string, std::string>;
 
-// The method by name, and its options.
+// A method's name with options; options that are not set have their defaults.
 struct MethodChoice {
     std::string name = "max-pyramid";
     OptionValues options;
     bool operator==(const MethodChoice&) const = default;
 };
 
-// "NAME:OPTION=VALUE:OPTION=VALUE" taken apart, not checked. Throws InputError naming `option`.
+// Splits "NAME:OPTION=VALUE:OPTION=VALUE" without checking the names. Throws InputError naming `option`.
 MethodChoice splitMethodChoice(const std::string& text, const std::string& option);
 
-// "a, b, c", for messages and help.
+// Returns "a, b, c", for messages and help.
 std::string commaList(const std::vector<std::string>& names);
-// The same of what has a name.
+// Returns the comma-separated names of the elements.
 template <class Named>
 std::string namesOf(const std::vector<Named>& list) {
     std::vector<std::string> names;
@@ -90,24 +94,27 @@ std::string namesOf(const std::vector<Named>& list) {
     return commaList(names);
 }
 
+// The names of the values, as on the command line and in files.
 std::string_view surfaceName(Surface surface);
 std::string_view addressName(Address address);
 std::string_view guaranteeName(Guarantee guarantee);
 std::string_view methodKindName(MethodKind kind);
 std::string_view rayClassName(RayClass rayClass);
 std::string_view formName(Form form);
-// "simd" or "scalar"; "lanes", as earlier versions had it, is simd. Throws InputError naming the option.
+// Parses "simd" or "scalar"; "lanes", the spelling of earlier versions, means simd. Throws InputError naming the
+// option.
 Form parseForm(std::string_view text, const std::string& option);
-// Throw InputError("--surface", ...) and ("--address", ...) with the known names.
+// These throw InputError("--surface", ...) and InputError("--address", ...) with the known names.
 Surface parseSurface(std::string_view text);
 Address parseAddress(std::string_view text);
 
-// A finite number, the whole text, independent of the locale; InputError naming the subject otherwise.
+// Parses the whole text as a finite number, independent of the locale. Throws InputError naming the subject.
 double parseNumber(std::string_view text, const std::string& subject);
-// Checks the text against kind, range and choices; throws InputError naming the subject.
+// Checks the text against the option's kind, range and choices. Throws InputError naming the subject.
 void checkOption(const OptionDescription& option, const std::string& text, const std::string& subject = "--set");
 
-// Checks the text and puts its value into the member. Not inlined: see optionText.
+// Checks the text and assigns its value to the member. Throws InputError naming the subject. Not inlined, for the
+// reason given at optionText().
 template <class Options>
 [[gnu::noinline]] void assignOption(const OptionField<Options>& field, const std::string& text, Options& options,
                                     const std::string& subject) {
@@ -121,15 +128,16 @@ template <class Options>
     }
 }
 
-// The option by which a method is given one of its MethodDescription::otherMaps.
+// The option that selects one of MethodDescription::otherMaps.
 inline constexpr std::string_view kMapOption = "map";
-// The option by which a method chooses how its map lies in memory, and the layout that files hold.
+// The option that selects the memory layout of a method's map, and the layout that files use.
 inline constexpr std::string_view kLayoutOption = "layout";
 inline constexpr std::string_view kStoredLayout = "texel";
-// Options of a method inside another one: "inner.layers".
+// Prefix of the options of an inner method: "inner.layers".
 inline constexpr std::string_view kInnerPrefix = "inner.";
 
-// The plain struct from what was given; unknown names and values out of range are errors.
+// Returns the method's option struct with the given values. Throws InputError naming the subject for unknown names and
+// values out of range.
 template <class Options>
 Options parseOptions(const std::string& method, const OptionValues& values, const std::string& subject = "--set") {
     Options options;
@@ -156,7 +164,8 @@ Options parseOptions(const std::string& method, const OptionValues& values, cons
     return options;
 }
 
-// The field's value as text. Not inlined: g++ 12 otherwise warns of the text member that this struct has none of.
+// Returns the member's value as text. Not inlined, because g++ 12 otherwise warns about the std::string member that the
+// struct does not have.
 template <class Options>
 [[gnu::noinline]] std::string optionText(const OptionField<Options>& field, const Options& options) {
     return std::visit(
@@ -170,7 +179,7 @@ template <class Options>
         field.member);
 }
 
-// Descriptions and defaults of the fields, for the method's own description.
+// Appends the descriptions and defaults of the fields to the method's description.
 template <class Options>
 void describeOptions(MethodDescription& method) {
     if constexpr (std::is_empty_v<Options>) return;

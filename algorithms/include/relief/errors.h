@@ -1,5 +1,5 @@
-// Bad input is one exception type that names the file (or the option) and the fault, shown as one line.
-// Programmer mistakes assert; expected outcomes (hit, miss, step limit) are return values.
+// Exceptions. Invalid input is reported by one exception type that names the file or option and the fault in one line.
+// Programming errors assert; expected outcomes (hit, miss, step limit) are return values.
 #pragma once
 
 #include <stdexcept>
@@ -20,6 +20,7 @@ class InputError : public std::runtime_error {
 
     const std::string& subject() const { return subject_; }
     const Message& message() const { return message_; }
+    // Returns the subject and the message as one line.
     std::string text(Language language) const {
         return subject_.empty() ? sentence(message_, language) : subject_ + ": " + sentence(message_, language);
     }
@@ -29,19 +30,19 @@ class InputError : public std::runtime_error {
     Message message_;
 };
 
-// More memory is needed than there is to take: refused before the work begins, exit status 2.
+// More memory is needed than is available. Thrown before the work begins; exit status 2.
 class MemoryError : public InputError {
   public:
     using InputError::InputError;
 };
 
-// The work itself failed (disk full, cancelled by the system): exit status 1, where InputError is 2.
+// The work itself failed (disk full, cancelled by the system): exit status 1, whereas InputError is 2.
 class WorkError : public InputError {
   public:
     using InputError::InputError;
 };
 
-// Thrown by long work whose stop token was triggered; its result is never published.
+// Thrown by long work whose stop token was triggered; its partial result is discarded.
 class Cancelled : public std::exception {
   public:
     const char* what() const noexcept override { return "cancelled"; }

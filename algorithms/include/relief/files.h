@@ -1,9 +1,11 @@
 // Reading and writing pictures through OpenImageIO. Paths are UTF-8.
-// Read: PNG, JPEG, TIFF, OpenEXR, Radiance HDR, BMP, GIF, WebP, JPEG 2000, PNM and PFM, PSD, FITS, by what is in the
-// file; TGA, RLA and HEIF by the name. The first picture of a file with several. Colour profiles and EXIF are ignored.
-// Every fault is an InputError with one line: missing, directory, empty, truncated, not an image, zero size, more
-// pixels than the cap (before anything is allocated), a channel that is not there, a height that is NaN or infinite
-// (with the first such pixel), an output that cannot be written (WorkError). Outputs are written beside and renamed.
+// Readable formats, recognised by the file's content: PNG, JPEG, TIFF, OpenEXR, Radiance HDR, BMP, GIF, WebP, JPEG
+// 2000, PNM and PFM, PSD, FITS; by the file name: TGA, RLA and HEIF. Of a file with several pictures the first is read.
+// Colour profiles and EXIF data are ignored.
+// Every fault is an InputError with a one-line message: missing file, directory, empty, truncated, not an image, zero
+// size, more pixels than the limit (detected before allocation), missing channel, a height that is NaN or infinite
+// (with the first such pixel). An output that cannot be written is a WorkError. Outputs are written to a temporary file
+// in the same folder and renamed.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +21,7 @@ namespace relief {
 
 inline constexpr std::int64_t kDefaultMaxPixels = std::int64_t{1} << 28;
 
-// What a picture file says about itself, without its pixels.
+// The properties of a picture file that can be read without its pixels.
 struct ImageInfo {
     std::string path;
     std::string format;  // "png", "jpeg", "openexr", ...
@@ -27,15 +29,15 @@ struct ImageInfo {
     int height = 0;
     std::vector<std::string> channels;  // "R", "G", "B", "A", "Y", ...
     std::string type;                   // "uint8", "uint16", "half", "float", ...
-    std::string colorSpace;             // as the file says, may be empty
+    std::string colorSpace;             // as stated by the file; may be empty
 };
 
+// Reads the properties of a picture file. maxPixels: limit on width x height. Throws InputError.
 ImageInfo readImageInfo(const std::string& path, std::int64_t maxPixels = kDefaultMaxPixels);
 
-// How numbers of a height file become heights in [0, 1].
-// Auto: integers by their full range; floats in [0, 1] as they are, others stretched to [0, 1], with a message.
-// Full: integers by their full range; floats as they are: outside [0, 1] is an error. Bounds: [low, high] to [0, 1],
-// clamped.
+// How the numbers of a height file are converted to heights in [0, 1]. Auto: integers by their full range; floats in
+// [0, 1] are kept, others are stretched to [0, 1], with a note. Full: integers by their full range; floats are kept,
+// and values outside [0, 1] are an error. Bounds: [low, high] is mapped to [0, 1], other values are clamped.
 struct HeightRange {
     enum class Kind : std::uint8_t { Auto, Full, Bounds };
     Kind kind = Kind::Auto;
@@ -44,86 +46,94 @@ struct HeightRange {
     bool operator==(const HeightRange&) const = default;
 };
 
-// "auto", "full" or "LO,HI"; throws InputError naming "--range".
+// Parses "auto", "full" or "LO,HI". Throws InputError naming "--range".
 HeightRange parseHeightRange(const std::string& text);
+// Returns the text that parseHeightRange() parses.
 std::string heightRangeText(const HeightRange& range);
 
 struct HeightReadOptions {
-    std::string channel;  // number from 0, or name (R, G, B, A, Y, ...); empty: Y if grey, else the first
-    bool invert = false;  // 1 - h after scaling
+    std::string channel;  // number from 0, or name (R, G, B, A, Y, ...); empty: Y if there is one, otherwise the first
+    bool invert = false;  // 1 - h, after scaling
     HeightRange range;
     std::int64_t maxPixels = kDefaultMaxPixels;
     bool operator==(const HeightReadOptions&) const = default;
 };
 
-// Heights as read: values in [0, 1], never colour-converted, alpha not premultiplied, and what was done to them.
+// Heights in [0, 1] as read from a file, not colour-converted and not premultiplied by alpha, with information on the
+// conversion.
 struct HeightImage {
     FloatImage heights;
     ImageInfo info;
-    std::string channel;  // the name of the channel taken
-    double fileLow = 0;   // smallest and largest number as read, in units of the file (integers: 0 to 255, ...)
+    std::string channel;  // name of the channel that was read
+    double fileLow = 0;   // smallest and largest number in the file, in its own units (for 8-bit integers 0 to 255)
     double fileHigh = 0;
-    std::vector<Message> notes;  // "floats outside [0, 1] were stretched from ...": shown to the user once
+    std::vector<Message> notes;  // "floats outside [0, 1] were stretched from ...", to be shown to the user once
 };
 
+// Reads a channel of a picture as heights. Throws InputError, MemoryError, Cancelled.
 HeightImage readHeight(const std::string& path, const HeightReadOptions& options, Work& work);
 
-// sRGB pictures made linear; float pictures (EXR, HDR) taken as linear; grey spread over three channels; alpha ignored
-// (colours not premultiplied).
+// Reads a colour picture as linear light: integer formats are converted from sRGB, float formats (EXR, HDR) are taken
+// as linear, and grey is copied to three channels. Alpha is ignored (colours are not premultiplied). Throws InputError,
+// MemoryError, Cancelled.
 ColorImage readColor(const std::string& path, Work& work, std::int64_t maxPixels = kDefaultMaxPixels);
-// Normals as they stand (OpenGL convention: x right, y up, z out), n = 2 c - 1, normalised; a zero vector becomes
-// (0, 0, 1). Never colour-converted.
+// Reads unit normals (OpenGL convention: x right, y up, z outwards) as n = 2 c - 1, normalised; a zero vector becomes
+// (0, 0, 1). Values are not colour-converted. Throws InputError, MemoryError, Cancelled.
 Image<glm::vec3> readNormals(const std::string& path, Work& work, std::int64_t maxPixels = kDefaultMaxPixels);
 
-// sRGB transfer curve, both ways (IEC 61966-2-1), values unclamped.
+// The sRGB transfer function in both directions (IEC 61966-2-1); values are not clamped.
 float linearFromSrgb(float encoded);
 float srgbFromLinear(float linear);
 
-// Rows [begin, end) of a picture that become a file of their own, and the text by which such files find together again
-// (picture_bands.h): printable ASCII, empty where it is not needed. The file is a PNG, TIFF or EXR.
+// The rows [begin, end) of a picture that are written to a file of their own (PNG, TIFF or EXR). text: printable ASCII,
+// stored in the file, by which the bands of a picture are joined (picture_bands.h); empty if not needed.
 struct PictureBand {
     int begin = 0, end = 0;
     std::string text;
 };
 
-// The name decides the format. 8-bit formats and PNG: sRGB 8 bit, clamped, NaN as 0; EXR and HDR: linear. band: only
-// these rows; null: all.
+// Writes a picture of linear colours; the extension determines the format. 8-bit formats and PNG: sRGB with 8 bits,
+// clamped, NaN as 0; EXR and HDR: linear floats. band: only these rows; null: all. Throws InputError for unknown
+// formats, WorkError.
 void writeColor(const std::string& path, const ColorImage& image, const PictureBand* band = nullptr);
-// Heights: PNG and TIFF 16 bit by full range; EXR and .tif with asFloat: 32-bit float as they are.
+// Writes heights. PNG and TIFF: 16 bits by the full range; EXR, and TIFF with asFloat: 32-bit floats, unchanged. Throws
+// InputError for unknown formats, WorkError.
 void writeHeight(const std::string& path, const FloatImage& heights, bool asFloat = false);
 
-// One named plane of a multi-channel picture ("depth.Z", "color.R", ...), float.
+// One named float plane of a multi-channel picture ("depth.Z", "color.R", ...).
 struct NamedPlane {
     std::string name;
     FloatImage plane;
 };
-// 32-bit float OpenEXR, planes in the given order; all of one size. band: only these rows; null: all.
+// Writes 32-bit float OpenEXR with the planes in the given order, at least one and all of one size. band: only
+// these rows; null: all. Throws InputError if the extension is not .exr, WorkError.
 void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band = nullptr);
 
-// An output that is written beside and renamed when complete: a reader sees the old file or the whole new one, never
-// a part. Without commit() the partial file is removed. "-" is not handled here.
+// An output file that is written under a temporary name in the same folder and renamed when complete, so that readers
+// see either the old file or the whole new one. Without commit() the temporary file is removed. "-" is not handled
+// here.
 class AtomicFile {
   public:
-    // Keeps the extension (OpenImageIO chooses the format by it).
+    // Keeps the extension, from which OpenImageIO derives the format.
     explicit AtomicFile(std::string path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     const std::string& temporaryPath() const { return temporary_; }
-    // Flushes to disk and renames; throws WorkError.
+    // Flushes the file to disk and renames it. Throws WorkError.
     void commit();
 
   private:
-    std::string path_;    // as given: errors name it
-    std::string target_;  // behind links
+    std::string path_;    // as given, for messages
+    std::string target_;  // with symbolic links resolved
     std::string temporary_;
     bool committed_ = false;
 };
 
-// Writes text atomically; throws WorkError (full disk, no permission, ...).
+// Writes a text file by AtomicFile. Throws WorkError (full disk, no permission, ...).
 void writeTextFile(const std::string& path, const std::string& text);
-// Whole file as bytes; throws InputError (missing, directory, unreadable).
+// Returns the whole file as bytes. Throws InputError (missing, directory, unreadable).
 std::string readTextFile(const std::string& path);
 
 }  // namespace relief

@@ -1,5 +1,5 @@
-// A reference to something callable, to be passed to a function that is not a template. Two pointers; owns nothing, so
-// that the callable must live until the call that it is passed to returns.
+// A reference to a callable object, to be passed to functions that are not templates. It consists of two pointers and
+// owns nothing; the callable must live until the call to which it is passed returns.
 #pragma once
 
 #include <concepts>

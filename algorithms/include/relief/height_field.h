@@ -1,4 +1,5 @@
-// A height map with a meaning: how it is read between texels, what lies outside, how thick the slab is.
+// A height map with its interpretation: interpolation between texels, addressing outside the picture, and thickness of
+// the slab.
 #pragma once
 
 #include <cassert>
@@ -10,12 +11,14 @@
 
 namespace relief {
 
-// Bilinear: C0, over texel centres. Columns: each texel a box with vertical walls (what the papers draw).
+// The interpolated surface. Bilinear: continuous, interpolates between texel centres. Columns: each texel is a box with
+// vertical walls (as drawn in the papers).
 enum class Surface : std::uint8_t { Bilinear, Columns };
 
-// An immutable value: copies share the heights. Heights in [0, 1]; at least 1 x 1.
+// An immutable value whose copies share the heights. Heights are in [0, 1]; the map is at least 1 x 1.
 class HeightField {
   public:
+    // heights: not null and not empty. reliefDepth: thickness of the slab in texture widths.
     HeightField(std::shared_ptr<const FloatImage> heights, Surface surface = Surface::Bilinear,
                 Address address = Address::Repeat, double reliefDepth = 0.1)
         : heights_(std::move(heights)), surface_(surface), address_(address), reliefDepth_(reliefDepth) {
@@ -28,18 +31,20 @@ class HeightField {
     int height() const { return heights_->height(); }
     Surface surface() const { return surface_; }
     Address address() const { return address_; }
-    // Thickness of the slab in units of the texture's width; `slabTexels` in texels.
+    // Returns the thickness of the slab in units of the texture's width; slabTexels() returns it in texels.
     double reliefDepth() const { return reliefDepth_; }
     double slabTexels() const { return reliefDepth_ * width(); }
 
-    // Height of texel (i, j), any integers, addressed.
+    // Returns the height of texel (i, j), any integers, with the field's addressing.
     float texel(std::int64_t i, std::int64_t j) const {
         return (*heights_)(addressIndex(i, width(), address_), addressIndex(j, height(), address_));
     }
-    // Height of the surface at (s, t), texels; under border, outside values are those of the rim.
+    // Returns the height of the surface at (s, t), texels. Under border addressing, points outside the picture have the
+    // heights of its edge.
     double at(double s, double t) const;
-    // Slope (dh/ds, dh/dt) of the surface at (s, t), per texel: of the patch that holds the point (bilinear), or by
-    // central differences of the texels beside (columns, whose tops are flat but should not be lit flat).
+    // Returns the slope (dh/ds, dh/dt) of the surface at (s, t), heights per texel: for bilinear, that of the patch
+    // that contains the point; for columns, central differences of the neighbouring texels, so that their flat tops are
+    // not shaded as flat.
     std::pair<double, double> slope(double s, double t) const;
 
   private:

@@ -1,4 +1,4 @@
-// An owning two-dimensional picture: rows top-down, pixels of a row next to each other.
+// A two-dimensional picture that owns its pixels: rows top-down, the pixels of a row contiguous.
 #pragma once
 
 #include <cassert>
@@ -14,8 +14,8 @@
 
 namespace relief {
 
-// width, height >= 0; a pixel (x, y) has x to the right, y downwards. Throws MemoryError where there is no room for a
-// large picture.
+// width, height >= 0; pixel (x, y) has x to the right and y downwards. The constructor throws MemoryError if there is
+// not enough memory for a large picture.
 template <class T>
 class Image {
   public:
@@ -63,7 +63,7 @@ class Image {
     std::vector<T> pixels_;
 };
 
-// Linear light, Rec. 709 primaries; not clamped.
+// Linear light with Rec. 709 primaries; not clamped.
 using Color = glm::vec3;
 using ColorImage = Image<Color>;
 using FloatImage = Image<float>;

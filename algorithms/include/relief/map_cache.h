@@ -1,6 +1,6 @@
-// Maps that methods precompute: built when first needed, once, however many ask at the same time; kept within a memory
-// budget, the longest unused going first. Keyed by what they depend on, so that changing the relief's depth keeps the
-// max pyramids.
+// A cache of the maps that methods precompute. A map is built when it is first needed, and only once even if several
+// threads need it at the same time. The cache keeps within a memory budget by evicting the least recently used maps.
+// The key contains exactly what a map depends on, so that changing the depth of a relief keeps its max pyramids.
 #pragma once
 
 #include <any>
@@ -17,7 +17,7 @@
 
 namespace relief {
 
-// kind: "max-pyramid/bilinear/repeat", ...; heights: identity of the height map (kept alive by the entry).
+// kind: "max-pyramid/bilinear/repeat", ...; heights: identifies the height map, which the cache entry keeps alive.
 struct MapKey {
     std::string kind;
     std::shared_ptr<const FloatImage> heights;
@@ -27,14 +27,15 @@ struct MapKey {
     }
 };
 
+// Thread safe.
 class MapCache {
   public:
     explicit MapCache(std::size_t budgetBytes = std::size_t{4} << 30) : budget_(budgetBytes) {}
 
-    // The map of this key; built by `build` if there is none. Whoever comes while it is being built waits for it; if
-    // the builder is cancelled, one of those who wait builds it instead. T has bytes().
-    // need: bytes that building takes at most, the map among them. Throws MemoryError where they are not free.
-    // Counts CountMapBuilds, CountMapBytes and CountMapSeconds in the work's counters.
+    // Returns the map of this key, calling `build` if there is none. If another thread is building it, waits for the
+    // result; if that thread's work is cancelled, one of the waiting threads builds the map instead. T must have
+    // bytes(). need: peak bytes of building, including the map. Throws MemoryError if they are not available, and
+    // Cancelled. Adds to the counters CountMapBuilds, CountMapBytes and CountMapSeconds of the work.
     template <class T>
     std::shared_ptr<const T> get(const MapKey& key, std::uint64_t need, Work& work,
                                  const std::function<T(Work&)>& build) {
@@ -45,15 +46,17 @@ class MapCache {
         return std::static_pointer_cast<const T>(map);
     }
 
-    // A map made elsewhere, such as one read from a file: the next get() finds it.
+    // Adds a map made elsewhere, such as one read from a file, which the next get() returns.
     template <class T>
     void put(const MapKey& key, std::shared_ptr<const T> map) {
         const std::size_t size = map->bytes();
         keep(key, {std::move(map), size});
     }
 
+    // Returns the bytes of all maps in the cache.
     std::size_t bytes() const;
     std::size_t budget() const { return budget_; }
+    // Removes all maps from the cache; maps in use remain valid.
     void clear();
 
   private:
@@ -62,7 +65,7 @@ class MapCache {
         std::size_t bytes = 0;
     };
     struct Entry {
-        std::shared_ptr<const void> map;  // null while it is being built
+        std::shared_ptr<const void> map;  // null while the map is being built
         std::size_t bytes = 0;
         std::uint64_t lastUse = 0;
         double buildSeconds = 0;

@@ -1,5 +1,5 @@
-// How much memory a process may still take, and the refusal of work that needs more: before anything is allocated, for
-// Linux hands out memory that it does not have and later kills the process, or another one, that touches it.
+// Determines how much memory the process may still take, and refuses work that needs more before anything is allocated:
+// Linux grants more memory than it has, and later kills this or another process when the memory is used.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace relief {
 
-// A number of bytes that no machine has: no limit, or a sum or product that does not fit.
+// Stands for "no limit", and for sums and products that overflow.
 inline constexpr std::uint64_t kEndlessBytes = std::numeric_limits<std::uint64_t>::max();
 
-// Requests below this many bytes are never checked: reading the limits takes some 50 microseconds.
+// Requests below this many bytes are never checked, because reading the limits takes about 50 microseconds.
 inline constexpr std::uint64_t kCheckedBytes = std::uint64_t{64} << 20U;
 
-// The product of the factors (width, height, bytes of a pixel, ...); kEndlessBytes where it does not fit.
+// Returns the product of the factors (width, height, bytes per pixel, ...); kEndlessBytes on overflow.
 constexpr std::uint64_t byteProduct(std::initializer_list<std::uint64_t> factors) {
     std::uint64_t product = 1;
     for (const std::uint64_t factor : factors) {
@@ -25,26 +25,28 @@ constexpr std::uint64_t byteProduct(std::initializer_list<std::uint64_t> factors
     return product;
 }
 
+// Returns the sum of the terms; kEndlessBytes on overflow.
 constexpr std::uint64_t byteSum(std::initializer_list<std::uint64_t> terms) {
     std::uint64_t sum = 0;
     for (const std::uint64_t term : terms) sum = term > kEndlessBytes - sum ? kEndlessBytes : sum + term;
     return sum;
 }
 
-// The bytes that this process can take without disturbing others: the least of
-// - MemAvailable of /proc/meminfo (what is free, and file cache that can be dropped),
-// - for each memory control group that the process is in and each above it (versions 1 and 2): limit minus use, of
-//   which file cache that is not in active use does not count,
-// - the limits on address space (ulimit -v) and on data (ulimit -d) minus what the process has of each.
-// kEndlessBytes where nothing is known, as on systems without /proc. root: the folder that holds proc/ and sys/, other
-// than "/" in tests. Thread safe; reads some ten small files.
+// Returns the bytes that this process can allocate without harming others, the minimum of
+// - MemAvailable of /proc/meminfo: free memory, and file cache that can be dropped;
+// - for each memory control group of the process, and each group above it (versions 1 and 2): limit minus use, where
+//   file cache that is not in active use does not count as used;
+// - the limits on address space (ulimit -v) and on data (ulimit -d), minus the process's own use of each.
+// Returns kEndlessBytes if none of these is known, as on systems without /proc. root: the folder that contains proc/
+// and sys/, which only tests set to another one than "/". Thread safe; reads about ten small files.
 std::uint64_t availableMemory(const std::string& root = "/");
 
-// What somebody could do about a refusal.
+// What the user can do about a refusal.
 enum class MemoryHint : std::uint8_t { None, SmallerSize, SmallerPicture, SmallerMap };
 
-// Throws MemoryError, one line of what `subject` (an option, a file, a map) needs and what is free, if `bytes` on top
-// of what the process has are more than availableMemory(). Requests below kCheckedBytes pass. Thread safe.
+// Throws MemoryError if `bytes` more than the process has now exceed availableMemory(). The message states in one line
+// what `subject` (an option, a file, a map) needs and what is available. Requests below kCheckedBytes always pass.
+// Thread safe.
 void requireMemory(std::uint64_t bytes, const std::string& subject, MemoryHint hint = MemoryHint::None);
 
 }  // namespace relief

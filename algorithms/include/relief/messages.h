@@ -1,6 +1,6 @@
-// Sentences without a screen: an id and the values in it, put into words late, in the language of the listener.
-// The sentences themselves stand in messages.def, English beside Ukrainian; numbers are formatted without the locale,
-// so that "0.5" stays "0.5" wherever the program runs.
+// Messages independent of the language: an identifier with values, which is formatted as a sentence only when it is
+// shown, in the user's language. The sentences are in messages.def, in English and Ukrainian. Numbers are formatted
+// independently of the locale, so that "0.5" is always "0.5".
 #pragma once
 
 #include <concepts>
@@ -22,14 +22,14 @@ enum class MessageId : std::uint16_t {
     Count
 };
 
-// Shortest text that reads back as the same number (std::to_chars); "nan", "inf" as they are.
+// Returns the shortest text that reads back as the same number (std::to_chars); "nan" and "inf" for such values.
 std::string numberText(double value);
-// The same rounded to `digits` significant digits, for sentences that people read.
+// Returns the number rounded to `digits` significant digits, for sentences.
 std::string numberText(double value, int digits);
 
 struct Message;
 
-// A value inside a message: a text, or a message of its own, which is said in the listener's language as well.
+// A value in a message: a text, or another message, which is formatted in the same language.
 struct MessageValue {
     std::string name;
     std::string text;
@@ -43,6 +43,7 @@ struct MessageValue {
     template <std::floating_point T>
     MessageValue(std::string valueName, T value)
         : name(std::move(valueName)), text(numberText(static_cast<double>(value))) {}
+    // A message, or a word from the table, as the value.
     MessageValue(std::string valueName, Message message);
     MessageValue(std::string valueName, MessageId word);
 };
@@ -56,21 +57,22 @@ struct Message {
         : id(messageId), values(std::move(messageValues)) {}
 };
 
-// Of `known`, the name that `name` is most likely a slip of the finger for; empty where none is near.
+// Returns the name in `known` of which `name` is most likely a misspelling; empty if none is similar.
 std::string nearestName(std::string_view name, const std::vector<std::string>& known);
-// "There is no WHAT called NAME", with the nearest of the known names ("a, b, c"), if one is near, and all of them.
+// Returns the message "There is no WHAT called NAME" with all known names (given as "a, b, c") and the most similar
+// one, if there is one.
 Message unknownName(MessageValue what, const std::string& name, const std::string& known);
 
-// "1 to 8".
+// Returns the message "LOW to HIGH", such as "1 to 8".
 template <class T>
 Message rangeOf(T low, T high) {
     return Message(MessageId::RangeOf, {{"low", low}, {"high", high}});
 }
 
-// The message in words. A {name} without a value stays as it is (tests look for that).
+// Returns the formatted message. A {name} without a value remains unchanged, which tests detect.
 std::string sentence(const Message& message, Language language = Language::English);
 
-// The raw template, for tests of the table.
+// Returns the unformatted template, for tests of the table.
 std::string_view messageTemplate(MessageId id, Language language);
 
 }  // namespace relief

@@ -1,7 +1,7 @@
-// View rays in the relief slab, alone and in blocks, and what becomes of them.
+// View rays in the relief slab and their hits, as single values and in blocks.
 //
-// Frame: texel coordinates (s, t), texel (i, j) centred at (i + 1/2, j + 1/2); height z in [0, 1], z = 1 the top
-// plane. A ray is parametrised by descent lambda = 1 - z: s = s0 + lambda a, t = t0 + lambda b.
+// Frame: texel coordinates (s, t), where texel (i, j) has its centre at (i + 1/2, j + 1/2); height z in [0, 1], where z
+// = 1 is the top plane. A ray is parametrised by its descent lambda = 1 - z: s = s0 + lambda a, t = t0 + lambda b.
 #pragma once
 
 #include <cmath>
@@ -12,12 +12,13 @@
 
 namespace relief {
 
-// Horizontal run, hypot(a, b) in texels, up to which tracers are exact; flatter rays keep the step bound and may answer
-// Limit.
+// Largest horizontal run, hypot(a, b) in texels, for which tracers are exact. Rays with a longer run keep the step
+// bound but may answer Limit.
 inline constexpr double kMaxRun = 1048576.0;
 
-// A ray that descends: enters the top plane at (s0, t0), runs (a, b) texels a unit of descent; vertical: a = b = 0.
-// Valid only for maps made for view rays from above or for any ray. All four finite.
+// A descending ray: enters the top plane at (s0, t0) and runs (a, b) texels from the top to the bottom of the slab;
+// vertical: a = b = 0. All four numbers must be finite. Only maps made for view rays from above, or for any rays, may
+// be used with it.
 struct ViewRay {
     double s0 = 0;
     double t0 = 0;
@@ -28,16 +29,17 @@ struct ViewRay {
     bool operator==(const ViewRay&) const = default;
 };
 
-// A stretch of a ray that an outer method has left to an inner one: begins at, and tests, `in`.
+// The lambda interval of a ray that an outer method passes to an inner one. It is closed at `in`: a hit at `in` counts.
 struct Segment {
     double in = 0;
     double out = 1;
 };
 
-// Unset: this ray was never asked for (pixel without polygon).
+// Unset: the ray was never traced (a pixel without polygon). Limit: a step limit was reached.
 enum class Outcome : std::uint8_t { Unset, Hit, Miss, Limit };
 
-// lambda in [0, 1]; s, t unwrapped. Miss and Limit leave lambda, s, t NaN.
+// The result of tracing a ray. lambda in [0, 1]; s, t: the ray's coordinates there, texels, not wrapped. For Miss and
+// Limit, lambda, s and t are NaN.
 struct Hit {
     Outcome outcome = Outcome::Miss;
     double lambda = std::numeric_limits<double>::quiet_NaN();
@@ -54,11 +56,11 @@ struct Hit {
     }
 };
 
-// Rays as a structure of arrays, all of one length.
+// Rays as a structure of arrays of equal length.
 struct RayBlock {
     std::vector<double> s0, t0, a, b;
 
-    static constexpr std::size_t kBytes = 4 * sizeof(double);  // of a ray
+    static constexpr std::size_t kBytes = 4 * sizeof(double);  // per ray
 
     RayBlock() = default;
     explicit RayBlock(std::size_t count) { resize(count); }
@@ -79,13 +81,14 @@ struct RayBlock {
     }
 };
 
-// Hits as a structure of arrays, in the order of the rays. steps: decision records; reads: stored values fetched.
+// Hits as a structure of arrays, in the order of the rays. steps: number of decision records; reads: number of stored
+// values fetched.
 struct HitBlock {
     std::vector<Outcome> outcome;
     std::vector<double> lambda, s, t;
     std::vector<std::uint32_t> steps, reads;
 
-    static constexpr std::size_t kBytes = sizeof(Outcome) + 3 * sizeof(double) + 2 * sizeof(std::uint32_t);  // of a hit
+    static constexpr std::size_t kBytes = sizeof(Outcome) + 3 * sizeof(double) + 2 * sizeof(std::uint32_t);  // per hit
 
     HitBlock() = default;
     explicit HitBlock(std::size_t count) { resize(count); }
@@ -105,7 +108,7 @@ struct HitBlock {
     }
 };
 
-// Answers that lie closer are one answer, texels: what texture coordinates may be wrong by without being seen.
+// Answers closer than this, texels, count as equal: an error of texture coordinates that is not visible.
 inline constexpr double kSameAnswer = 1.0 / 256;
 
 }  // namespace relief

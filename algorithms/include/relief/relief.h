@@ -1,5 +1,5 @@
-// The library, for programs of others: a height map read or made, the ray of a pixel, the tracers, what they hit and
-// every step on the way. What these headers declare is what is installed; all else may change.
+// The library's public interface: reading and making height maps, the ray of a pixel, tracers, their hits, and the
+// record of every step. Only what these headers declare is installed; everything else may change.
 #pragma once
 
 #include "relief/addressing.h"

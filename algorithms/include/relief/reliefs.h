@@ -1,4 +1,4 @@
-// Procedural reliefs: seeded, the same bits on every machine. The recipes stand in reliefs.cpp.
+// Procedural reliefs: seeded, with the same bits on every machine. The recipes are in reliefs.cpp.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ namespace relief {
 struct ReliefRecipe {
     std::string_view name;
     std::string_view help;  // one line
-    int defaultSize;        // square
-    bool anySize;           // paper8x8 is 8 x 8 only
+    int defaultSize;        // default width and height
+    bool anySize;           // false: only the default size (paper8x8)
 };
 
-// bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8, paper-walls
+// Returns the recipes: bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8, paper-walls.
 const std::vector<ReliefRecipe>& reliefRecipes();
 
-// Heights in [0, 1]; tile seamlessly where the recipe allows. work: where rows are reported and when to stop; null: no
-// report. Throws InputError for an unknown name or a size that the recipe does not take, Cancelled where the work is
-// stopped.
+// Makes a relief with heights in [0, 1], which tiles seamlessly if the recipe allows it. work: receives progress by
+// rows and may stop the call; null: neither. Throws InputError for an unknown name or a size that the recipe does not
+// support, and Cancelled.
 FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed, Work* work = nullptr);
 
 }  // namespace relief

@@ -1,5 +1,5 @@
-// What a tracer did, step by step.
-// Tracers take a sink as a template parameter; the null sink costs nothing: its records are never even made.
+// The record of what a tracer did, step by step. Tracers take a sink as a template parameter; with the null sink
+// records cost nothing, because they are never made.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace relief {
 
-// The closed set that sentences and drawings are keyed on: a new tracer adds none.
+// The decisions of all tracers: a closed set, so that sentences and drawings cover new tracers without additions.
 enum class Decision : std::uint8_t { Start, Skip, Descend, Ascend, Advance, Test, Refine, Hit, Miss, Limit };
 inline constexpr std::array<std::string_view, 10> kDecisionNames{"start", "skip",   "descend", "ascend", "advance",
                                                                  "test",  "refine", "hit",     "miss",   "limit"};
@@ -25,18 +25,20 @@ constexpr std::string_view phaseName(Phase phase) {
     return kPhaseNames[static_cast<std::size_t>(phase)];
 }
 
-// What a step looked at: a closed set, filled by the tracer. Sentences, drawings and files are keyed on it and never
-// ask which method or map it was, so a new tracer adds none. (s, t): texels, in the period in which the ray meets the
-// place; z in [0, 1]; distances: texels of the metric (x, y, D z), D the relief's depth in texels.
+// The subject of a step is what it examined: a closed set of types, filled in by the tracer. Sentences, drawings and
+// files depend only on the subject and not on the method or map, so that new tracers need no additions. (s, t): texels,
+// in the period in which the ray meets the subject; z in [0, 1]; distances: texels of the metric (x, y, D z), where D
+// is the depth of the relief in texels.
 namespace subject {
-// Coordinates of the ray on a level of a pyramid, in texels of that level, counted from its first.
+// Coordinates of the ray on a pyramid level, in texels of that level, counted from its first texel.
 struct LevelPoint {
     double x = 0;
     double y = 0;
     bool operator==(const LevelPoint&) const = default;
 };
-// A texel of a level of the max pyramid, or a cell of the surface (level 0), and the largest height in it.
-// ray: where the ray is at the step's beginning, [MIP18]'s V(i), where the next level down is walked: V(i+1) = 2 V(i).
+// A texel of a level of the max pyramid, or a cell of the surface (level 0), with the largest height in it. ray:
+// position of the ray at the beginning of the step, if the next finer level is traversed next: V(i) of [MIP18], with
+// V(i+1) = 2 V(i).
 struct Texel {
     int level = 0;
     std::int64_t i = 0;
@@ -45,7 +47,7 @@ struct Texel {
     std::optional<LevelPoint> ray{};
     bool operator==(const Texel&) const = default;
 };
-// A quad of a displacement mesh, [s, s + width] x [t, t + height], and the height of its highest vertex.
+// A quad of a displacement mesh, [s, s + width] x [t, t + height], with the height of its highest vertex.
 struct Quad {
     double s = 0;
     double t = 0;
@@ -54,8 +56,9 @@ struct Quad {
     double maximum = 0;
     bool operator==(const Quad&) const = default;
 };
-// A voxel of a distance map: `footprint` cells a side, one of `layers` in height. From all of its points the surface is
-// said to be at least `distance` away; negative: the surface may pass through it, and its cells are tested.
+// A voxel of a distance map: `footprint` cells along each side, one of `layers` in height. The map claims that the
+// surface is at least `distance` away from all of its points; negative: the surface may pass through the voxel, and its
+// cells are tested.
 struct Voxel {
     std::int64_t i = 0;
     std::int64_t j = 0;
@@ -65,7 +68,7 @@ struct Voxel {
     double distance = 0;
     bool operator==(const Voxel&) const = default;
 };
-// A distance looked up at a point of the ray: a sphere that is said to be empty.
+// A distance looked up at a point of the ray: a sphere that the map claims to be empty.
 struct Sphere {
     double s = 0;
     double t = 0;
@@ -73,10 +76,10 @@ struct Sphere {
     double radius = 0;
     bool operator==(const Sphere&) const = default;
 };
-// A cone that stands on (s, t, apex) and is said to be empty within its azimuth sector, one of `sectors`.
-// slope: heights per texel; 0 where it was not read because the ray is not above the apex. ofCell: it holds for the
-// whole cell (i, j); else it is interpolated at the point of the ray above the apex. square: distances from its axis
-// are the larger of |x| and |y|.
+// A cone with its apex at (s, t, apex) that the map claims to be empty within one azimuth sector of `sectors`. slope:
+// heights per texel; 0 if it was not read because the ray is not above the apex. ofCell: it is valid for the whole cell
+// (i, j); otherwise it is interpolated at the point of the ray above the apex. square: distances from its axis are the
+// larger of |x| and |y|.
 struct Cone {
     double s = 0;
     double t = 0;
@@ -88,14 +91,14 @@ struct Cone {
     bool square = false;
     bool operator==(const Cone&) const = default;
 };
-// The surface's height under the ray where it reaches layer n of `count` equal layers, 0 the top plane.
+// The height of the surface below the ray where it reaches layer n of `count` equal layers; layer 0 is the top plane.
 struct Layer {
     int n = 0;
     int count = 1;
     double height = 0;
     bool operator==(const Layer&) const = default;
 };
-// The surface's height under one point of the ray.
+// The height of the surface below one point of the ray.
 struct Point {
     double height = 0;
     bool operator==(const Point&) const = default;
@@ -104,7 +107,7 @@ struct Point {
 
 using Subject = std::variant<subject::Texel, subject::Quad, subject::Voxel, subject::Sphere, subject::Cone,
                              subject::Layer, subject::Point>;
-// In files: the kinds of Subject, and last cones that are square.
+// Names in files: the types of Subject in order, and at last square cones.
 inline constexpr std::array<std::string_view, 8> kSubjectNames{"texel", "quad",  "voxel", "sphere",
                                                                "cone",  "layer", "point", "square-cone"};
 static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 1);
@@ -113,12 +116,11 @@ inline std::string_view subjectName(const Subject& subject) {
     return cone != nullptr && cone->square ? kSubjectNames.back() : kSubjectNames[subject.index()];
 }
 
-// One decision. [lambdaIn, lambdaOut]: the part of the ray that it is about; the ray's heights there are 1 - lambda.
-// lambdaAfter: where the tracer went on. subject: what it looked at.
-// level, i, j, k, value are the columns of step files. (i, j): texel of that level, or cell of the surface (level 0;
-// those of clamp and border count from -1), or voxel with k its layer; of a test or hit the cell that was tested; of
-// points, layers and spheres the texel under the ray. value: the stored value that decided (height, maximum, distance,
-// slope).
+// One decision. [lambdaIn, lambdaOut]: the interval of the ray that it covers; the ray's heights there are 1 - lambda.
+// lambdaAfter: where the tracer continued. subject: what was examined. level, i, j, k, value: the columns of step
+// files. (i, j): a texel of that level; or a cell of the surface (level 0; under clamp and border, cells are numbered
+// from -1); or a voxel with its layer k. For a test or hit it is the tested cell; for points, layers and spheres the
+// texel below the ray. value: the stored value that determined the decision (height, maximum, distance, slope).
 struct Step {
     Phase phase = Phase::Search;
     Decision decision = Decision::Test;
@@ -130,7 +132,7 @@ struct Step {
     double lambdaOut = 0;
     double value = 0;
     double lambdaAfter = 0;
-    std::int64_t periodX = 0;  // under repeat: by how many whole textures the texel is moved
+    std::int64_t periodX = 0;  // under repeat: offset of the texel, in whole textures
     std::int64_t periodY = 0;
     Subject subject;
 
@@ -138,15 +140,15 @@ struct Step {
     const T* as() const {
         return std::get_if<T>(&subject);
     }
-    // It looked at a single point of the ray.
+    // Returns true if the step examined a single point of the ray.
     bool atPoint() const {
         const auto* const cone = as<subject::Cone>();
         return as<subject::Point>() || as<subject::Layer>() || as<subject::Sphere>() || (cone && !cone->ofCell);
     }
-    // (i, j) is the texel under the ray, not a texel of a pyramid, cell or voxel.
+    // Returns true if (i, j) is the texel below the ray and not a texel of a pyramid, a cell or a voxel.
     bool namesTexelUnderRay() const { return atPoint() || as<subject::Quad>() != nullptr; }
     bool tests() const { return decision == Decision::Test || decision == Decision::Hit; }
-    // Whether it went on because a map of distances or cones says that nothing is there.
+    // Returns true if the ray advanced because a distance or cone map claims that the space is empty.
     bool trustsMap() const {
         const bool map = as<subject::Voxel>() || as<subject::Sphere>() || as<subject::Cone>();
         return map && decision == Decision::Advance;
@@ -156,7 +158,8 @@ struct Step {
     bool operator==(const Step&) const = default;
 };
 
-// A sink: step(make) is given a function that makes the record, so that sinks which do not look never make one.
+// Records nothing. Sinks receive step(make), where make() makes the record, so that sinks that do not need records
+// never make them.
 struct NullSink {
     template <class Make>
     void step(const Make&) {}
@@ -165,7 +168,7 @@ struct NullSink {
     bool operator==(const NullSink&) const = default;
 };
 
-// Counts decision records and stored values fetched.
+// Counts decision records and fetched values.
 struct CountSink {
     std::uint32_t steps = 0;
     std::uint32_t reads = 0;
@@ -179,7 +182,7 @@ struct CountSink {
     void startIsHighest() { highest = true; }
 };
 
-// Keeps everything, for the teaching views and step files.
+// Keeps all records, for the teaching views and step files.
 struct LogSink {
     std::vector<Step> steps;
     std::uint32_t reads = 0;

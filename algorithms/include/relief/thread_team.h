@@ -1,8 +1,9 @@
-// The threads that parallel loops run on. Everything else uses it through base/parallel.h.
+// The threads that run parallel loops. All other code uses them through base/parallel.h.
 //
-// Two implementations: oneTBB (thread_team.cpp), and plain threads (plain_thread_team.cpp) where RELIEF_PLAIN_THREADS
-// is defined, as in the build for the thread sanitizer: it cannot see how an uninstrumented oneTBB synchronizes, and
-// suppressing its false reports by name would also hide the races in our own loop bodies.
+// There are two implementations: oneTBB (thread_team.cpp), and plain threads (plain_thread_team.cpp) if
+// RELIEF_PLAIN_THREADS is defined, as in builds for the thread sanitizer. The sanitizer cannot see how an
+// uninstrumented oneTBB synchronises, and suppressing its false reports by name would also hide data races in our own
+// loop bodies.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +18,23 @@ using LoopPart = FunctionRef<void(std::int64_t first, std::int64_t last)>;
 
 class ThreadTeam {
   public:
-    // threads: how many may run a loop at once, the calling thread included; 0: as many as the processor runs, which is
-    // also the most that are taken.
+    // threads: number of threads that may run a loop at once, including the calling thread; it is limited to the number
+    // of hardware threads, which is also the meaning of 0.
     explicit ThreadTeam(int threads);
     ~ThreadTeam();
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
 
+    // Returns the number of threads that may run a loop at once, at least 1.
     int size() const;
 
-    // Calls body(first, last) for parts that together are [0, count), in any order, and returns when all are done.
-    // Only parts of more than `grain` indexes are divided further. The first exception that a body throws is rethrown
-    // here; parts not begun by then are left out. May be called from several threads and from within a body: there a
-    // loop runs on this team, or (plain threads) on the calling thread alone.
+    // Calls body(first, last) for parts that together make up [0, count), in any order, and returns when all are done.
+    // Only parts of more than `grain` indexes are divided further. The first exception thrown by a body is rethrown
+    // here, and parts that have not begun by then are skipped. May be called from several threads and from within a
+    // body; a nested loop runs on this team or (plain threads) on the calling thread alone.
     void run(std::int64_t count, std::int64_t grain, LoopPart body);
 
-    // The same on the team whose loop the calling thread is running, or else on all threads of the processor.
+    // Runs the loop on the team whose loop the calling thread is running, or else on all hardware threads.
     static void runOnCurrent(std::int64_t count, std::int64_t grain, LoopPart body);
 
   private:

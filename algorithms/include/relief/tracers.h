@@ -1,4 +1,5 @@
-// All tracers behind one face: the list that command line, selector, benchmarks and laws iterate over.
+// The list of all tracers, over which command line, selectors, benchmarks and tests iterate, and a function that makes
+// them.
 #pragma once
 
 #include <memory>
@@ -10,31 +11,34 @@
 
 namespace relief {
 
-// Those that can work inside the segments of `hybrid`.
+// Returns the tracers that can be used within the segments of `hybrid`.
 std::vector<std::string> innerTracerNames();
 
-// Every tracer there is, in the order of lists.
+// Returns all tracers, in the order in which they are listed.
 const std::vector<MethodDescription>& tracerList();
-// Throws InputError(subject, ...) with the known names.
+// Returns the description of a tracer. Throws InputError(subject, ...) with the known names.
 const MethodDescription& findTracer(const std::string& name, const std::string& subject = {});
 
-// The options that a choice can have: the method's own and, as inner.NAME, those of the method inside it.
+// An option of a choice: one of the method itself or, as inner.NAME, one of the inner method.
 struct ChoiceOption {
-    OptionDescription description;  // its name with the prefix
+    OptionDescription description;  // the name includes the prefix
     std::string defaultValue;
 };
+// Returns all options that the choice can have; the inner method is that of the choice or the default.
 std::vector<ChoiceOption> choiceOptions(const MethodChoice& choice);
-// Whether the method, and the one inside it, can be made for such a field.
+// Returns true if the method, and its inner method, support such a field.
 bool supports(const MethodChoice& choice, Surface surface, Address address);
 // Throws InputError(subject, ...) for an unknown method or option, or a value out of range.
 void checkMethod(const MethodChoice& choice, const std::string& subject);
 
-// Builds the maps it needs (from the cache if they are there). Form::Simd: the SIMD version where the method has one
-// for these options; Form::Scalar: the reference alone, and none of the maps that only the SIMD version reads. Throws
-// InputError for unknown names and options.
+// Makes a tracer, and builds the maps it needs unless they are in the cache. Form::Simd: the SIMD version if the method
+// has one for these options; Form::Scalar: only the reference implementation, without maps that only the SIMD version
+// reads. The tracer shares the heights and maps; field, cache and work need not outlive it. Throws InputError for
+// unknown names and options, MemoryError, Cancelled.
 std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
                                    Form form = Form::Simd);
-// The form of what makeTracer() makes when it is free to choose. Throws InputError for unknown names and options.
+// Returns the form of the tracer that makeTracer() makes with Form::Simd. Throws InputError for unknown names and
+// options.
 Form methodForm(const MethodChoice& choice);
 
 }  // namespace relief

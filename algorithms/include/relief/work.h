@@ -1,5 +1,5 @@
-// What every call that can take long is given: where to report progress, when to stop, on which threads to run, and
-// where to count. A value of references: two workspaces with two configurations run side by side.
+// The context of calls that can take long: progress, cancellation, threads and counters. There is no global state, so
+// that two contexts with different settings can run at the same time.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@
 
 namespace relief {
 
-// Totals of what was done and what was skipped, each by its message (MessageId::CountRaysTraced). Hot loops count in
-// locals and add once a tile. Thread safe.
+// Totals of work done and skipped, by message (such as MessageId::CountRaysTraced). Hot loops count in local variables
+// and add once per tile. Thread safe.
 class Counters {
   public:
     void add(MessageId what, double amount) {
@@ -39,11 +39,11 @@ class Counters {
     std::map<MessageId, double> values_;
 };
 
-// Progress of one piece of work: `what` is said once, `done` of `total` units may be added from any thread.
-// The listener is called from the working threads, at most once per thousandth of the total.
+// Progress of one stage of work: begin() sets its name and number of units, and advance() may be called from any
+// thread. The listener is called from the working threads, at most once per thousandth of the total.
 class Progress {
   public:
-    // what: name of the running stage; fraction in [0, 1].
+    // what: name of the stage; fraction in [0, 1].
     using Listener = std::function<void(std::string_view what, double fraction)>;
 
     Progress() = default;
@@ -64,7 +64,7 @@ class Progress {
         what_ = what;
         total_ = total;
         done_ = 0;
-        told_ = -1;
+        reportedPermille_ = -1;
         if (listener_) listener_(what_, 0.0);
     }
     void add(std::int64_t amount) {
@@ -72,10 +72,10 @@ class Progress {
         if (!listener_) return;
         const std::int64_t total = total_;
         const std::int64_t permille = total > 0 ? done * 1000 / total : 1000;
-        if (permille == told_.load(std::memory_order_relaxed)) return;
+        if (permille == reportedPermille_.load(std::memory_order_relaxed)) return;
         const std::lock_guard lock(mutex_);
-        if (permille <= told_) return;
-        told_ = permille;
+        if (permille <= reportedPermille_) return;
+        reportedPermille_ = permille;
         listener_(what_, static_cast<double>(permille) / 1000.0);
     }
 
@@ -84,11 +84,11 @@ class Progress {
     Listener listener_;
     std::atomic<std::int64_t> total_{0};
     std::atomic<std::int64_t> done_{0};
-    std::atomic<std::int64_t> told_{-1};
+    std::atomic<std::int64_t> reportedPermille_{-1};
     std::atomic<bool> whole_{false};
 };
 
-// Work of several stages that is told as one piece: stages that begin while this lives are not told.
+// Reports several stages as one: stages that begin during its lifetime are not reported.
 class WholeProgress {
   public:
     WholeProgress(Progress& progress, std::string_view what, std::int64_t total)
@@ -110,10 +110,11 @@ class WholeProgress {
     bool outermost_;
 };
 
+// The context of one task. It must outlive the calls that use it. Thread safe except for setStop().
 class Work {
   public:
     Work() : Work(0) {}
-    // threads: 0 for all there are; more than that are not taken.
+    // threads: number of threads; limited to the number of hardware threads, which is also the meaning of 0.
     explicit Work(int threads, std::stop_token stop = {}, Progress::Listener listener = {})
         : stop_(std::move(stop)), progress_(std::move(listener)), threads_(threads) {}
 
@@ -121,7 +122,7 @@ class Work {
     Work& operator=(const Work&) = delete;
 
     bool stopped() const { return stop_.stop_requested(); }
-    // To be called once a tile: long work ends here when nobody wants it any more.
+    // Throws Cancelled if a stop was requested. Long work calls it once per tile.
     void throwIfStopped() const {
         if (stopped()) throw Cancelled();
     }

@@ -12,19 +12,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Shares of the time given.
+// Shares of the given time: for building all maps, for one map, for the filters.
 constexpr double kBuilding = 0.55;
 constexpr double kOneMap = 0.2;
 constexpr double kFilters = 0.2;
 constexpr int kRounds = 32;
 constexpr int kFewestRounds = 3;
-// A form measured once that is dearer than the best by this is out; counts do not scatter as times do.
+// A form whose first measurement is this many times the best cost is dropped. The factor for counts is smaller because,
+// unlike times, they do not scatter.
 constexpr double kOutAtOnce = 4;
 constexpr double kOutByCounts = 1.5;
-// A picture of a million rays: what a map's building is held against.
+// Rays of a picture of one million pixels, with whose time the building time of a map is compared.
 constexpr double kPictureRays = 1e6;
 
-// After that many rounds, what is dearer than the best by more than this is out.
+// Returns the factor above the best cost at which a form is dropped after this many rounds.
 double outAfter(int rounds) {
     return 1 + std::max(1.6 / std::sqrt(static_cast<double>(rounds)) - 0.2, 0.08);
 }
@@ -37,7 +38,8 @@ class Elimination {
     std::vector<AdviceTrial> run(std::size_t& stillClose) {
         const std::vector<MethodChoice> forms =
             options_.forms.empty() ? adviceForms(options_.field, lowest(), options_.maxSteps) : options_.forms;
-        // Each form is tried once, and those that are left in rounds; their maps and rays are stages within.
+        // Each form is one step, and so is each round of the remaining forms; building maps and tracing rays are nested
+        // stages.
         WholeProgress progress(work_.progress(), "recommend", static_cast<std::int64_t>(forms.size()) + kRounds);
         for (const MethodChoice& form : forms) {
             trials_.emplace_back();
@@ -62,7 +64,7 @@ class Elimination {
         if (!keepAll_) trial.tracer.reset();
     }
 
-    // Each form built, counted on one block and timed once.
+    // Builds each form, counts it on one block of rays and times it once.
     void screen(WholeProgress& progress) {
         AdviceMaps maps(options_, work_);
         double best = std::numeric_limits<double>::infinity();
@@ -71,7 +73,8 @@ class Elimination {
             progress.advance();
             if (!trial.tracer) continue;
             rays_.count(trial, 1, work_);
-            // Those that promise nothing on all rays at once: a bound broken later would have driven better ones out.
+            // Forms without a guarantee are tested on all rays at once: if such a form broke the error bound only
+            // later, it would already have eliminated better forms.
             if (trial.facts.guarantee == Guarantee::Approximate && rays_.keepsBound(trial.facts)) {
                 rays_.count(trial, AdviceRays::kBlocks, work_);
             }
@@ -92,7 +95,7 @@ class Elimination {
     }
 
     void setTime(AdviceTrial& trial, double seconds) const {
-        trial.facts.secondsARay = seconds;
+        trial.facts.secondsPerRay = seconds;
         if (options_.form == Form::Simd) trial.facts.cost = seconds;
     }
 
@@ -105,7 +108,7 @@ class Elimination {
     }
 
     void rounds(std::size_t& stillClose, WholeProgress& progress) {
-        std::vector<double> middles;  // of each round, over the forms in it
+        std::vector<double> middles;  // median time of each round, over the forms in it
         const double until = (1 - (options_.filters ? kFilters : 0)) * options_.seconds;
         std::vector<AdviceTrial*> in = live();
         for (int round = 0; round < kRounds && in.size() > 1; ++round) {
@@ -127,7 +130,8 @@ class Elimination {
         }
     }
 
-    // Sets the costs: medians over the rounds, each round's scale taken out; drops what is too dear; sorts.
+    // Sets the costs to the median over the rounds, each round normalised by its median time; drops forms that are too
+    // expensive; sorts the rest by cost.
     void judge(std::vector<AdviceTrial*>& in, const std::vector<double>& middles) {
         const double scale = quantile(middles, 0.5);
         for (AdviceTrial* trial : in) {
@@ -148,7 +152,7 @@ class Elimination {
         });
     }
 
-    // The dearer ones out, the others counted on all blocks.
+    // Drops forms by their counted cost.
     void byCounts() {
         double best = std::numeric_limits<double>::infinity();
         for (const AdviceTrial* trial : live()) best = std::min(best, trial->facts.cost);
@@ -157,7 +161,7 @@ class Elimination {
         }
     }
 
-    // The bound on all rays.
+    // Drops forms that break a bound on the whole set of rays.
     void verify() {
         for (AdviceTrial* trial : live()) {
             rays_.count(*trial, AdviceRays::kBlocks, work_);
@@ -177,7 +181,7 @@ class Elimination {
     std::vector<AdviceTrial> trials_;
 };
 
-// Kept ones, then slower ones, then the rest; each by cost.
+// Orders kept forms before slower ones before the rest; each group by cost.
 bool before(const AdvisedForm& a, const AdvisedForm& b) {
     const auto rank = [](const AdvisedForm& form) {
         return form.verdict == Verdict::Kept ? 0 : form.verdict == Verdict::Slow ? 1 : 2;
@@ -194,11 +198,12 @@ bool leaner(const AdvisedForm& a, const AdvisedForm& b) {
     return a.bytes != b.bytes ? a.bytes < b.bytes : a.buildSeconds < b.buildSeconds;
 }
 
-// Of the forms that take no more steps than they may the one with the fewest rays past the error bound.
+// Returns the form with the fewest rays past the error bound among those that keep the step limit; if none does, the
+// form that exceeds the limit for the fewest rays.
 std::size_t nearestToBounds(const AdviceOptions& options, const std::vector<AdvisedForm>& forms) {
     std::size_t best = 0;
     const auto worse = [&](const AdvisedForm& form) {
-        const bool measured = form.beyond >= 0;  // NaN: it was not
+        const bool measured = form.beyond >= 0;  // NaN: not measured
         const bool fits = measured && (options.maxSteps == 0 || form.overSteps <= options.outliers);
         return fits ? form.beyond : 2 + (measured ? form.overSteps : 1);
     };
@@ -208,22 +213,23 @@ std::size_t nearestToBounds(const AdviceOptions& options, const std::vector<Advi
     return best;
 }
 
-// Where the heights change after each picture, building counts.
+// For heights that change after each picture, compares forms by building time plus one picture.
 void weighBuilding(Advice& advice) {
     const AdvisedForm& best = advice.best();
-    const auto whole = [](const AdvisedForm& form) { return form.buildSeconds + kPictureRays * form.secondsARay; };
+    const auto whole = [](const AdvisedForm& form) { return form.buildSeconds + kPictureRays * form.secondsPerRay; };
     std::size_t cheapest = advice.chosen;
     for (std::size_t f = 0; f < advice.forms.size(); ++f) {
         const AdvisedForm& form = advice.forms[f];
         if (keepsBounds(form) && whole(form) < whole(advice.forms[cheapest])) cheapest = f;
     }
     const AdvisedForm& other = advice.forms[cheapest];
-    // Not for a tie: the map must pay only after several pictures.
+    // The other form is mentioned only if building dominates clearly: the chosen form's map must take several pictures
+    // to pay for itself.
     constexpr double kDominates = 2;
     if (cheapest == advice.chosen || whole(best) < kDominates * whole(other)) return;
     advice.rebuilt = cheapest;
-    advice.paysAfterRays = other.secondsARay > best.secondsARay
-                               ? (best.buildSeconds - other.buildSeconds) / (other.secondsARay - best.secondsARay)
+    advice.paysAfterRays = other.secondsPerRay > best.secondsPerRay
+                               ? (best.buildSeconds - other.buildSeconds) / (other.secondsPerRay - best.secondsPerRay)
                                : std::numeric_limits<double>::infinity();
 }
 
@@ -238,7 +244,7 @@ Advice adviceOf(const AdviceOptions& options, const std::vector<AdviceTrial>& tr
     for (const AdviceTrial& trial : trials) advice.forms.push_back(trial.facts);
     std::stable_sort(advice.forms.begin(), advice.forms.end(), before);
     std::vector<AdvisedForm>& forms = advice.forms;
-    // Of those that are as good the leanest.
+    // Among forms of equal cost within kAdviceTie, the one with the smallest map is chosen.
     for (std::size_t f = 1; f < forms.size() && forms[f].verdict == Verdict::Kept; ++f) {
         if (forms[f].cost <= (1 + kAdviceTie) * forms[0].cost && leaner(forms[f], forms[advice.chosen])) {
             advice.chosen = f;
@@ -249,7 +255,7 @@ Advice adviceOf(const AdviceOptions& options, const std::vector<AdviceTrial>& tr
         if (forms[f].method.name == "exact") advice.exact = f;
         if (!advice.withoutMap && keepsBounds(forms[f]) && forms[f].bytes == 0) advice.withoutMap = f;
     }
-    // Over a flat map every method is at the hit at once: no map is worth its building.
+    // Over a flat map every method reaches the hit at once, so that no map is worth building.
     if (advice.relief.flat && advice.withoutMap) advice.chosen = advice.cheapest = *advice.withoutMap;
     advice.keepsBounds = keepsBounds(forms[advice.chosen]);
     if (!advice.keepsBounds) advice.chosen = advice.cheapest = nearestToBounds(options, forms);

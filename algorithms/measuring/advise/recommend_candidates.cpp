@@ -1,4 +1,4 @@
-// What is tried, and what the relief is like.
+// The candidates of the advice, and statistics of the relief.
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +8,14 @@ namespace relief {
 
 namespace {
 
-// Values of an option that are worth a trial beside the default, whichever method has it.
-std::vector<std::string> worthATrial(const MethodDescription& method, const OptionDescription& option, bool buildsMaps,
-                                     double lowest, std::int64_t maxSteps) {
+// Returns the values of an option to measure in addition to its default; the same option has the same values for all
+// methods.
+std::vector<std::string> valuesToMeasure(const MethodDescription& method, const OptionDescription& option,
+                                         bool buildsMaps, double lowest, std::int64_t maxSteps) {
     const std::string& name = option.name;
     const bool promises = method.guarantee != Guarantee::Approximate;
     if (option.kind == OptionKind::Method) {
-        // Inner methods that promise something: the outer one then does, too.
+        // Only inner methods with a guarantee, which the outer method then has, too.
         std::vector<std::string> names;
         for (const std::string& inner : option.choices) {
             if (findTracer(inner).guarantee != Guarantee::Approximate) names.push_back(inner);
@@ -28,7 +29,7 @@ std::vector<std::string> worthATrial(const MethodDescription& method, const Opti
         return values;
     };
     if (name == "layers" && !buildsMaps) {
-        // Besides the layers: the start, the one at the top, and what refines the last.
+        // A ray takes more steps than layers: the start, the top layer, and the refinement of the last interval.
         const auto halvings = method.defaults.find("bisections");
         const double refining = halvings == method.defaults.end() ? 1 : parseNumber(halvings->second, name);
         return allowed({"32", "128", "256", "512"}, 3 + static_cast<std::int64_t>(refining));
@@ -38,7 +39,7 @@ std::vector<std::string> worthATrial(const MethodDescription& method, const Opti
     if (name == "sectors") return {"4", "8"};
     if (name == "footprint") return {"4"};
     if (name == "rule") return option.choices;
-    // Of the coarser numbers the unsafe methods gain nothing but memory.
+    // For methods without a guarantee a lower precision saves only memory.
     if (name == "precision" && promises) return option.choices;
     if (name == "flattest" && promises && lowest < parseNumber(method.defaults.at(name), name)) {
         return {numberText(std::clamp(std::floor(lowest * 2) / 2, option.low, option.high))};
@@ -51,14 +52,15 @@ void addForms(const MeasuredMethod& method, double lowest, std::int64_t maxSteps
     std::vector<OptionValues> all{{}};
     for (const OptionDescription& option : description.options) {
         const std::size_t before = all.size();
-        for (const std::string& value : worthATrial(description, option, method.buildsMaps, lowest, maxSteps)) {
+        for (const std::string& value : valuesToMeasure(description, option, method.buildsMaps, lowest, maxSteps)) {
             if (value == description.defaults.at(option.name)) continue;
             if (std::any_of(all.begin(), all.end(), [&](const OptionValues& known) {
                     return known.contains(option.name) && known.at(option.name) == value && known.size() == 1;
                 })) {
                 continue;
             }
-            // Each map takes its time: one option turned at a time. A rule needs no map of its own.
+            // Building takes time for each map, so only one option is varied at a time; the option `rule` needs no map
+            // of its own.
             const bool each = !method.buildsMaps || option.name == "rule";
             for (std::size_t v = 0; v < (each ? before : 1); ++v) {
                 if (method.buildsMaps && all[v].contains("precision")) continue;
@@ -76,7 +78,8 @@ std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, s
     std::vector<MethodChoice> forms;
     for (const MeasuredMethod& method : defaultMethods()) addForms(method, lowest, maxSteps, forms);
     std::erase_if(forms, [&](const MethodChoice& form) { return !supports(form, field.surface(), field.address()); });
-    // What needs the time most surely well spent first: no maps, then maps of methods that promise something.
+    // Order of measurement, so that time that runs out costs least: forms without maps first, then maps of methods with
+    // a guarantee.
     std::stable_sort(forms.begin(), forms.end(), [](const MethodChoice& a, const MethodChoice& b) {
         const auto rank = [](const MethodChoice& form) {
             if (!measuredMethod(form).buildsMaps) return 0;

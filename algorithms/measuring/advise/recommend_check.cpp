@@ -1,4 +1,4 @@
-// The advice held against the full table.
+// Compares the advice with a complete measurement of all forms.
 #include <algorithm>
 #include <cmath>
 
@@ -13,14 +13,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kOtherRays = 77;  // purpose of the seed
+constexpr std::uint64_t kOtherRays = 77;  // stream number for seedFor()
 constexpr int kTableRounds = 16;
 
 double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-// Every form that was built and keeps the memory, to the end.
+// Measures every form that was built and keeps the memory limit, without dropping any.
 void measureAll(const AdviceOptions& options, const AdviceRays& rays, std::vector<AdviceTrial*>& table, Work& work) {
     for (AdviceTrial* trial : table) {
         rays.count(*trial, AdviceRays::kBlocks, work);

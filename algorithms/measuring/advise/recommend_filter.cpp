@@ -1,4 +1,4 @@
-// The filter: those of the library against the supersampled picture, on small pictures of the user's own map.
+// Compares the library's filters with the supersampled picture, on small pictures of the user's own map.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,15 +12,15 @@ namespace relief {
 
 namespace {
 
-// Flatter than this a small picture has no pixels that are free of the polygon's edge.
+// Below this elevation, degrees, every pixel of a small picture touches the polygon's edge.
 constexpr double kFlattestFilterView = 8;
 constexpr double kSteepestFilterView = 85;
 constexpr int kWidth = 40;
 constexpr int kHeight = 30;
 constexpr int kSamples = 6;
-constexpr double kRichSeconds = 10;  // with as much time the pictures are twice as wide
-// A pixel covers about that many texels across where the map is larger than the picture.
-constexpr double kTexelsAPixel = 3;
+constexpr double kRichSeconds = 10;  // given this much time, the pictures are twice as wide
+// Approximate width of a pixel in texels, if the map is larger than the picture.
+constexpr double kTexelsPerPixel = 3;
 
 std::vector<double> elevations(const std::vector<Elevation>& views) {
     const auto kept = [](double degrees) { return std::clamp(degrees, kFlattestFilterView, kSteepestFilterView); };
@@ -45,7 +45,7 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
     bench.height = kHeight * times;
     bench.samples = kSamples;
     bench.rounds = 1;
-    bench.distance = std::clamp(kTexelsAPixel * bench.width / color->width(), 0.3, 1.4);
+    bench.distance = std::clamp(kTexelsPerPixel * bench.width / color->width(), 0.3, 1.4);
     const std::vector<FilterBenchRow> rows = benchFilters(bench, work);
 
     FilterAdvice advice;

@@ -1,4 +1,4 @@
-// Advice in words and as JSON.
+// The advice as text and as JSON.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace relief {
 namespace {
 
 constexpr int kDigits = 3;
-constexpr std::size_t kLines = 12;  // of the table
+constexpr std::size_t kLines = 12;  // maximum number of table rows
 
 std::string number(double value) {
     return std::isnan(value) ? "-" : readable(value, kDigits);
@@ -85,9 +85,9 @@ class AdviceSentences {
                                        {"seconds", number(best.buildSeconds)}});
         }
         if (options_.form == Form::Simd) {
-            say(MessageId::AdviceRate, {{"rate", number(1e-6 / best.secondsARay)},
-                                        {"exact", number(1e-6 / exact.secondsARay)},
-                                        {"times", number(exact.secondsARay / best.secondsARay)}});
+            say(MessageId::AdviceRate, {{"rate", number(1e-6 / best.secondsPerRay)},
+                                        {"exact", number(1e-6 / exact.secondsPerRay)},
+                                        {"times", number(exact.secondsPerRay / best.secondsPerRay)}});
         } else {
             say(MessageId::AdviceCost, {{"cost", number(best.cost)},
                                         {"factor", options_.stepCost},
@@ -96,7 +96,7 @@ class AdviceSentences {
         }
     }
 
-    // How much more than the chosen form: twice and more as a factor.
+    // Says how much more expensive a form is than the chosen one: as a factor from twice on, in percent below.
     void moreExpensive(MessageId percent, MessageId times, const AdvisedForm& form) {
         constexpr double kTwice = 100;
         const double more = percentMore(form, advice_.best());
@@ -225,7 +225,7 @@ Json formJson(const AdvisedForm& form) {
             {"verdict", std::string(verdictName(form.verdict))},
             {"guarantee", std::string(guaranteeName(form.guarantee))},
             {"cost", form.cost},
-            {"seconds_a_ray", form.secondsARay},
+            {"seconds_a_ray", form.secondsPerRay},
             {"steps", form.steps},
             {"reads", form.reads},
             {"steps_max", form.mostSteps},

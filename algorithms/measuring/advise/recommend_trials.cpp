@@ -18,22 +18,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Traced at once on the calling thread: small enough for any lane width, too small to be shared out.
+// Rays of a block, which is traced on the calling thread: enough for any vector width, too few to be divided among
+// threads.
 constexpr std::size_t kBlockRays = 1024;
 constexpr std::size_t kFewestRays = 64;
-// Cells that `exact` may visit for all truths.
+// Limit on the number of cells that `exact` visits to compute all reference answers.
 constexpr double kTruthCells = 3e8;
 constexpr std::size_t kSampleEvery = 64;
 
-// Of this thread: other work on the machine counts only by the caches it shares.
+// Processor time of this thread: other processes affect it only through shared caches.
 double processorSeconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Options that change the walk, not the map.
-bool ofTheWalk(const std::string& name) {
+// Returns true for options that change only the traversal and not the map.
+bool changesOnlyTraversal(const std::string& name) {
     return name == "iterations" || name == "rule" || name == "bisections" || name == "base" || name == "level";
 }
 
@@ -44,12 +45,12 @@ std::string mapKey(const MethodChoice& method) {
     if (description.maps.empty()) return {};
     std::string key = description.maps.front();
     for (const auto& [name, value] : method.options) {
-        if (!ofTheWalk(name)) key += ":" + name + "=" + value;
+        if (!changesOnlyTraversal(name)) key += ":" + name + "=" + value;
     }
     return key;
 }
 
-// Asks for a stop at the deadline, or when the outer work is stopped.
+// Requests a stop at the deadline or when the outer work is stopped, from a thread of its own.
 class Watch {
   public:
     Watch(const Work& outer, double seconds)
@@ -60,14 +61,14 @@ class Watch {
 
   private:
     void watch(const Work& outer, const std::stop_token& over) {
-        constexpr auto kLook = std::chrono::milliseconds(20);
+        constexpr auto kPollInterval = std::chrono::milliseconds(20);
         std::unique_lock lock(mutex_);
         while (!over.stop_requested()) {
             if (outer.stopped() || Clock::now() > until_) {
                 source_.request_stop();
                 return;
             }
-            wake_.wait_for(lock, over, kLook, [] { return false; });
+            wake_.wait_for(lock, over, kPollInterval, [] { return false; });
         }
     }
 
@@ -78,7 +79,7 @@ class Watch {
     std::jthread thread_;
 };
 
-// A piece out of the middle, the slab as thick in texels.
+// Returns a piece from the middle of the map, with the same slab thickness in texels.
 constexpr int kPieceSide = 64;
 HeightField piece(const HeightField& field) {
     auto heights = std::make_shared<FloatImage>(kPieceSide, kPieceSide);
@@ -90,7 +91,8 @@ HeightField piece(const HeightField& field) {
     return {heights, field.surface(), field.address(), field.slabTexels() / kPieceSide};
 }
 
-// Every so many-th run of neighbouring pixels of a picture: all of the map is seen, and packets find neighbours.
+// Returns one of every kEvery runs of neighbouring pixels of a picture, so that the rays cover the whole map and
+// packets still consist of neighbouring rays.
 RayBlock blockRays(const AdviceOptions& options, Elevation view, std::size_t count, std::uint64_t seed) {
     constexpr std::size_t kRun = 32;
     constexpr std::size_t kEvery = 64;
@@ -102,7 +104,7 @@ RayBlock blockRays(const AdviceOptions& options, Elevation view, std::size_t cou
     return rays;
 }
 
-// How many of a block's rays `exact` can be given, there being blocks of so many views.
+// Returns how many of a block's rays `exact` can trace within kTruthCells, given this number of views.
 std::size_t affordableRays(const Tracer& exact, const RayBlock& rays, std::size_t views, Work& work) {
     RayBlock sample;
     for (std::size_t i = 0; i < rays.size(); i += kSampleEvery) sample.push(rays[i]);
@@ -202,23 +204,24 @@ AdviceMaps::AdviceMaps(const AdviceOptions& options, Work& work)
       work_(work),
       maps_(static_cast<std::size_t>(std::max<std::int64_t>(options.memory, std::int64_t{1} << 20)) * 4) {}
 
-// Built on a small piece first: whether the whole one can fit.
+// Builds the map of a small piece first, and estimates from it whether the whole map can keep the memory and time
+// limits.
 bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
     const HeightField& field = options_.field;
     if (std::min(field.width(), field.height()) <= 2 * kPieceSide || !measuredMethod(trial.facts.method).buildsMaps) {
         return true;
     }
-    constexpr double kWorthLooking = 0.05;  // seconds; below them are what any map takes
+    constexpr double kFixedBuildSeconds = 0.05;  // seconds; shorter times are the fixed cost of building any map
     MapCache maps;
     const auto begun = Clock::now();
     const auto tracer = makeTracer(trial.facts.method, piece(field), maps, work_, options_.form);
     const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     const double times = static_cast<double>(field.width()) * field.height() / (kPieceSide * kPieceSide);
-    // Half as much again may be the piece's own, as are the rims of maps.
+    // Up to half of the piece's bytes may be specific to its size, such as a map's border.
     if (static_cast<double>(tracer->bytes()) * times > 1.5 * static_cast<double>(options_.memory)) {
         trial.facts.verdict = Verdict::Memory;
         trial.facts.bytes = static_cast<std::int64_t>(static_cast<double>(tracer->bytes()) * times);
-    } else if (seconds > kWorthLooking && seconds * times > 4 * limit) {
+    } else if (seconds > kFixedBuildSeconds && seconds * times > 4 * limit) {
         trial.facts.verdict = Verdict::BuildTime;
     }
     return trial.facts.verdict == Verdict::Kept;

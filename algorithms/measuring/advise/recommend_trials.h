@@ -1,4 +1,5 @@
-// What advice is drawn from: forms of methods made ready, counted and timed on rays that all of them share.
+// The measurements on which advice is based: forms of methods are built, counted and timed on rays that all of them
+// share.
 #pragma once
 
 #include <chrono>
@@ -10,21 +11,25 @@ namespace relief {
 
 struct AdviceTrial {
     AdvisedForm facts;
-    std::shared_ptr<const Tracer> tracer;  // none: dropped
-    std::vector<double> times;             // of each round: processor seconds a ray
+    std::shared_ptr<const Tracer> tracer;  // null: the form was dropped
+    std::vector<double> times;             // processor seconds per ray, by round
 };
 
-// The rays of all views with the exact answers: blocks of a view are pictures of the whole map from as many azimuths.
+// The rays of all views and their exact answers. The blocks of a view are pictures of the whole map from different
+// azimuths.
 class AdviceRays {
   public:
     static constexpr std::size_t kBlocks = 8;
 
+    // Traces all rays with `exact` to get the reference answers. Keeps a reference to options.
     AdviceRays(const AdviceOptions& options, std::uint64_t seed, Work& work);
 
-    // Steps, reads, errors and cost (Scalar) over blocks [0, blocks) of each view.
+    // Sets steps, reads, errors and (Form::Scalar) cost, from blocks [0, blocks) of each view.
     void count(AdviceTrial& trial, std::size_t blocks, Work& work) const;
-    // One round of one form: that block of each view, on the calling thread.
+    // Measures one round of one form, on this block of each view, on the calling thread.
     void time(AdviceTrial& trial, std::size_t block, Work& work) const;
+    // Returns true if the share of rays past the error bound, or past the step limit, is at most
+    // AdviceOptions::outliers.
     bool keepsBound(const AdvisedForm& facts) const;
     bool keepsSteps(const AdvisedForm& facts) const;
 
@@ -37,12 +42,14 @@ class AdviceRays {
     std::vector<std::vector<Block>> views_;
 };
 
-// Makes forms, each map once; tells how long each map took to build.
+// Builds forms, each map only once, and records how long each map took.
 class AdviceMaps {
   public:
+    // Keeps references to options and work.
     AdviceMaps(const AdviceOptions& options, Work& work);
 
-    // Sets tracer, guarantee, bytes, build time; or the verdict. limit: seconds for this one.
+    // Sets tracer, guarantee, bytes and build time, or the verdict if the form cannot be built. limit: seconds for this
+    // form.
     void make(AdviceTrial& trial, double limit);
 
   private:
@@ -52,14 +59,15 @@ class AdviceMaps {
     const AdviceOptions& options_;
     Work& work_;
     MapCache maps_;
-    std::map<std::string, double> seconds_;  // of maps that were built, by what they depend on
+    std::map<std::string, double> seconds_;  // building times of maps, by the map and its options
 };
 
-// Every form built, screened and, in the rounds, dropped or kept. keepAll: dropped forms keep their tracers.
-// Trials in the order of options.forms.
+// Builds and screens every form, and drops or keeps it in the rounds. keepAll: dropped forms keep their tracers.
+// Returns the trials in the order of options.forms.
 std::vector<AdviceTrial> runTrials(const AdviceOptions& options, bool keepAll, std::size_t& stillClose, Work& work);
+// Ranks the trials, and chooses a form.
 Advice adviceOf(const AdviceOptions& options, const std::vector<AdviceTrial>& trials);
-// Forms whose cost is within that share of the best one's are as good: the leaner one is taken.
+// Forms whose cost is within this share of the best one's count as equal, and the one with the smallest map is chosen.
 inline constexpr double kAdviceTie = 0.03;
 
 }  // namespace relief

@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-constexpr const char* kTold = "looking for pixels";
+constexpr const char* kProgressName = "looking for pixels";
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 float distance(const Hit& a, const Hit& b, const ViewRay& ray) {
@@ -59,7 +59,7 @@ std::vector<float> stepWorth(const Frame& frame, const Tracer& tracer, Work& wor
     std::vector<float> out(frame.rays->polygon.size(), kNothing);
     HitBlock hits;
     BlockCounts counts;
-    traceFrame(frame, tracer, kTold, hits, counts, work,
+    traceFrame(frame, tracer, kProgressName, hits, counts, work,
                [&](std::size_t pixel, std::size_t k) { out[pixel] = static_cast<float>(hits.steps[k]); });
     return out;
 }
@@ -68,7 +68,7 @@ std::vector<float> disagreement(const Frame& frame, const Tracer& other, Work& w
     std::vector<float> out(frame.rays->polygon.size(), kNothing);
     HitBlock hits;
     NullSink sink;
-    traceFrame(frame, other, kTold, hits, sink, work, [&](std::size_t pixel, std::size_t k) {
+    traceFrame(frame, other, kProgressName, hits, sink, work, [&](std::size_t pixel, std::size_t k) {
         out[pixel] = distance(frame.hits->hits[pixel], hits[k], frame.rays->rays[pixel]);
     });
     return out;

@@ -12,7 +12,7 @@ namespace relief {
 
 namespace {
 
-constexpr int kSide = 64;  // rays along each side of the picture, at most
+constexpr int kSide = 64;  // maximum number of rays along each side of the picture
 constexpr int kRounds = 5;
 constexpr int kDigits = 3;
 
@@ -34,16 +34,16 @@ RayBlock raysOfView(const FrameRequest& request) {
 
 }  // namespace
 
-std::optional<BaseLevelMeasure> measureBaseLevel(const FrameRequest& request, const MethodChoice& asked, MapCache& maps,
-                                                 Work& work) {
-    const auto given = asked.options.find(std::string(kBaseOption));
-    if (given == asked.options.end() || given->second != kBaseAuto) return std::nullopt;
+std::optional<BaseLevelMeasure> measureBaseLevel(const FrameRequest& request, const MethodChoice& method,
+                                                 MapCache& maps, Work& work) {
+    const auto given = method.options.find(std::string(kBaseOption));
+    if (given == method.options.end() || given->second != kBaseAuto) return std::nullopt;
     const RayBlock rays = raysOfView(request);
     if (rays.size() == 0) return std::nullopt;
-    MethodChoice whole = asked;
+    MethodChoice whole = method;
     whole.options[std::string(kBaseOption)] = "0";
     const std::vector<BenchRow> rows =
-        benchRaysOfView(request.field, rays, {methodOfView(request, asked), whole}, kRounds, maps, work);
+        benchRaysOfView(request.field, rays, {methodOfView(request, method), whole}, kRounds, maps, work);
     if (rows.size() != 2) return std::nullopt;
     return BaseLevelMeasure{footprintLevel(request), rows[0], rows[1]};
 }

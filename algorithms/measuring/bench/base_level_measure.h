@@ -1,4 +1,4 @@
-// What base=auto costs and gains on a view: error and rate of the view's base level against level 0.
+// Measures the effect of base=auto on a view: error and rate at the view's base level compared with level 0.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@ namespace relief {
 
 struct BaseLevelMeasure {
     FootprintLevel footprint;
-    BenchRow based;  // the method at the view's level; errors against `exact` on level 0
+    BenchRow based;  // the method at the view's level; errors relative to `exact` on level 0
     BenchRow whole;  // the same method at level 0
 };
-// asked: a method with base=auto of its own; nothing for any other, and where no polygon is seen. Up to 4096 rays of
-// the view. Throws Cancelled, InputError.
-std::optional<BaseLevelMeasure> measureBaseLevel(const FrameRequest& request, const MethodChoice& asked, MapCache& maps,
-                                                 Work& work);
-// In one sentence.
+// Measures a method with base=auto of its own on up to 4096 rays of the view. Returns std::nullopt for any other
+// method, and if no polygon is visible. Throws Cancelled, InputError.
+std::optional<BaseLevelMeasure> measureBaseLevel(const FrameRequest& request, const MethodChoice& method,
+                                                 MapCache& maps, Work& work);
+// Returns the measurement as one sentence.
 Message baseLevelSentence(const BaseLevelMeasure& measure);
 
 }  // namespace relief

@@ -38,7 +38,7 @@ std::string jsonTable(std::span<const std::string_view> names, std::span<const B
         }
         all.push_back(std::move(object));
     }
-    // File names need not be UTF-8.
+    // File names may contain invalid UTF-8, which is replaced.
     return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// Tables of measurements as files have them: the columns of a row described once, written as CSV and as JSON.
+// Tables of measurements in files: the columns of a row type are described once, for CSV and JSON.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace relief {
 
-// What of a benchmark is measured in one call. Counts: all that does not depend on the machine's speed; rates are left
-// 0. Times: rates and times alone, the rest left 0. Rows are the same, in the same order.
+// What a benchmark measures in one call. Counts: everything that does not depend on the machine's speed; rates remain
+// 0. Times: only rates and times; all else remains 0. Both passes give the same rows in the same order.
 enum class BenchPass : std::uint8_t { Both, Counts, Times };
 
-// A value of a row: a word, a whole number (seeds go up to 2^64 - 1), a number (NaN: there is none).
+// A value of a row: text, a whole number (seeds go up to 2^64 - 1), or a real number (NaN: no value).
 using BenchValue = std::variant<std::string, std::int64_t, std::uint64_t, double>;
 
 template <class Row>
@@ -23,13 +23,14 @@ struct BenchColumnOf {
     BenchValue (*get)(const Row&);
 };
 
-// As a field of CSV: fields with commas or quotes are quoted; no number: empty.
+// Returns the value as a CSV field: fields with commas or quotes are quoted; NaN is empty.
 std::string benchField(const BenchValue& value);
 
-// The rows of a table, `names.size()` values each, as a JSON array of objects; NaN becomes null. With "\n".
+// Returns the rows of a table, `names.size()` values each, as a JSON array of objects; NaN becomes null. Ends with
+// "\n".
 std::string jsonTable(std::span<const std::string_view> names, std::span<const BenchValue> values);
 
-// With "\n".
+// Returns the row as a line of CSV, with "\n".
 template <class Row>
 std::string columnsHeader(const std::vector<BenchColumnOf<Row>>& columns) {
     std::string out;
@@ -47,7 +48,7 @@ std::string columnsLine(const std::vector<BenchColumnOf<Row>>& columns, const Ro
     return out + "\n";
 }
 
-// An array of objects with the same values; no number: null.
+// Returns the rows as a JSON array of objects with the same values; NaN becomes null.
 template <class Row>
 std::string columnsJson(const std::vector<BenchColumnOf<Row>>& columns, std::span<const Row> rows) {
     std::vector<std::string_view> names;

@@ -9,12 +9,12 @@ namespace relief {
 
 namespace {
 
-constexpr int kDigits = 3;  // of what people read
+constexpr int kDigits = 3;  // significant digits in text tables
 
 using Value = BenchValue;
 using Column = BenchColumnOf<FilterBenchRow>;
 
-// As given, or by default; "-" where the filter has no such option.
+// Returns the option's value as given, or its default; "-" if the filter has no such option.
 std::string option(const FilterBenchRow& row, const std::string& name) {
     const FilterDescription& filter = findFilter(row.filter.name);
     const auto usual = filter.defaults.find(name);
@@ -23,7 +23,7 @@ std::string option(const FilterBenchRow& row, const std::string& name) {
     return given == row.filter.options.end() ? usual->second : given->second;
 }
 
-// The options that have columns.
+// The options that have their own columns.
 constexpr std::array<std::string_view, 5> kOwnColumns{"weights", "levels", "source", "resolution", "implementation"};
 
 std::string shortText(const FilterBenchRow& row) {
@@ -32,8 +32,8 @@ std::string shortText(const FilterBenchRow& row) {
     return filterText(choice);
 }
 
-// How weights come about: shapes are always read from a map, whatever the option says; formulas in lanes where these
-// serve.
+// Returns how weights are computed: pixel shapes are always read from a map, whatever the option says; formulas are
+// evaluated with SIMD if a SIMD version exists for them.
 std::string implementation(const FilterBenchRow& row) {
     const std::string weights = option(row, "weights");
     if (weights == "box" || weights == "lcd" || weights == "crt") return "map";
@@ -76,7 +76,7 @@ bool sameBlock(const FilterBenchRow& a, const FilterBenchRow& b) {
     return a.scene == b.scene && a.elevation == b.elevation;
 }
 
-// One line a filter: the errors against each pixel model beside each other.
+// Returns one line per filter, with the errors for each pixel model next to each other.
 TableRow tableRow(std::span<const FilterBenchRow> models) {
     const auto number = [](double value) { return readable(value, kDigits); };
     const FilterBenchRow& first = models.front();

@@ -20,7 +20,7 @@ constexpr int kPatch = 6;                  // texels
 constexpr int kCheck = 8;                  // texels
 constexpr double kFilterSceneDepth = 0.1;  // texture widths
 
-// References of one view, one for each pixel model, out of the same passes.
+// Returns the references of one view, one for each pixel model, from the same sample passes.
 std::vector<ColorImage> references(const FrameRequest& request, const FilterBenchOptions& options,
                                    const std::shared_ptr<MapCache>& maps, Work& work) {
     std::vector<SampleSums> sums;
@@ -44,7 +44,7 @@ std::vector<ColorImage> references(const FrameRequest& request, const FilterBenc
     return pictures;
 }
 
-// Pixels all of whose neighbours within the pixel model's reach are hits.
+// Returns the pixels all of whose neighbours within the pixel model's reach are hits.
 std::vector<glm::ivec2> countedPixels(const Frame& frame) {
     const auto hit = [&](int x, int y) {
         return x >= 0 && y >= 0 && x < frame.width && y < frame.height &&
@@ -60,7 +60,7 @@ std::vector<glm::ivec2> countedPixels(const Frame& frame) {
             if (all) pixels.emplace_back(x, y);
         }
     }
-    // As a frame's tiles have them.
+    // Sorted by tiles, in the order in which a frame filters them.
     const auto tile = [](glm::ivec2 p) { return glm::ivec2(p.x / kTileWidth, p.y / kTileHeight); };
     std::stable_sort(pixels.begin(), pixels.end(), [&](glm::ivec2 p, glm::ivec2 q) {
         const glm::ivec2 a = tile(p), b = tile(q);
@@ -139,8 +139,8 @@ class FilterBench {
         }
     }
 
-    // All but the rate, a row for each pixel model; without truth, what is known without filtering. Filters once in any
-    // case, which warms up for the rate.
+    // Measures everything except the rate, with a row for each pixel model; if truth is empty, only the data known
+    // without filtering. Filters once in any case, which is the warm-up for the rate.
     std::vector<FilterBenchRow> counted(const Ready& ready, const FilterQueries& queries,
                                         const std::vector<glm::ivec2>& pixels, const std::vector<ColorImage>& truth) {
         std::vector<Color> colors;
@@ -161,7 +161,7 @@ class FilterBench {
             row.tested = static_cast<double>(counts.tested) * each;
             row.hidden = static_cast<double>(counts.hidden) * each;
             row.skipped = static_cast<double>(counts.skipped) * each;
-            // What does not count is made equal.
+            // Pixels that are not compared are copied from the reference.
             ColorImage picture = truth[m];
             glm::dvec3 sum(0);
             for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -1,8 +1,8 @@
-// Run time against error of the texture filters: filters x pixel models x scenes x elevations, each against the
-// supersampled picture of the same view, traced exactly.
+// Benchmark of the texture filters, run time against error: filters x pixel models x scenes x elevations, each compared
+// with the supersampled picture of the same view, traced exactly.
 //
-// Measured is the colour alone, in linear light, without the light's shading: the error of the filter and nothing else.
-// Pixels near the polygon's edge, whose reference would see past it, do not count.
+// Only the colour is measured, in linear light and without shading, so that the error is that of the filter alone.
+// Pixels near the polygon's edge are excluded, because their reference would include samples beyond it.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,18 @@
 
 namespace relief {
 
-// What is looked at: a relief with its colours.
+// A test scene: a relief with its colours.
 struct FilterScene {
     std::string name;
     HeightField field;
     std::shared_ptr<const ColorImage> color;
 };
-// checker (flat: a plane), bricks, city, hills: size x size texels, seeded.
+// Names of the procedural scenes: checker (a flat plane), bricks, city, hills; size x size texels, seeded.
 std::vector<std::string> filterSceneNames();
+// Makes the scene of this name, size x size texels. Throws InputError for unknown names.
 FilterScene filterScene(const std::string& name, int size, std::uint64_t seed);
-// Coloured patches of a few texels, dark where the heights are low: for height maps that come without a picture.
+// Returns a picture of coloured patches of a few texels, dark where the heights are low, for height maps without a
+// picture.
 std::shared_ptr<const ColorImage> patchPicture(const FloatImage& heights, std::uint64_t seed);
 
 struct FilterBenchRow {
@@ -36,14 +38,15 @@ struct FilterBenchRow {
     std::string scene;
     double elevation = 0;
     int threads = 0;
-    double rate = 0;    // pixels a second, median of the rounds
+    double rate = 0;    // pixels per second, median of the rounds
     double spread = 0;  // (p75 - p25) / median
     double rmse = 0;    // linear light
-    double psnr = 0;    // decibel, of the same
+    double psnr = 0;    // decibels, from rmse
     double flip = 0;
-    double texelsRead = 0, tested = 0, hidden = 0, skipped = 0;  // a pixel
+    double texelsRead = 0, tested = 0, hidden = 0, skipped = 0;  // per pixel
 };
 
+// The columns:
 // filter,weights,levels,pixel_model,implementation,map_size,scene,elevation,threads,rate,spread,rmse,psnr,flip,
 // texels_read,tested,hidden,skipped. filter: the name, and the options given that have no column of their own.
 std::string filterBenchCsvHeader();
@@ -65,7 +68,7 @@ struct FilterBenchOptions {
     std::function<void(const FilterBenchRow&)> onRow;
 };
 
-// A row for each pixel model; the rate is the same in all of them. Throws InputError, Cancelled.
+// Returns a row for each pixel model; all of them have the same rate. Throws InputError, Cancelled.
 std::vector<FilterBenchRow> benchFilters(const FilterBenchOptions& options, Work& work);
 
 }  // namespace relief

@@ -9,7 +9,7 @@ namespace relief {
 
 namespace {
 
-constexpr int kDigits = 3;  // of what people read
+constexpr int kDigits = 3;  // significant digits in text tables
 
 using Value = BenchValue;
 using Column = BenchColumnOf<RowBenchRow>;
@@ -40,7 +40,7 @@ bool sameBlock(const RowBenchRow& a, const RowBenchRow& b) {
     return a.width == b.width && a.rows == b.rows && a.elevation == b.elevation && a.precision == b.precision;
 }
 
-// "10/10/4/1": as the papers count them.
+// Returns operation counts as the papers print them, "10/10/4/1".
 std::string paperCounts(const std::string& variant) {
     for (const RowMethodDescription& method : rowMethodList()) {
         if (method.name != variant || method.paper.empty()) continue;
@@ -51,8 +51,8 @@ std::string paperCounts(const std::string& variant) {
     return "-";
 }
 
-// [PERSP]: rows by several threads are weak where rows are few and long. Of the same width, precision and elevation:
-// the block of fewest rows against that of most.
+// [PERSP]: evaluating rows with several threads is weak if rows are few and long. For equal width, precision and
+// elevation, compares the block of fewest rows with that of most rows.
 std::string fewRowsText(std::span<const RowBenchRow> rows) {
     std::string out;
     for (const RowBenchRow& few : rows) {

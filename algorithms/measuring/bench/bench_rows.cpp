@@ -20,13 +20,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Pixels whose errors are measured: whole rows spread over the block.
+// Number of pixels whose errors are measured: whole rows distributed over the block.
 constexpr std::int64_t kErrorPixels = 1 << 18;
 constexpr std::int64_t kFewestErrorRows = 3;
 constexpr std::uint64_t kOrderSeed = 1;
 
 struct WallView {
-    double focal, principal;     // pixels, across
+    double focal, principal;     // pixels, horizontal
     double nearDepth, farDepth;  // wall widths
 };
 WallView wallView(double width, double elevation) {
@@ -39,12 +39,12 @@ WallView wallView(double width, double elevation) {
     return {focal, -focal * nearAt, nearDepth, farDepth};
 }
 
-// A row variant as it runs over a block: planned spans made, the anchor known.
+// A row variant prepared for a block: span and anchor are planned.
 template <typename T>
 struct Ready {
     const RowMethod* method;
     RowBenchRow row;
-    std::optional<RowOptions> options;  // of row variants
+    std::optional<RowOptions> options;  // set for row variants only
     std::optional<DerivativeVariant> derivative;
 };
 
@@ -69,7 +69,7 @@ class Block {
     std::size_t size() const { return ready_.size(); }
     RowBenchRow& row(std::size_t i) { return ready_[i].row; }
 
-    // Pixels a second.
+    // Returns pixels per second.
     double rate(std::size_t i) {
         const auto begun = Clock::now();
         for (std::int64_t n = 0; n < times_; ++n) run(ready_[i]);
@@ -116,7 +116,8 @@ class Block {
         if (variant == RowVariant::Subspan) row.span = ready.options->span;
         if (variant == RowVariant::Affine) row.span = width_;
         if (variant == RowVariant::RowsParallel) row.threads = work_.threads().size();
-        // The same on every row of the wall up to v's part in the largest coordinate: told of the middle one.
+        // Apart from the influence of v on the largest coordinate, the anchor is equal on all rows of the wall; the
+        // middle row's is reported.
         row.anchor = planRow<T>(map_, lineOf(rows_ / 2), {0, width_}, *ready.options).anchor;
         return ready;
     }
@@ -128,7 +129,7 @@ class Block {
         }
         return static_cast<int>(std::min<std::int64_t>(span, kLongestSpan));
     }
-    // As for one-pixel steps of coordinates, of the whole texture.
+    // The anchor is that of coordinates evaluated with steps of one pixel, for the whole texture.
     std::int64_t derivativeAnchor() const {
         const RowOptions one{RowVariant::IncrementalShared};
         const std::int64_t anchor = planRow<T>(map_, lineOf(rows_ / 2), {0, width_}, one).anchor;
@@ -148,7 +149,7 @@ class Block {
         finishStores();
     }
 
-    // Each row into the same four lines, as a filter would take it; the caches are made in the time.
+    // All rows are written to the same four arrays, as a filter would use them; the time includes making the caches.
     void derivatives(DerivativeVariant variant, std::int64_t anchor) {
         const EllipseRow<T> to{a_.data(), b_.data(), c_.data(), f_.data()};
         if (variant == DerivativeVariant::Cached) {
@@ -221,7 +222,7 @@ class Block {
     std::int64_t width_, rows_, times_;
     Homography map_;
     RowBlock block_;
-    // Two, so that what is written past the cache does not meet the lines that others left in it.
+    // Separate buffers, so that non-temporal stores do not meet lines that other variants left in the cache.
     TexelRows<T> cached_, pastCache_;
     DerivativeTerms<T> terms_;
     std::vector<T> a_, b_, c_, f_;
@@ -238,7 +239,8 @@ void benchBlock(const RowBenchOptions& options, std::int64_t width, double eleva
         work.progress().advance();
     }
     const int rounds = options.pass == BenchPass::Counts ? -1 : options.rounds;
-    // The first round warms up. Each has its own order, so that none always runs after the same neighbour.
+    // The first round warms up. Every round has its own random order, so that no variant always runs after the same
+    // one.
     std::vector<std::size_t> order(block.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::mt19937_64 engine(kOrderSeed);
@@ -271,7 +273,8 @@ Homography obliqueWall(double texels, std::int64_t width, double elevation) {
     camera.focal = {view.focal, view.focal};
     camera.principal = {view.principal, 0};
     TexturedPlane wall;
-    // From the near edge on the left to the far one on the right; the middle row of the wall at the eye's height.
+    // The wall runs from the near edge on the left to the far edge on the right; its middle row is at the height of the
+    // eye.
     wall.perS = glm::dvec3(std::sin(angle), 0, -std::cos(angle)) / texels;
     wall.perT = glm::dvec3(0, -1, 0) / texels;
     wall.origin = glm::dvec3(-0.5 * std::sin(angle), 0.5, -view.nearDepth);
@@ -280,7 +283,7 @@ Homography obliqueWall(double texels, std::int64_t width, double elevation) {
 
 RowBlock wallRows(std::int64_t width, std::int64_t rows, double elevation) {
     const WallView view = wallView(static_cast<double>(width), elevation);
-    const double height = view.focal / view.farDepth;  // pixels, of the far edge, its middle at y = 0
+    const double height = view.focal / view.farDepth;  // pixels, of the far edge, whose middle is at y = 0
     const double step = height / static_cast<double>(rows);
     return {width, rows, 0.5 * (step - height), step};
 }

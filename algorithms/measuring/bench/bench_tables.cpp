@@ -8,7 +8,7 @@ namespace relief {
 
 namespace {
 
-constexpr int kDigits = 3;  // of what people read
+constexpr int kDigits = 3;  // significant digits in text tables
 
 std::string bytesText(std::int64_t bytes) {
     if (bytes < 1024) return std::to_string(bytes) + " B";

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Every so many-th ray tells how long the reference will take; no block is made smaller than kFewestRays.
+// The time of the reference is estimated from every kSampleEvery-th ray; no block is made smaller than kFewestRays.
 constexpr std::size_t kSampleEvery = 64;
 constexpr std::size_t kFewestRays = 256;
 
@@ -28,7 +28,8 @@ double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-// The value with that share of the others below it or equal; NaN of none. Sorts.
+// Returns the quantile by nearest rank: the value that this share of all values does not exceed; NaN if there are no
+// values. Sorts its copy.
 template <class T>
 double nearestRank(std::vector<T>& values, double share) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -51,7 +52,7 @@ RayBlock viewRays(const HeightField& field, double degrees, std::size_t count, s
     const double run = degrees >= 90 ? 0 : field.slabTexels() / std::tan(elevation);
     const double forwardS = std::cos(azimuth);
     const double forwardT = std::sin(azimuth);
-    // A picture of 4 : 3.
+    // The picture has the aspect 4 : 3.
     const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count) * 4 / 3)));
     const double across = static_cast<double>(field.width()) / static_cast<double>(columns);
     const double along = across / std::sin(elevation);
@@ -69,10 +70,10 @@ RayBlock viewRays(const HeightField& field, double degrees, std::size_t count, s
     return rays;
 }
 
-// A method over one map, made.
+// A method built over one map.
 struct Ready {
     MethodChoice choice;
-    Form form{};  // of the MeasuredMethod it was made from
+    Form form{};  // as requested in the MeasuredMethod
     std::unique_ptr<MapCache> maps;
     std::unique_ptr<Tracer> tracer;
     double buildSeconds = 0;
@@ -108,7 +109,7 @@ class Bench {
   public:
     Bench(const BenchOptions& options, Work& work) : options_(options), work_(work) {
         for (const MeasuredMethod& method : options.methods) {
-            if (method.knows(options.surface, options.address)) {
+            if (method.supports(options.surface, options.address)) {
                 methods_.push_back(&method);
             } else {
                 note(Message(MessageId::BenchWithout,
@@ -137,7 +138,7 @@ class Bench {
         const int threads = work_.threads().size();
         PreparedTracers* kept = options_.prepared.get();
         if (kept != nullptr && kept->fits(field, threads, methods_)) return kept->tracers;
-        // Maps of two height maps need not fit into memory together.
+        // The maps of two height maps may not fit into memory together.
         if (kept != nullptr) *kept = {};
         auto made = std::make_shared<const std::vector<Ready>>(make(field));
         if (kept != nullptr) {
@@ -146,7 +147,7 @@ class Bench {
         return made;
     }
 
-    // Each with maps of its own, so that the time to build them is its own.
+    // Every method gets maps of its own, so that its building time is complete.
     std::vector<Ready> make(const HeightField& field) {
         std::vector<Ready> all;
         for (const MeasuredMethod* method : methods_) {
@@ -159,7 +160,8 @@ class Bench {
         return all;
     }
 
-    // The rays of a cell; fewer where `exact` would visit too many cells.
+    // Returns the rays of a cell of the benchmark; fewer than requested if `exact` would visit too many cells of the
+    // relief.
     RayBlock chosenRays(const BenchMap& map, const HeightField& field, Elevation elevation, const Tracer& exact) {
         RayBlock rays = benchRays(field, elevation, options_.rays, options_.seed, options_.lowestRandom);
         RayBlock sample;
@@ -200,7 +202,7 @@ class Bench {
         }
     }
 
-    // All but the rate.
+    // Measures everything except the rate.
     BenchRow counted(const BenchMap& map, const HeightField& field, Elevation elevation, const Ready& ready,
                      const RayBlock& rays, const HitBlock& truth) {
         BenchRow row;
@@ -233,7 +235,7 @@ class Bench {
         return row;
     }
 
-    // Of each method in each round.
+    // Returns rays per second, by method and round.
     std::vector<std::vector<double>> measuredRates(const std::vector<Ready>& ready, const RayBlock& rays) {
         std::vector<std::vector<double>> rates(ready.size());
         for (int round = -1; round < options_.rounds; ++round) {
@@ -243,7 +245,7 @@ class Bench {
                 NullSink null;
                 const auto begun = Clock::now();
                 ready[m].tracer->trace(rays, hits, null, work_);
-                // A clock that did not move at all must not make a rate infinite.
+                // A clock that did not advance must not make a rate infinite.
                 const double seconds = std::max(secondsSince(begun), 1e-9);
                 if (round >= 0) rates[m].push_back(static_cast<double>(rays.size()) / seconds);
                 work_.progress().advance();
@@ -260,7 +262,7 @@ class Bench {
 
 }  // namespace
 
-std::shared_ptr<PreparedTracers> nothingPrepared() {
+std::shared_ptr<PreparedTracers> noPreparedTracers() {
     return std::make_shared<PreparedTracers>();
 }
 
@@ -301,7 +303,7 @@ TracerErrors tracerErrors(const RayBlock& rays, const HitBlock& truth, const Hit
         distances.push_back(std::abs(hits.lambda[i] - truth.lambda[i]) *
                             std::max(1.0, std::hypot(rays.a[i], rays.b[i])));
     }
-    errors.mean = mean(distances);  // NaN of none
+    errors.mean = mean(distances);  // NaN if there are no values
     errors.p95 = nearestRank(distances, 0.95);
     errors.p9999 = nearestRank(distances, 0.9999);
     errors.max = nearestRank(distances, 1);

@@ -10,7 +10,7 @@ namespace relief {
 
 namespace {
 
-// A descent that the walk has not left yet.
+// A descent whose texel the traversal has not left yet.
 struct Open {
     int level;
     std::int64_t i, j;
@@ -23,7 +23,8 @@ bool isDescent(const Step& step) {
     return step.decision == Decision::Descend && texel != nullptr && texel->ray.has_value();
 }
 
-// Names of level 0 may begin at -1 (clamp and border): its cells are counted by changes of place, not by halving.
+// Indices of level 0 may begin at -1 (clamp and border addressing), so its cells cannot be related to parents by
+// halving; every cell visited counts as a child.
 bool within(const Step& step, const Open& parent) {
     if (step.level != parent.level - 1) return false;
     if (step.periodX != parent.periodX || step.periodY != parent.periodY) return false;
@@ -65,7 +66,7 @@ void addChildren(const std::vector<Step>& steps, std::size_t begin, std::size_t 
     for (std::size_t n = begin; n < end; ++n) {
         const Step& step = steps[n];
         if (step.decision == Decision::Ascend) {
-            // Whatever lies at or below that level was left.
+            // The ray has left all texels at or below that level.
             while (!open.empty() && open.back().level <= step.level) close();
             continue;
         }
@@ -103,7 +104,7 @@ std::string childrenCsv(const ChildrenByLevel& counts) {
 }
 
 std::string childrenText(const ChildrenByLevel& counts) {
-    constexpr double kBar = 24;  // letters for all of a level
+    constexpr double kBar = 24;  // characters for a share of 100%
     std::vector<TableRow> rows{{"level", "one", "two", "three", "mean", "ended"}};
     forEachLine(counts, [&](const std::string& level, const ChildCounts& of) {
         rows.push_back({level, std::to_string(of.finished[0]), std::to_string(of.finished[1]),

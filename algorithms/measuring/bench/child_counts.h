@@ -1,5 +1,5 @@
-// How many children of a texel a ray enters at each level of the recursion of [MIP18], counted from step logs. The
-// paper: at most two. A line crosses one, two or three of four.
+// Counts from step logs how many children of a texel a ray enters at each level of the recursion of [MIP18]. The paper
+// states at most two; a straight line crosses one, two or three of four.
 #pragma once
 
 #include <array>
@@ -14,29 +14,32 @@
 namespace relief {
 
 struct ChildCounts {
-    static constexpr std::size_t kMost = 3;  // children of one texel that a straight line can cross
+    static constexpr std::size_t kMost = 3;  // maximum number of children of a texel that a straight line crosses
 
-    // Descents that confirmed nothing, so that all children on the ray's way were entered: how many entered 1, 2, 3.
+    // Descents without a hit, in which all children on the ray's way were entered: number of descents that entered 1,
+    // 2, 3.
     std::array<std::int64_t, kMost> finished{};
-    std::int64_t ended = 0;  // descents in which the ray ended, by a hit or at a border: their counts say less
+    // descents in which the ray ended by a hit or at a border, so that their counts are incomplete
+    std::int64_t ended = 0;
 
     std::int64_t descents() const { return finished[0] + finished[1] + finished[2]; }
-    double mean() const;                    // children a finished descent; 0: there is none
-    double share(std::size_t count) const;  // of the finished descents that entered `count` children, 1 to 3
+    double mean() const;                    // children per finished descent; 0: there are none
+    double share(std::size_t count) const;  // share of finished descents that entered `count` children, 1 to 3
     void add(const ChildCounts& other);
 };
 
-// By the level of the texel that was descended into.
+// By the level of the texel into which the ray descended.
 using ChildrenByLevel = std::map<int, ChildCounts>;
 
-// The steps of one ray, of either form of the max pyramid tracer: children are the steps one level below whose texel
-// lies in the one descended into.
+// Adds the children in the steps [begin, end) of one ray, from either implementation of the max pyramid tracer.
+// Children are the steps one level lower whose texel lies in the one descended into.
 void addChildren(const std::vector<Step>& steps, std::size_t begin, std::size_t end, ChildrenByLevel& counts);
+// Returns the counts of all levels together.
 ChildCounts sumOf(const ChildrenByLevel& counts);
 
-// "level,one,two,three,mean,ended", a line a level from the top, then one "all".
+// Returns "level,one,two,three,mean,ended" with a line per level from the top, then a line "all".
 std::string childrenCsv(const ChildrenByLevel& counts);
-// For people: the same with a histogram of bars.
+// Returns the same as a text table with a histogram of bars.
 std::string childrenText(const ChildrenByLevel& counts);
 
 }  // namespace relief

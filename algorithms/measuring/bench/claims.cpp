@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kVerdicts{"confirmed", "refuted", "depends"};
 
-// Written by `relief claims --measure -o FILE.json`, put between R"json( and )json".
+// Written by `relief claims --measure -o FILE.json` and enclosed in R"json( and )json".
 constexpr char kShipped[] =
 #include "measuring/bench/claims_shipped.inc"
     ;

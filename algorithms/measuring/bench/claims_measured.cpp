@@ -21,8 +21,8 @@ namespace relief {
 namespace {
 
 constexpr double kReliefDepth = 0.2;
-constexpr double kLowest = 10;        // degrees, of random rays
-constexpr double kWrongTexels = 0.5;  // a hit farther off is another place
+constexpr double kLowest = 10;        // lowest elevation of random rays, degrees
+constexpr double kWrongTexels = 0.5;  // a hit with a larger error counts as wrong
 constexpr std::uint64_t kSeed = 1;
 constexpr int kDigits = 3;
 constexpr std::array<const char*, 6> kReliefs{"bricks", "pits", "city", "columns", "fractal", "hills"};
@@ -31,12 +31,13 @@ std::string number(double value) {
     return numberText(value, kDigits);
 }
 
-// A method's answers over rays of one relief, held against those of exact.
+// A method's answers for the rays of one relief, compared with those of exact.
 struct Counted {
-    double steps = 0, reads = 0;   // mean of a ray
-    double wrong = 0, beyond = 0;  // share of the rays off by more than kWrongTexels, and of those behind the surface
-    double error = 0;              // mean, texels, of rays that hit
-    std::int64_t different = 0;    // rays whose answer differs in any bit
+    double steps = 0, reads = 0;  // mean per ray
+    // share of the rays with an error above kWrongTexels, and of those behind the surface by as much
+    double wrong = 0, beyond = 0;
+    double error = 0;            // mean, texels, of rays that hit
+    std::int64_t different = 0;  // number of rays whose answer differs in any bit
 };
 
 struct Views {
@@ -50,7 +51,7 @@ struct Subject {
     std::map<std::string, Views> views;  // "random", "80", "8", "1"
 };
 
-// The least and the largest of a value over the reliefs, with their names.
+// The minimum and maximum of a value over the reliefs, with the reliefs' names.
 struct Range {
     double least = std::numeric_limits<double>::infinity();
     double most = -std::numeric_limits<double>::infinity();
@@ -120,7 +121,7 @@ class Measuring {
         for (std::size_t i = 0; i < views.rays.size(); ++i) {
             const double length = std::max(1.0, std::hypot(views.rays.a[i], views.rays.b[i]));
             const double late = (hits.lambda[i] - views.truth.lambda[i]) * length;
-            // NaN (no hit) is wrong; under repeat every ray hits.
+            // NaN (no hit) counts as wrong, since every ray hits under repeat addressing.
             if (!(std::abs(late) <= kWrongTexels)) got.wrong += each;
             if (!(late <= kWrongTexels)) got.beyond += each;
             if (std::isfinite(late)) got.error += std::abs(late) * each;
@@ -131,7 +132,7 @@ class Measuring {
         return got;
     }
 
-    // The mean over the reliefs.
+    // Returns the mean over the reliefs.
     template <class Get>
     double mean(const std::string& method, const Get& get, const std::string& view = "random") {
         double sum = 0;
@@ -141,7 +142,7 @@ class Measuring {
     double wrong(const std::string& method) {
         return 100 * mean(method, [](const Counted& c) { return c.wrong; });
     }
-    // Of the steps, over those of another method.
+    // Returns the range of the number of steps relative to another method.
     Range stepShares(const std::string& method, const std::string& of) {
         Range range;
         for (const Subject& s : subjects_) range.add(s.name, count(method, s).steps / count(of, s).steps);
@@ -156,7 +157,7 @@ class Measuring {
     void pyramids();
     void diagonal();
     void highest();
-    void twoALevel();
+    void twoPerLevel();
     void excludes();
     void rates();
     void approximations();
@@ -200,7 +201,7 @@ void Measuring::pyramids() {
     say("no-loss", confirmedIf(different == 0), {{"different", different}, {"rays", all * options_.rays}});
     say("bricks-best", confirmedIf(range.leastOn == "bricks"), shares);
     const Range cone = stepShares("cone", "exact");
-    // Strongly: twice as much on one relief as on another.
+    // "Strongly" is taken as a factor of two between two reliefs.
     say("gain-by-relief", confirmedIf(cone.most > 2 * cone.least), cone.values());
     const Range hybrid = stepShares("hybrid:inner=distance-conservative", "distance-conservative");
     int pays = 0;
@@ -213,7 +214,7 @@ void Measuring::pyramids() {
     say("hybrid", some(pays), values);
     diagonal();
     highest();
-    twoALevel();
+    twoPerLevel();
     excludes();
     rates();
 }
@@ -224,7 +225,7 @@ void Measuring::diagonal() {
     for (const Subject& s : subjects_) {
         const Views& views = s.views.at("1");
         for (std::size_t i = 0; i < views.rays.size(); ++i) {
-            const std::int64_t cells = static_cast<std::int64_t>(views.truth.steps[i]) - 1;  // less the start
+            const std::int64_t cells = static_cast<std::int64_t>(views.truth.steps[i]) - 1;  // without the start step
             most = std::max(most, cells);
             const double bound = std::abs(views.rays.a[i]) + std::abs(views.rays.b[i]) + 2;
             above += static_cast<double>(cells) > bound ? 1 : 0;
@@ -264,8 +265,8 @@ void Measuring::highest() {
         {{"highest", highest}, {"rays", options_.rays}, {"hidden", hidden}});
 }
 
-// Recursions that end with the return to the level above: how many of its four texels each visited.
-void Measuring::twoALevel() {
+// Counts, for recursions that end with the return to the level above, how many of the four texels each visited.
+void Measuring::twoPerLevel() {
     constexpr std::size_t kMost = 3;
     std::array<std::int64_t, kMost + 1> taken{};
     for (const Subject& s : subjects_) {
@@ -298,7 +299,7 @@ void Measuring::twoALevel() {
         {{"all", all}, {"one", share(1)}, {"two", share(2)}, {"three", share(kMost)}});
 }
 
-// Texels of the base level in which the intersection with the surface is computed.
+// Counts texels of the base level in which the intersection with the surface is computed.
 void Measuring::excludes() {
     Range range;
     for (const Subject& s : subjects_) {
@@ -342,7 +343,7 @@ void Measuring::rates() {
     }
     auto values = range.values();
     values.emplace_back("spread", number(100 * spread));
-    // It must be found by experiment where it is not the same everywhere.
+    // Experiments are necessary if the best method is not the same everywhere.
     say("experiment", confirmedIf(range.most > 1.5 * range.least), values);
 }
 
@@ -390,7 +391,7 @@ void Measuring::distances() {
     say("never-crosses",
         safe > 0 ? ClaimVerdict::Refuted : (beyond.most > 0 ? ClaimVerdict::Depends : ClaimVerdict::Confirmed),
         {{"beyond", number(100 * beyond.most)}, {"on", beyond.mostOn}, {"safe", number(100 * safe)}});
-    constexpr double kFew = 0.01;  // of the rays
+    constexpr double kFew = 0.01;  // share of the rays
     say("donnelly-exact",
         wrongs.most < kFew ? ClaimVerdict::Confirmed
                            : (wrongs.least < kFew ? ClaimVerdict::Depends : ClaimVerdict::Refuted),
@@ -437,13 +438,13 @@ void Measuring::manyNear() {
     say("many-near", complex ? ClaimVerdict::Confirmed : (one ? ClaimVerdict::Depends : ClaimVerdict::Refuted), values);
 }
 
-// The figure's walls in the plane, by rays through C in many directions and nothing else.
+// The walls of the paper's figure, in the plane, tested with rays through C in many directions.
 void Measuring::example() {
     constexpr std::array<double, 9> kWalls{7, 2, 2, 2, 2, 2, 2, 2, 10};
     constexpr double kX = 4, kY = 6;
     constexpr int kDirections = 100000;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    // Distance along (dx, dy) to the first wall.
+    // Returns the distance along (dx, dy) to the first wall.
     const auto toWall = [&](double dx, double dy) {
         double first = kInfinity;
         for (std::size_t column = 0; column < kWalls.size(); ++column) {
@@ -473,7 +474,7 @@ void Measuring::example() {
         const double dy = std::sin(angle);
         const double distance = toWall(dx, dy);
         near = std::min(near, distance);
-        // View vectors come from above, and have met nothing before C.
+        // View rays come from above and have met nothing before C.
         if (dy < 0 && toWall(-dx, -dy) == kInfinity) refined = std::min(refined, distance);
     }
     constexpr double kTolerance = 1e-3;
@@ -544,7 +545,7 @@ void Measuring::rows() {
                 {"error", number(row.errorMax)}};
     };
     const auto are = [](const PixelCounts& c, double div, double add, double mul) {
-        constexpr double kNearly = 0.01;  // what the row's first pixel adds
+        constexpr double kNearly = 0.01;  // tolerance for the operations of the row's first pixel
         return std::abs(c.div - div) < kNearly && std::abs(c.add - add) < kNearly && std::abs(c.mul - mul) < kNearly;
     };
     say("direct-counts", confirmedIf(are(rows[1].counts, 2, 8, 8)), counts(rows[1]));
@@ -571,7 +572,8 @@ void Measuring::streams() {
 }
 
 void Measuring::derivatives() {
-    // A, B, C, F of four derivatives: 10 multiplications, 4 additions (mapping/footprint.h); in every count.
+    // Computing A, B, C, F from the four derivatives takes 10 multiplications and 4 additions (mapping/footprint.h),
+    // which all counts include.
     constexpr double kEllipseMul = 10, kEllipseAdd = 4;
     const auto rows = benchRows(
         rowOptions({"derivatives-direct", "derivatives-iterative", "derivatives-cached"}, 3840, options_.rounds),

@@ -1,4 +1,4 @@
-# Writes OUT with the commit of SOURCES ("+" behind it where files differ from it), if it is not there already.
+# Writes to OUT the commit of SOURCES, followed by "+" if files differ from it, unless OUT contains it already.
 set(commit unknown)
 if(GIT)
   execute_process(COMMAND ${GIT} describe --always --exclude=* --abbrev=12 --dirty=+ WORKING_DIRECTORY ${SOURCES}

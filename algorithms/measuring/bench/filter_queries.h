@@ -1,5 +1,5 @@
-// What the pixels of a frame ask of a texture filter, put together as the frame's tiles do it: to measure filters
-// alone.
+// The queries of a texture filter for the pixels of a frame, grouped as the frame's tiles group them, to measure
+// filters alone.
 #pragma once
 
 #include <span>
@@ -15,15 +15,16 @@ namespace relief {
 
 class FilterQueries {
   public:
-    // pixels: tile by tile; those without a hit are left out. The frame must outlive the queries.
+    // pixels: sorted by tiles; those without a hit are skipped. Keeps references to frame and request, which must
+    // outlive the queries.
     FilterQueries(const Frame& frame, const FrameRequest& request, std::span<const glm::ivec2> pixels);
     FilterQueries(const FilterQueries&) = delete;
     FilterQueries& operator=(const FilterQueries&) = delete;
 
     std::size_t size() const { return size_; }
-    // The colours, in the order of the pixels. Throws Cancelled.
+    // Sets the colours, in the order of the pixels. Throws Cancelled.
     FootprintCounts filter(const TextureFilter& filter, std::vector<Color>& colors, Work& work) const;
-    // Pixels a second: of each filter as many as there are rounds, the filters in turn. Throws Cancelled.
+    // Returns pixels per second, by filter and round; each round runs all filters in turn. Throws Cancelled.
     std::vector<std::vector<double>> rates(std::span<const TextureFilter* const> filters, int rounds, Work& work) const;
 
   private:
@@ -33,7 +34,8 @@ class FilterQueries {
     std::size_t size_ = 0;
 };
 
-// Pixels of the frame with a hit, of whole tiles evenly spread, at most so many of them, for FilterQueries.
+// Returns pixels of the frame with a hit, for FilterQueries: whole tiles distributed uniformly over the picture, at
+// most `most` pixels.
 std::vector<glm::ivec2> sampledTiles(const Frame& frame, std::size_t most);
 
 }  // namespace relief

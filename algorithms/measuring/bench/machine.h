@@ -1,15 +1,17 @@
-// Where a measurement was made: rows of benchmarks carry it, so that numbers of two machines are not mixed up.
+// Machine, compiler and version of a measurement: rows of benchmarks contain them, so that numbers of different
+// machines are not confused.
 #pragma once
 
 #include <string>
 
 namespace relief {
 
-// "GCC 12.2.0 -O3 -DNDEBUG -ffp-contract=off": with the flags that decide about speed and bits.
+// Returns compiler and version with the flags that affect speed and bits, such as "GCC 12.2.0 -O3 -DNDEBUG
+// -ffp-contract=off".
 std::string compilerText();
-// The processor's name as the system tells it; "unknown" where it does not.
+// Returns the processor's name as the system reports it, or "unknown".
 std::string cpuText();
-// Of the sources when they were built, with "+" where files differed from it; "unknown" without git.
+// Returns the commit of the sources at build time, with "+" if files differed from it; "unknown" without git.
 std::string commitText();
 
 }  // namespace relief

@@ -6,9 +6,10 @@ namespace relief {
 
 namespace {
 
-// The ends of a number's range, or every choice; without the default. Where a map is built from the number, its upper
-// end would take hours: twice the default.
-std::vector<std::string> telling(const OptionDescription& option, const std::string& defaultValue, bool buildsMaps) {
+// Returns the ends of a number's range, or every choice, except the default. If a map is built from the number, the
+// upper end is limited to twice the default, because it would take hours.
+std::vector<std::string> valuesToVary(const OptionDescription& option, const std::string& defaultValue,
+                                      bool buildsMaps) {
     std::vector<std::string> values = option.choices;
     if (option.kind == OptionKind::Integer || option.kind == OptionKind::Real) {
         const double twice = 2 * parseNumber(defaultValue, option.name);
@@ -29,10 +30,8 @@ bool buildsMaps(const MethodChoice& choice) {
 
 }  // namespace
 
-bool MeasuredMethod::knows(Surface surface, Address address) const {
-    const auto has = [](const auto& all, auto wanted) {
-        return std::find(all.begin(), all.end(), wanted) != all.end();
-    };
+bool MeasuredMethod::supports(Surface surface, Address address) const {
+    const auto has = [](const auto& all, auto value) { return std::find(all.begin(), all.end(), value) != all.end(); };
     return has(surfaces, surface) && has(addresses, address);
 }
 
@@ -92,8 +91,9 @@ std::vector<MeasuredMethod> methodVariants() {
         std::vector<OptionValues> variants{{}};
         for (const OptionDescription& option : description.options) {
             const std::size_t before = variants.size();
-            for (const std::string& value : telling(option, description.defaults.at(option.name), method.buildsMaps)) {
-                // Methods with many options: each by itself.
+            for (const std::string& value :
+                 valuesToVary(option, description.defaults.at(option.name), method.buildsMaps)) {
+                // Options of methods that build maps are varied one at a time, which limits the number of maps.
                 for (std::size_t v = 0; v < (method.buildsMaps ? 1 : before); ++v) {
                     variants.push_back(variants[v]);
                     variants.back()[option.name] = value;

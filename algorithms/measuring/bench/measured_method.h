@@ -1,4 +1,4 @@
-// Methods as measurements take them: the choice that tables and commands spell, and how the tracer is made.
+// A method to be measured: its name and options as in tables and commands, and a function that makes its tracer.
 #pragma once
 
 #include <functional>
@@ -14,29 +14,31 @@ struct MeasuredMethod {
     using Make = std::function<std::unique_ptr<Tracer>(const HeightField&, MapCache&, Work&)>;
 
     MethodChoice choice;
-    Form form = Form::Simd;  // Scalar: the reference alone, even where there is a SIMD version
-    std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};  // those it knows
+    Form form = Form::Simd;  // Scalar: the reference implementation, even if there is a SIMD version
+    std::vector<Surface> surfaces{Surface::Bilinear, Surface::Columns};  // supported surfaces
     std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
-    bool buildsMaps = false;  // other than pyramids: distances, cones, which take their time
-    Make make;                // tests put a faulty tracer here
+    bool buildsMaps = false;  // of other maps than pyramids, such as distances and cones, which take long to build
+    Make make;                // tests substitute a faulty tracer here
 
-    bool knows(Surface surface, Address address) const;
+    // Returns true if the method supports such a field.
+    bool supports(Surface surface, Address address) const;
 };
 
-// A method of the list with these options. Throws InputError for unknown names.
+// Returns a method of the list with these options. Throws InputError for unknown names.
 MeasuredMethod measuredMethod(const MethodChoice& choice, Form form = Form::Simd);
 
-// "layers", "layers-bisection:layers=128:bisections=4": name and checked options. Throws InputError naming `option`.
+// Parses "layers" or "layers-bisection:layers=128:bisections=4" and checks the options. Throws InputError naming
+// `option`.
 MethodChoice parseMethodChoice(const std::string& text, const std::string& option);
-// The options alone, "layers=64:bisections=8"; with the defaults of those that were not given if `all`.
+// Returns only the options, "layers=64:bisections=8"; if `all`, including the defaults of options that were not given.
 std::string optionsText(const MethodChoice& choice, bool all);
-// What parseMethodChoice reads.
+// The inverse of parseMethodChoice().
 std::string methodText(const MethodChoice& choice);
 
-// Every method of the list that is a tracer, as it is by default.
+// Returns every tracer of the list with default options.
 std::vector<MeasuredMethod> defaultMethods(Form form = Form::Simd);
-// Each of them with every combination of its options' defaults, ends (numbers) and choices, the default form first;
-// those that build maps with each option turned by itself.
+// Returns each of them with every combination of the defaults, range ends (numbers) and choices of its options,
+// starting with the default combination; for methods that build maps, options are varied one at a time.
 std::vector<MeasuredMethod> methodVariants();
 
 }  // namespace relief

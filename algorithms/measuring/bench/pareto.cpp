@@ -33,7 +33,7 @@ std::string sizeText(const BenchRow& row) {
     return std::to_string(row.width) + "x" + std::to_string(row.heightTexels);
 }
 
-// "bricks" of "bricks:256x256:1", whose size is told beside it; a seed is not left out where it is another than 1.
+// Shortens "bricks:256x256:1" to "bricks", as the size has its own column; a seed other than 1 is kept.
 std::string nameOf(const BenchRow& row) {
     const std::size_t colon = row.height.find(':');
     if (colon == std::string::npos || row.height.compare(colon + 1, sizeText(row).size(), sizeText(row)) != 0) {
@@ -43,12 +43,12 @@ std::string nameOf(const BenchRow& row) {
     return row.height.substr(0, colon) + (seed == ":1" ? "" : seed);
 }
 
-// NaN is no number to be better than.
+// Replaces NaN by infinity, so that it never counts as better.
 double orInfinite(double error) {
     return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
-// The rows of one method.
+// Combines the rows of one method.
 ParetoPoint pointOf(const std::vector<const BenchRow*>& rows) {
     ParetoPoint point;
     point.method = rows.front()->method;
@@ -146,7 +146,7 @@ std::string shortMethodName(const MethodChoice& choice) {
         const auto standard = found->defaults.find(name);
         if (standard == found->defaults.end() || standard->second != value) shorter.options[name] = value;
     }
-    // Those of the method inside it.
+    // The options of the inner method.
     if (found->defaults.count("inner") > 0) {
         try {
             for (const ChoiceOption& option : choiceOptions(choice)) {
@@ -155,22 +155,22 @@ std::string shortMethodName(const MethodChoice& choice) {
                     shorter.options.erase(given);
             }
         } catch (const InputError&) {
-            return methodText(shorter);  // of another version of the list
+            return methodText(shorter);  // an unknown method or option, from another version of the program
         }
     }
     return methodText(shorter);
 }
 
 std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& height, const std::string& elevation) {
-    const auto keep = [&](const char* option, const char* what, const std::string& wanted, const auto& textOf) {
-        if (wanted.empty()) return;
+    const auto keep = [&](const char* option, const char* what, const std::string& given, const auto& textOf) {
+        if (given.empty()) return;
         std::vector<std::string> known;
         for (const BenchRow& row : rows) addOnce(known, textOf(row));
-        std::erase_if(rows, [&](const BenchRow& row) { return textOf(row) != wanted; });
+        std::erase_if(rows, [&](const BenchRow& row) { return textOf(row) != given; });
         if (!rows.empty()) return;
-        throw InputError(option, unknownName({"what", what}, wanted, commaList(known)));
+        throw InputError(option, unknownName({"what", what}, given, commaList(known)));
     };
-    // The short name, all of it, or all but the seed, as relief bench --relief takes it.
+    // Accepts the short name, the whole one, or all but the seed, as relief bench --relief takes it.
     const auto begins = [&](const BenchRow& row) { return row.height.starts_with(height + ":"); };
     const bool whole = std::any_of(rows.begin(), rows.end(), [&](const BenchRow& row) { return row.height == height; });
     const bool sized = height.find(':') != std::string::npos && std::any_of(rows.begin(), rows.end(), begins);

@@ -1,4 +1,4 @@
-// Reads the tables of `relief bench tracers` back.
+// Reads the tables that `relief bench tracers` wrote.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// One object of the array; whatever is not as its column says is refused with the row's number, from 1.
+// Reads one object of the array. Invalid values are reported with the row's number, from 1.
 class RowReader {
   public:
     RowReader(const Json& object, std::size_t row, const std::string& fileName)
@@ -25,7 +25,7 @@ class RowReader {
         if (!value.is_string()) fail(column);
         return value.get<std::string>();
     }
-    // null: NaN, where that is allowed.
+    // Reads a number of at least `low`; null gives NaN if that is allowed.
     double number(const char* column, double low, bool orNone = false) const {
         const Json& value = at(column);
         if (orNone && value.is_null()) return std::numeric_limits<double>::quiet_NaN();
@@ -44,7 +44,7 @@ class RowReader {
         if (!value.is_number_integer() || value.get<double>() < 0 || value.get<double>() > 9e18) fail(column);
         return value.get<std::int64_t>();
     }
-    // What `parse` throws for a word that is none.
+    // Converts a text by `parse`, and reports what it throws as an invalid value.
     template <class Parse>
     auto parsed(const char* column, const Parse& parse) const {
         const std::string word = text(column);
@@ -92,7 +92,7 @@ Elevation elevationAt(const RowReader& from) {
     return std::nullopt;
 }
 
-// Tables of the first version have no such column: their rates are of what ran unless it was told otherwise.
+// Tables of the first version have no such column; their rates are of the method's default implementation.
 Form formAt(const RowReader& from, const MethodChoice& method) {
     if (from.has("form")) {
         return from.parsed("form", [](const std::string& text) { return parseForm(text, "form"); });
@@ -100,7 +100,7 @@ Form formAt(const RowReader& from, const MethodChoice& method) {
     try {
         return methodForm(method);
     } catch (const InputError&) {
-        return Form::Scalar;  // of another library
+        return Form::Scalar;  // a method of another library
     }
 }
 
@@ -157,7 +157,7 @@ std::vector<BenchRow> parseBenchJson(const std::string& text, const std::string&
     if (json.empty()) throw InputError(fileName, Message(MessageId::BenchNoRows));
     std::vector<BenchRow> rows;
     for (const Json& object : json) {
-        // Tables of rows and of filters are arrays, too.
+        // Tables of the row and filter benchmarks are arrays, too.
         if (!object.is_object() || (rows.empty() && !object.contains("error_mean"))) {
             throw InputError(fileName, Message(MessageId::BenchNotTable));
         }

@@ -29,7 +29,7 @@ double meanOf(const std::vector<T>& values) {
     return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-// By the nearest rank.
+// The 95th percentile by nearest rank.
 template <class T>
 std::int64_t p95Of(std::vector<T> values) {
     if (values.empty()) return 0;
@@ -65,11 +65,11 @@ BenchRow countedRow(const HeightField& field, const MethodChoice& choice, const 
     return row;
 }
 
-// A frame of the same view by another method.
+// Returns a frame of the same view whose hits are those of another method.
 Frame retraced(const Frame& frame, const Tracer& tracer, Work& work) {
     auto hits = std::make_shared<HitStage>();
     NullSink sink;
-    // Pixels that no polygon covers have rays that are never looked at.
+    // The rays of pixels that no polygon covers are undefined.
     const std::size_t pixels = frame.rays->polygon.size();
     RayBlock rays;
     std::vector<std::size_t> places;
@@ -93,7 +93,7 @@ Frame retraced(const Frame& frame, const Tracer& tracer, Work& work) {
     return other;
 }
 
-// Of the covered pixels, in their order.
+// Returns the steps of the covered pixels, in the order of pixels.
 std::vector<std::int64_t> stepsOf(const Frame& frame, const Tracer& tracer, Work& work) {
     const std::size_t pixels = frame.rays->polygon.size();
     std::vector<std::int64_t> steps;
@@ -120,7 +120,7 @@ void fillSteps(FrameHistograms& out, const std::vector<std::int64_t>& steps) {
     out.stepsMean = meanOf(steps);
     out.stepsP95 = p95Of(steps);
     out.stepsMost = *std::max_element(steps.begin(), steps.end());
-    // 1, 2, 5, 10, ...
+    // The bin width runs through 1, 2, 5, 10, ...
     while (out.stepsMost / out.stepWidth >= kMostBins) {
         int lead = out.stepWidth;
         while (lead >= 10) lead /= 10;
@@ -130,7 +130,7 @@ void fillSteps(FrameHistograms& out, const std::vector<std::int64_t>& steps) {
     for (const std::int64_t s : steps) ++out.steps[static_cast<std::size_t>(s / out.stepWidth)];
 }
 
-constexpr double kLeast = 1e-9;  // texels: smaller ones lie in the first bin
+constexpr double kLeast = 1e-9;  // texels; smaller errors lie in the first bin
 
 void fillErrors(FrameHistograms& out, const ErrorLayer& error) {
     double low = std::numeric_limits<double>::infinity();
@@ -142,7 +142,7 @@ void fillErrors(FrameHistograms& out, const ErrorLayer& error) {
     out.wrong = error.counts[static_cast<std::size_t>(ErrorKind::Wrong)];
     if (!std::isfinite(low)) return;
     out.lowDecade = static_cast<int>(std::floor(std::log10(std::max(low, kLeast))));
-    // Rounded as the errors are: the largest must have its bin.
+    // Rounded to float like the single errors, so that the largest error has a bin.
     const std::size_t bins = out.errorBin(static_cast<double>(static_cast<float>(error.largest))) + 1;
     out.before.assign(bins, 0);
     out.behind.assign(bins, 0);
@@ -244,7 +244,7 @@ namespace {
 
 struct RankedPixel {
     double worse = 0;
-    double away = 0;  // from the centre
+    double away = 0;  // from the picture's centre
     PixelPlace place;
 };
 

@@ -1,4 +1,4 @@
-// Run time against error on the rays of a picture that is there: what `relief bench tracers` measures, of this view.
+// Run time against error on the rays of an existing picture: the measurements of `relief bench tracers` for this view.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,12 @@
 
 namespace relief {
 
-// Rays of the frame's pixels that a polygon covers, at most so many of them, as evenly spread over the picture as every
-// n-th pixel of every n-th row is.
+// Returns at most `most` rays of the frame's pixels that a polygon covers: every n-th pixel of every n-th row.
 RayBlock sampledRays(const Frame& frame, std::size_t most);
 
-// A row for each method that knows the field's surface: rates as medians of rounds over all methods in turn, after one
-// to warm up; counts and errors in a pass of their own. Maps come from the cache; those of `elevation` and `seed` are
-// not set, buildSeconds is 0. Throws Cancelled, InputError for unknown methods.
+// Returns a row for each method that supports the field's surface: rates as medians of rounds over all methods in turn,
+// after a warm-up round; counts and errors from a separate pass. Maps come from the cache; elevation and seed are not
+// set, and buildSeconds is 0. Throws Cancelled, InputError for unknown methods.
 std::vector<BenchRow> benchRaysOfView(const HeightField& field, const RayBlock& rays,
                                       const std::vector<MethodChoice>& methods, int rounds, MapCache& maps, Work& work);
 
@@ -24,43 +23,45 @@ struct PixelPlace {
     int x = 0;
     int y = 0;
 };
-// The pixel of the frame's view where this method is farthest from `exact`; a wrong outcome is farther than any error,
-// of several the one nearest to the picture's centre. Nothing where it has no error at all. Throws Cancelled.
+// Returns the pixel of the frame's view with the method's largest error relative to `exact`. A wrong outcome counts as
+// larger than any error; of equal errors the one nearest to the picture's centre is taken. std::nullopt if no pixel has
+// an error. Throws Cancelled.
 std::optional<PixelPlace> worstPixel(const Frame& frame, const FrameRequest& request, const MethodChoice& method,
                                      MapCache& maps, Work& work);
 
-// How many steps the rays of a frame took, and how far they are off.
+// Histograms of the steps and errors of the rays of a frame.
 struct FrameHistograms {
-    static constexpr int kErrorBins = 4;  // a decade
+    static constexpr int kErrorBins = 4;  // per decade
 
     std::int64_t rays = 0;
-    int stepWidth = 1;                // of a bin of steps, which begins at a multiple of it
-    std::vector<std::int64_t> steps;  // rays in each bin, from 0 steps on
+    int stepWidth = 1;                // width of a bin of steps; bins begin at multiples of it
+    std::vector<std::int64_t> steps;  // rays in each bin, starting at 0 steps
     double stepsMean = 0;
     std::int64_t stepsP95 = 0, stepsMost = 0;
 
-    // Bins of error, texels: bin b from 10^(lowDecade + b / kErrorBins); smaller errors lie in the first.
+    // Bins of error, texels: bin b begins at 10^(lowDecade + b / kErrorBins); smaller errors are counted in the first.
     int lowDecade = -3;
-    std::vector<std::int64_t> before, behind;  // rays that end before the exact hit, and behind it
-    std::int64_t exact = 0;                    // rays
-    std::int64_t wrong = 0;                    // of another outcome
-    double largest = 0;                        // of the finite ones
+    std::vector<std::int64_t> before, behind;  // rays that end before or behind the exact hit
+    std::int64_t exact = 0;                    // rays with the exact hit, or miss
+    std::int64_t wrong = 0;                    // rays with another outcome
+    double largest = 0;                        // largest finite error, texels
 
-    // Of a ray that ends before or behind the exact hit.
+    // Returns the bin of a ray that ends before or behind the exact hit by this error.
     std::size_t errorBin(double texels) const;
 };
-// tracer: the frame's; rays are traced again for their steps where the frame has not counted them. Throws Cancelled.
+// tracer: the frame's tracer. Rays are traced again to count their steps if the frame has not counted them. Throws
+// Cancelled.
 FrameHistograms frameHistograms(const Frame& frame, const FrameRequest& request, const Tracer& tracer, MapCache& maps,
                                 Work& work);
 
-// A bin of such histograms; `bin` is of steps or errors, and means nothing for the others.
+// A bin of such histograms; `bin` is used only for parts that have bins of steps or errors.
 enum class HistogramPart : std::uint8_t { Steps, Exact, Before, Behind, Wrong };
 struct HistogramBin {
     HistogramPart part = HistogramPart::Steps;
     std::size_t bin = 0;
 };
-// The pixels whose rays are in the bin, those first that take most steps or are farthest off, of equal ones those near
-// the picture's centre. data: of the very frame and tracer. Throws Cancelled.
+// Returns the pixels whose rays are in the bin, those with the most steps or largest errors first, and of equal ones
+// those nearest to the picture's centre. data: must come from the same frame and tracer. Throws Cancelled.
 std::vector<PixelPlace> pixelsOfBin(const Frame& frame, const FrameRequest& request, const Tracer& tracer,
                                     const FrameHistograms& data, HistogramBin bin, MapCache& maps, Work& work);
 

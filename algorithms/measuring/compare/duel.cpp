@@ -12,7 +12,7 @@ namespace relief {
 
 namespace {
 
-// A log's records of a search that moves on: what it says after them is "up to here there is nothing".
+// Returns true for a log record of a search that moves on, which claims that there is no hit up to lambdaAfter.
 bool moves(const Step& step) {
     switch (step.decision) {
         case Decision::Skip:
@@ -48,7 +48,7 @@ class Judge {
   private:
     double margin() const { return kSameAnswer / scale_; }
 
-    // The first step that goes on, or answers, behind the exact hit; or that finds none.
+    // Returns the first step that moves on to, or answers with, a point behind the exact hit, or that reports a miss.
     std::optional<std::size_t> firstPast() const {
         if (exact_.outcome != Outcome::Hit) return std::nullopt;
         for (std::size_t k = 0; k < run_.steps.size(); ++k) {
@@ -62,13 +62,13 @@ class Judge {
     void at(Judgement& out, Departure kind, std::size_t step, double from, double to) const {
         out.kind = kind;
         out.step = step;
-        // The hit lies in what it is about: a stretch before it may have gone without a record.
+        // The interval must contain the hit; a preceding interval may not have been recorded.
         const bool ahead = kind != Departure::StoppedEarly;
         out.from = ahead ? std::min(from, exact_.lambda) : from;
         out.to = to;
     }
 
-    // The last refinement between `first` and the end whose stretch, or whose answer's, holds the exact hit.
+    // Returns the last refinement step.
     std::optional<std::size_t> lastRefinement() const {
         for (std::size_t k = run_.steps.size(); k-- > 0;) {
             if (run_.steps[k].decision == Decision::Refine) return k;
@@ -76,7 +76,7 @@ class Judge {
         return std::nullopt;
     }
 
-    // What a search that has found a stretch with the hit in it makes of it.
+    // Classifies a search that has found an interval with the hit in it but answers wrongly.
     void foundWithin(Judgement& out, std::size_t step) const {
         const Step& found = run_.steps[step];
         const auto refined = lastRefinement();
@@ -91,7 +91,7 @@ class Judge {
     void passed(Judgement& out, std::size_t k) const {
         const Step& step = run_.steps[k];
         const double to = std::max(step.lambdaAfter, step.lambdaOut);
-        // Below the surface where it went on: it has it, if it looks.
+        // The point up to which the search moved is below the surface, so testing it would reveal the hit.
         const bool below = surface_.gapAt(std::min(to, 1.0)) >= 0;
         const bool refines = k + 1 < run_.steps.size() && run_.steps[k + 1].decision == Decision::Refine;
         if (step.decision == Decision::Hit) {
@@ -113,7 +113,7 @@ class Judge {
         const Step& step = run_.steps[last];
         const auto refined = lastRefinement();
         const bool hit = run_.hit.outcome == Outcome::Hit;
-        // A search that has the hit in its stretch, and interpolates it to another place.
+        // The search has an interval that contains the hit, but interpolates another place in it.
         if (hit && exact_.outcome == Outcome::Hit && refined && step.lambdaOut >= exact_.lambda) {
             return foundWithin(out, last);
         }
@@ -127,7 +127,7 @@ class Judge {
     double scale_;
 };
 
-// How far along the ray a run is after step k: it never goes back.
+// Returns how far along the ray a run is after each step; the value never decreases.
 std::vector<double> reaches(const DuelRun& run) {
     std::vector<double> out;
     double reached = 0;

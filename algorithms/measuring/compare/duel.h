@@ -1,7 +1,7 @@
-// Several methods on one ray, step by step, and what goes wrong first where one of them departs from the exact answer.
-// The exact tracer is the judge; what each method says of itself in its log tells the kind.
+// Compares several methods on one ray, step by step, and determines the first error of each that departs from the exact
+// answer. The exact tracer is the reference; the method's own step log determines the kind of error.
 //
-// Frame and units: ray.h. Errors as everywhere: |lambda - exact lambda| max(1, hypot(a, b)), texels.
+// Frame and units: ray.h. Errors are measured as everywhere: |lambda - exact lambda| max(1, hypot(a, b)), texels.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,24 @@
 
 namespace relief {
 
-// A method's answer on the ray, and its log.
+// The answer of a method on the ray, and its step log.
 struct DuelRun {
-    std::string name;  // for sentences
+    std::string name;  // shown in messages
     Hit hit;
     std::vector<Step> steps;
 };
 
-// None: the exact answer, to kSameAnswer.
-// MissedSpike: it looked at the surface at single places, and went on past what stands between two of them.
-// StoppedEarly: it answered before the first hit, or gave up, or answered where there is nothing.
-// UnsafeMap: a stored distance, cone or maximum promised an empty stretch that is not empty.
-// InterpolationLeak: it had the hit within a stretch, and what it interpolated there is not the surface.
-// NotRefined: it had the hit within a stretch, and answers with the stretch's end.
+// The first error of a run.
+// - None: the exact answer, to within kSameAnswer.
+// - MissedSpike: it sampled the surface at single points, and went past a feature between two of them.
+// - StoppedEarly: it answered before the first hit, reached a limit, or answered where there is no hit.
+// - UnsafeMap: a stored distance, cone or maximum claimed that an interval is empty although it is not.
+// - InterpolationLeak: the hit was in its interval, but the point that it interpolated there is not on the surface.
+// - NotRefined: the hit was in its interval, but it answered with the interval's end.
 enum class Departure : std::uint8_t { None, MissedSpike, StoppedEarly, UnsafeMap, InterpolationLeak, NotRefined };
 
-// step: at which it happens; [from, to]: lambda of the stretch that it is about. texels: of the final answer, infinite
-// where its outcome is another one. overshoot: the first step, right in the end or not, that lies past the exact hit.
+// step: the step at which the departure occurs; [from, to]: its lambda interval. texels: error of the final answer,
+// infinite if the outcome differs. overshoot: the first step past the exact hit, even if the final answer is right.
 struct Judgement {
     Departure kind = Departure::None;
     std::size_t step = 0;
@@ -42,25 +43,26 @@ struct Judgement {
     std::optional<std::size_t> overshoot;
 };
 
-// exact: the first hit; where it is Outcome::Limit (a ray too flat to be judged), None.
+// Determines the kind of departure. exact: the first hit; if it is Outcome::Limit (the ray is too grazing to be
+// judged), the result is None.
 Judgement judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const HeightField& field);
 
-// The kind in two words, and what happened in a sentence.
+// Returns the kind in two words (departureTitle), and a sentence about what happened (judgementSentence).
 Message departureTitle(Departure kind);
 Message judgementSentence(const DuelRun& run, const Judgement& judgement, const Hit& exact);
 
-// The runs in lock step: at each moment those that are furthest behind along the ray take their next step, so that all
-// stand at about the same lambda. moments[m][r]: the step at which run r stands.
+// Synchronises the runs: at each moment, the runs that are furthest behind along the ray take their next step, so that
+// all of them stand at about the same lambda. moments[m][r]: the step at which run r stands at moment m.
 struct LockStep {
     std::vector<std::vector<std::size_t>> moments;
 
-    // The first moment at which run r stands at this step or beyond.
+    // Returns the first moment at which run r stands at this step or beyond.
     std::size_t momentOf(std::size_t run, std::size_t step) const;
 };
-// Runs without steps stand at step 0 for ever.
+// Runs without steps remain at step 0.
 LockStep lockStep(const std::vector<DuelRun>& runs);
 
-// The run that departs first, in lock step; nothing if all answer as exact does.
+// Returns the run that departs first in the synchronised order; std::nullopt if all of them give the exact answer.
 std::optional<std::size_t> firstToDepart(const LockStep& moments, const std::vector<Judgement>& judgements);
 
 }  // namespace relief

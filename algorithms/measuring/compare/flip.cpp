@@ -21,11 +21,11 @@ using glm::dvec3;
 using Plane = Image<float>;
 using Planes = Image<glm::vec3>;
 
-// Section 4.1.3: exponent, and where the map of errors bends.
+// Section 4.1.3: the exponent, and the bend of the error mapping.
 constexpr double kColorExponent = 0.7;
 constexpr double kBendError = 0.4;
 constexpr double kBendValue = 0.95;
-// Section 4.2: width of the feature detectors in degrees, and their exponent.
+// Section 4.2: width of the feature detectors in degrees, and the exponent.
 constexpr double kFeatureDegrees = 0.082;
 constexpr double kFeatureExponent = 0.5;
 
@@ -38,13 +38,13 @@ constexpr Sensitivity kRedGreen{1.0, 0.0053, 0.0, 1e-5};
 constexpr Sensitivity kBlueYellow{34.1, 0.04, 13.5, 0.025};
 constexpr double kWidest = 0.04;
 
-// sRGB primaries, D65. Columns: what one unit of R, G, B adds.
+// sRGB primaries, D65. Each column is the contribution of one unit of R, G, B.
 const glm::dmat3 kXyzFromRgb{0.41238656, 0.21263682, 0.01933062, 0.35759149, 0.71518298,
                              0.11919716, 0.18045049, 0.07218020, 0.95037259};
 const glm::dmat3 kRgbFromXyz = glm::inverse(kXyzFromRgb);
 const dvec3 kWhite = kXyzFromRgb * dvec3(1);
 
-// The linear opponent space the pictures are filtered in.
+// Converts to the linear opponent space in which the pictures are filtered.
 dvec3 opponentFromXyz(const dvec3& xyz) {
     const dvec3 n = xyz / kWhite;
     return {116 * n.y - 16, 500 * (n.x - n.y), 200 * (n.y - n.z)};
@@ -64,7 +64,7 @@ dvec3 labFromRgb(const dvec3& rgb) {
     return {116 * f.y - 16, 500 * (f.x - f.y), 200 * (f.y - f.z)};
 }
 
-// Colourfulness grows with luminance (Hunt).
+// Perceived colourfulness grows with luminance (Hunt).
 dvec3 huntAdjusted(const dvec3& lab) {
     return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
 }
@@ -108,8 +108,8 @@ Image<T> convolveColumns(const Image<T>& in, const std::vector<Wide>& taps, Work
     return out;
 }
 
-// One of the two Gaussians of every channel, with its share of the channel's total: a sum of separable filters, which
-// is what the published two-dimensional one is.
+// One of the two Gaussians of every channel, with its share of the channel's total. The published two-dimensional
+// filter is a sum of such separable filters.
 struct SpatialFilter {
     std::vector<dvec3> taps;
     dvec3 share;
@@ -135,7 +135,7 @@ SpatialFilter spatialFilter(int radius, double pixelsPerDegree, bool second) {
     return filter;
 }
 
-// Section 4.1.1: what the eye resolves, in the opponent space.
+// Section 4.1.1: attenuates detail that the eye cannot resolve, in the opponent space.
 Planes spatiallyFiltered(const Planes& opponent, double pixelsPerDegree, Work& work) {
     constexpr double kPi = std::numbers::pi;
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kWidest / (2 * kPi * kPi)) * pixelsPerDegree));
@@ -167,7 +167,7 @@ FeatureFilters featureFilters(double pixelsPerDegree) {
         filters.edge.push_back(-k * gauss);
         filters.point.push_back((k * k / (deviation * deviation) - 1) * gauss);
     }
-    // Positive weights sum to 1, negative ones to -1, so that a step of full contrast answers 1.
+    // Positive weights sum to 1 and negative ones to -1, so that a step of full contrast gives 1.
     const auto balance = [](Taps& taps, bool bothSigns) {
         double positive = 0;
         double negative = 0;
@@ -180,7 +180,7 @@ FeatureFilters featureFilters(double pixelsPerDegree) {
     return filters;
 }
 
-// Section 4.2: strength of edges and points, the larger of both kinds of difference decides.
+// Section 4.2: strength of edges and points; the larger difference of the two counts.
 struct Features {
     Plane edge, point;
 };
@@ -220,7 +220,7 @@ dvec3 adjustedLab(const glm::vec3& opponent) {
     return huntAdjusted(labFromRgb(glm::clamp(kRgbFromXyz * xyzFromOpponent(dvec3(opponent)), 0.0, 1.0)));
 }
 
-// Section 4.1.3: small differences keep most of the scale.
+// Section 4.1.3: small differences use most of the scale.
 double colorError(const dvec3& a, const dvec3& b, double largest) {
     const double error = std::pow(hyab(a, b), kColorExponent);
     const double bend = kBendError * largest;
@@ -230,7 +230,8 @@ double colorError(const dvec3& a, const dvec3& b, double largest) {
 }  // namespace
 
 FloatImage flipErrors(const ColorImage& reference, const ColorImage& test, double pixelsPerDegree, Work& work) {
-    // Both pictures in the opponent space and filtered, the features of one and all of what those of the other take.
+    // Per pixel: both pictures in the opponent space and filtered, the features of one picture, and the peak of
+    // computing the other's.
     constexpr std::uint64_t kBytes = 4 * sizeof(Planes::Value) + 10 * sizeof(Plane::Value);
     requireMemory(byteProduct({reference.size(), kBytes}), "FLIP", MemoryHint::SmallerPicture);
     const Planes opponentA = opponentPicture(reference, work);

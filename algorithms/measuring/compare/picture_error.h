@@ -1,8 +1,8 @@
-// How far apart two pictures are: RMSE, PSNR and FLIP.
+// The difference between two pictures: RMSE, PSNR and FLIP.
 //
-// All three compare what a screen shows: linear colours are sRGB-encoded and clamped to [0, 1] first. RMSE and PSNR
-// weigh the three channels alike. FLIP is the LDR difference evaluator of Andersson et al. 2020 (HPG), an error map in
-// [0, 1] of what a viewer notices who flips between the two; `flip` is its mean.
+// All three compare what a screen shows: linear colours are clamped to [0, 1] and sRGB-encoded first. RMSE and PSNR
+// weight the three channels equally. FLIP is the LDR difference evaluator of Andersson et al. 2020 (HPG): a map in [0,
+// 1] of the differences that a viewer notices when flipping between the two pictures; `flip` is its mean.
 #pragma once
 
 #include "relief/image.h"
@@ -10,16 +10,17 @@
 
 namespace relief {
 
-// Pixels a degree of the viewer's field: 0.7 m from a screen 0.7 m and 3840 pixels wide, FLIP's own default.
+// Pixels per degree of the viewer's field of view: 0.7 m from a screen 0.7 m and 3840 pixels wide, the default of FLIP.
 inline constexpr double kPixelsPerDegree = 67.0;
 
 struct PictureError {
     double rmse = 0;
-    double psnr = 0;  // decibel, 20 log10(1 / rmse); infinite for equal pictures
+    double psnr = 0;  // decibels, 20 log10(1 / rmse); infinite for equal pictures
     double flip = 0;
 };
 
-// Both of one size, not empty, no NaN (infinite values are clamped like others).
+// Both pictures must have the same size, must not be empty and must contain no NaN (infinite values are clamped like
+// others). Throws MemoryError, Cancelled.
 PictureError pictureError(const ColorImage& reference, const ColorImage& test, double pixelsPerDegree,
                           FloatImage& flipMap, Work& work);
 

@@ -1,5 +1,5 @@
-// Rectangles of directions and azimuth sectors, by angles and by the rays at a sector's ends. For certificates:
-// independent of the builders' own (relief/maps/azimuth_sectors.h).
+// Azimuths of rectangles of direction vectors, and their shortest vectors in azimuth sectors. For certificates:
+// independent of the implementation that the map builders use (relief/maps/azimuth_sectors.h).
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace relief {
 
-// Vectors (x, y) with x in [x0, x1], y in [y0, y1].
+// The vectors (x, y) with x in [x0, x1], y in [y0, y1].
 struct VectorRange {
     double x0, x1, y0, y1;
 };
 
-// The azimuths of all vectors in a rectangle, by the angles of its corners.
+// The interval of azimuths of all vectors in a rectangle, computed from the angles of its corners.
 class AzimuthRange {
   public:
     explicit AzimuthRange(const VectorRange& v) {
@@ -30,13 +30,13 @@ class AzimuthRange {
                 high = std::max(high, turn);
             }
         }
-        // Far above the rounding of the angles.
+        // Much larger than the rounding error of the angles, radians.
         constexpr double kSlack = 1e-12;
         begin_ = middle + low - kSlack;
         span_ = high - low + 2 * kSlack;
     }
 
-    // Whether it meets sector k of n.
+    // Returns true if the interval overlaps sector k of n.
     bool meets(int k, int n) const {
         if (n == 1 || span_ >= kTurn) return true;
         const double width = kTurn / n;
@@ -51,9 +51,10 @@ class AzimuthRange {
     double span_ = kTurn;
 };
 
-// The shortest vector of the range in sector k of n (n at least 4), infinite if there is none. The sector is taken a
-// rounding wider; but byQuadrants (n a multiple of 4), no vector counts to another quadrant than its signs say, as
-// azimuthSector() does, and those on an axis are left out: along it a ray only touches what lies beside.
+// Returns the length of the shortest vector of the range in sector k of n (n at least 4), infinity if there is none.
+// The sector is widened by more than the rounding error. With byQuadrants (n a multiple of 4), a vector belongs only to
+// the quadrant of its signs, as for azimuthSector(), and vectors on an axis are excluded: a ray along an axis only
+// touches the cells next to it.
 inline double shortestInSector(VectorRange v, int k, int n, bool byQuadrants) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     constexpr double kSlack = 1e-12;
@@ -74,7 +75,7 @@ inline double shortestInSector(VectorRange v, int k, int n, bool byQuadrants) {
     double after = std::fmod(std::atan2(y, x) - begin, 2 * std::numbers::pi);
     if (after < 0) after += 2 * std::numbers::pi;
     if (after <= end - begin) return std::hypot(x, y);
-    // Both are convex: else it lies on one of the rays that bound the sector.
+    // Rectangle and sector are convex, so otherwise the shortest vector lies on one of the rays that bound the sector.
     double shortest = kNone;
     for (const double angle : {begin, end}) {
         double in = 0;

@@ -1,5 +1,5 @@
-// Which cells around a box of cells stand high enough to matter: a search of the max pyramid over all periods in reach.
-// For certificates: independent of the builders' own searches.
+// Searches a max pyramid for the cells around a box of cells that are high enough to matter, in all periods within
+// reach. For certificates: independent of the searches in the map builders.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace relief {
 
-// Cells [x0, x1) x [y0, y1) of cell_grid.h; beyond the grid under repeat.
+// Cells [x0, x1) x [y0, y1) of cell_grid.h; under repeat they may lie outside the grid.
 struct CellBox {
     int x0, x1, y0, y1;
 };
@@ -28,12 +28,14 @@ class CellSearch {
     const FloatImage& highest() const { return cells_.highest; }
     double highestOfAll() const { return static_cast<double>(pyramid_.level(pyramid_.levels() - 1)(0, 0)); }
 
-    // keep(gap, highest): may a cell at least `gap` texels off the box, at most that high, matter? leaf(x, y, gap,
-    // highest): a cell for which it may. Cells farther than `reach` are not looked at.
+    // Calls leaf(x, y, gap, highest) for every cell for which keep(gap, highest) is true. gap: distance of the cell
+    // from the box, texels; highest: its height. keep is also called for pyramid texels, with lower bounds of gap and
+    // upper bounds of highest, and must be true if it could be true for one of their cells. Cells farther away than
+    // `reach` texels are skipped.
     template <class Keep, class Leaf>
     void visit(const CellBox& box, double reach, const Keep& keep, const Leaf& leaf) const {
         const int top = pyramid_.levels() - 1;
-        // The own period first: what it finds prunes the others.
+        // The box's own period is searched first, because what it finds prunes the others.
         node(box, top, 0, 0, 0, 0, reach, keep, leaf);
         if (!wraps_) return;
         const auto periods = [&](int first, int last, int size) {
@@ -68,7 +70,7 @@ class CellSearch {
             return;
         }
         const FloatImage& below = pyramid_.level(level - 1);
-        // The nearer children first: they narrow what may matter.
+        // Nearer children are visited first, because they prune the others.
         const int nearX = box.x0 + box.x1 > x0 + x1 ? 1 : 0;
         const int nearY = box.y0 + box.y1 > y0 + y1 ? 1 : 0;
         for (int n = 0; n < 4; ++n) {

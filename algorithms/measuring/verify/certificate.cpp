@@ -12,13 +12,13 @@ namespace relief {
 
 namespace {
 
-// Rays that are held at a time.
+// Rays in memory at a time.
 constexpr std::uint64_t kBlock = std::uint64_t{1} << 16;
-// Rays through a value that breaks its bound.
+// Number of rays traced through each value that breaks its bound.
 constexpr std::size_t kWitnesses = 4096;
 
-// The method, or the one inside it, that walks a map which can be stored: the map, as that tracer gets it. Other
-// layouts are tried with rays alone.
+// Returns the storable map that the method, or its inner method, traverses, as that tracer gets it. Maps in other
+// layouts are tested with rays only.
 std::optional<StoredMap> mapOf(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work) {
     const MethodDescription& method = findTracer(choice.name);
     const auto layout = choice.options.find(std::string(kLayoutOption));
@@ -87,7 +87,8 @@ class Certifier {
         return hits;
     }
 
-    // Texels past the first hit; 0 or less: not past. Who gives up has answered nothing wrong.
+    // Returns the distance of the answer past the first hit, texels; 0 or less: not past. A step limit is not a wrong
+    // answer.
     double past(const ViewRay& ray, const Hit& truth, const Hit& found) const {
         if (truth.outcome != Outcome::Hit || found.outcome == Outcome::Limit) return 0;
         if (found.outcome != Outcome::Hit) return std::numeric_limits<double>::infinity();
@@ -119,7 +120,7 @@ class Certifier {
         return {ray, truth.lambda, answered, past(ray, truth, found), stepPast(ray, truth.lambda)};
     }
 
-    // The decision that led past the first hit.
+    // Describes the step that went past the first hit.
     std::string stepPast(const ViewRay& ray, double truth) const {
         RayBlock rays(1);
         rays.set(0, ray);
@@ -139,8 +140,8 @@ class Certifier {
         return "no single step";
     }
 
-    // Rays through a point of the value's place towards the cell that sets its bound; the lambda of that point, and the
-    // one that the value by itself lets each go to from there.
+    // Rays through points of the broken value's cell or voxel towards the cell that sets its bound. from: lambda of
+    // that point; to: lambda up to which the value alone lets the ray advance.
     struct Tried {
         RayBlock rays;
         std::vector<double> from;
@@ -160,14 +161,15 @@ class Certifier {
     Certificate result_;
 };
 
-// A point of [low, high): corners and sides as often as the inside.
+// Returns a point of [low, high): half of them next to an end, the others uniform.
 double inside(Random& random, double low, double high) {
     const int which = random.below(4);
     const double share = which == 0 ? 1e-9 : which == 1 ? 1 - 1e-9 : random.unit();
     return low + share * (high - low);
 }
 
-// Cells [first, last) of an axis, texels; the outermost ones reach a texel outwards.
+// Returns the extent of the cells [first, last) of an axis, texels; the outermost cells extend one texel beyond the
+// picture.
 std::pair<double, double> texelsOf(const GridAxis& axis, int first, int last) {
     return {first - axis.shift, last - axis.shift};
 }
@@ -210,7 +212,7 @@ Certifier::Tried Certifier::raysThrough(const BrokenBound& broken) const {
         if (azimuthSector(x, y, sectors) != broken.sector) continue;
         const double drop = z - field_.at(s + x, t + y);
         const double away = std::hypot(x, y);
-        // Towards that point of the surface, or as flat as may be.
+        // The ray descends to that surface point, or as gently as the map allows.
         const double perDrop = drop * rays_.longest() > away ? 1 / drop : (away > 0 ? rays_.longest() / away : 0);
         const auto ray = rays_.through(s, t, z, x * perDrop, y * perDrop);
         if (!ray) continue;
@@ -235,7 +237,7 @@ void Certifier::witness() {
                 result_.first = example(ray, truth[r], found[r]);
                 return;
             }
-            // By the value alone; what hid the ray before it came there does not count.
+            // The value is judged alone, so rays that hit something before reaching it do not count.
             if (truth[r].outcome != Outcome::Hit || truth[r].lambda < tried.from[r]) continue;
             const double texels = (tried.to[r] - truth[r].lambda) * lengthOf(ray);
             if (!(texels > 0) || (result_.byValue && texels <= result_.byValue->texels)) continue;

@@ -1,10 +1,11 @@
-// Is a map safe under the interpolation and the stepping rule of the tracer that walks it? Two kinds of answer beside
-// each other:
-//   values: for the conservative maps, whose values are never interpolated, every value is held against a bound
-//     computed anew (certificate_bounds.h). All kept: proven, for every ray that the map serves.
-//   rays: seeded rays that look for weak places, against `exact`. One that ends past the first hit is a
-//   counter-example;
-//     none found is evidence only. For maps that are interpolated, and methods without a map, that is all there is.
+// Checks whether a map is safe under the interpolation and the stepping rule of the tracer that traverses it. There are
+// two kinds of evidence:
+// - values: for conservative maps, whose values are never interpolated, every value is compared with an independently
+//   computed bound (certificate_bounds.h). If all values keep their bounds, safety is proven for every ray that the map
+//   serves.
+// - rays: seeded rays designed to find errors are compared with `exact`. A ray that ends past the first hit is a
+//   counter-example; finding none is evidence but no proof. For interpolated maps, and methods without a map, there is
+//   no other evidence.
 #pragma once
 
 #include <cstdint>
@@ -21,47 +22,48 @@ struct CertificateOptions {
     std::uint64_t seed = 1;
 };
 
-// A ray, and where it ended. answered: infinite where the ray went on to a miss.
+// A ray, and where it ended. answered: infinite if the ray ended as a miss.
 struct CounterExample {
     ViewRay ray;
     double surface = 0;   // lambda of the first hit
     double answered = 0;  // lambda of the answer
-    double texels = 0;    // how far past, slab metric; infinite for a miss
-    std::string where;    // the step that led past, with the texel or voxel and its value
+    double texels = 0;    // distance past the first hit, slab metric; infinite for a miss
+    std::string where;    // the step that went past it, with the texel or voxel and its value
 };
 
 struct Certificate {
     std::string method;
-    std::string map;                   // its kind; empty: no map of the kinds that can be stored
-    std::optional<BoundCheck> bounds;  // nothing: the map has no bound to be held to
+    std::string map;                   // kind of the map; empty: no storable map
+    std::optional<BoundCheck> bounds;  // std::nullopt: the map's values have no bound
     std::uint64_t rays = 0;
     std::uint64_t seed = 0;
-    double longest = 0;  // the flattest of them, texels of run
-    double allowed = 0;  // texels past the first hit that are not counted
+    double longest = 0;  // largest run of the rays, texels
+    double allowed = 0;  // tolerance past the first hit, texels
     std::uint64_t overshoots = 0;
-    double worst = 0;                     // texels, the largest; of rays
-    std::optional<CounterExample> first;  // of the rays in their order; else one through a broken value
-    // Where no ray was found that the tracer leads past the surface: one that the broken value would, were it asked
-    // there (`answered`: where that leads to), the farthest of those tried.
+    double worst = 0;                     // largest distance past the first hit, texels
+    std::optional<CounterExample> first;  // the first of the seeded rays, or else a ray through a broken value
+    // Set if no ray was found that the tracer leads past the surface: the ray, of those tried, that the broken value
+    // alone would lead farthest past it (`answered`: the lambda that it leads to).
     std::optional<CounterExample> byValue;
 
     bool safe() const { return !first && (!bounds || bounds->broken == 0); }
     bool proven() const { return bounds && safe(); }
 };
 
-// How far past the first hit an answer may be: exact methods not at all, conservative ones by rounding, those that
-// promise nothing by half a texel, so that a coarse last step is not taken for a hole in the map.
+// Tolerances past the first hit, texels: 0 for exact methods, rounding for conservative ones, and half a texel for
+// methods without a guarantee, so that a coarse last step does not count as an error of the map.
 inline constexpr double kRoundingTexels = 1e-6;
 inline constexpr double kCoarseTexels = 0.5;
-// Degrees below which no ray is tried if the map serves all.
+// Lowest elevation of the rays, degrees, if the map serves all rays.
 inline constexpr double kFlattestCertified = 2;
 
-// Builds the maps (from the cache if they are there: a stored one is certified as it is). The result hangs on the
-// seed alone. Throws Cancelled, InputError for unknown names and options.
+// Certifies the method over the field. Maps are taken from the cache if they are there, so that a stored map is
+// certified as it is, and are built otherwise. The result depends only on the seed. Throws Cancelled, and InputError
+// for unknown names and options.
 Certificate certify(const MethodChoice& choice, const HeightField& field, const CertificateOptions& options,
                     MapCache& cache, Work& work);
 
-// What was checked, how, and what came out; one fact a line.
+// Returns what was checked, how, and the result; one fact per line.
 std::string certificateText(const Certificate& certificate, const HeightField& field);
 
 }  // namespace relief

@@ -14,7 +14,7 @@ namespace relief {
 
 namespace {
 
-// Rows in parallel; what they find is put together in their order.
+// Checks rows in parallel and joins the results in the order of rows.
 template <class Row>
 BoundCheck overRows(const char* what, int rows, Work& work, const Row& row) {
     std::vector<BoundCheck> parts(static_cast<std::size_t>(rows));
@@ -80,7 +80,7 @@ class DistanceCheck {
     void value(const CellBox& box, BrokenBound place, const std::vector<double>& slopes, BoundCheck& part) const {
         ++part.values;
         place.stored = static_cast<double>(map_.at(place.i, place.j, place.k, place.sector));
-        if (place.stored < 0) return;  // a mark: its cells are tested one by one
+        if (place.stored < 0) return;  // marked voxel: its cells are intersected one by one
         place.cellX = box.x0;
         place.cellY = box.y0;
         if (std::isnan(place.stored)) {
@@ -89,7 +89,7 @@ class DistanceCheck {
             return;
         }
         const double z0 = static_cast<double>(place.k) / map_.layers();
-        // Layer 0 has no layer below that could hold a surface of height 0.
+        // Layer 0 includes height 0, where the surface may lie, so all of its voxels must be marked.
         if (place.k == 0 || z0 < highestIn(box)) {
             place.what = BrokenBound::What::Free;
             note(part, place);
@@ -99,7 +99,7 @@ class DistanceCheck {
         if (place.stored > place.bound) note(part, place);
     }
 
-    // The bound, if it is below what is stored; else what is stored.
+    // Returns the bound if it is below the stored value, or else the stored value.
     double nearest(const CellBox& box, double z0, BrokenBound& place, const std::vector<double>& slopes) const {
         const int perSector = horizons_.sectors() / sectors();
         const int firstHorizon = place.sector * perSector;
@@ -112,7 +112,7 @@ class DistanceCheck {
             const double fall = std::max({(z0 - highest) * map_.slabTexels, way * slope, 0.0});
             return std::sqrt(way * way + fall * fall);
         };
-        // No bound is larger than the way straight down onto the own cells.
+        // No bound exceeds the distance straight down onto the box's own cells.
         const double reach = std::min(best, map_.slabTexels);
         cells_.visit(
             box, reach, [&](double gap, double highest) { return distance(gap, highest, flattest) < best; },
@@ -131,8 +131,8 @@ class DistanceCheck {
         return best;
     }
 
-    // From the box to the cell within a horizon sector. Quadrants are exact where no ray is looked up in a sector by a
-    // rounded angle across an axis.
+    // Returns the distance from the box to the cell within a horizon sector. The quadrant of a direction is exact if
+    // the tracers never determine sectors by a rounded angle across an axis.
     double wayTowards(const CellBox& box, int x, int y, int horizon) const {
         const bool byQuadrants = horizons_.sectors() % 4 == 0 && (sectors() == 1 || sectors() % 4 == 0);
         const VectorRange range{static_cast<double>(x - box.x1), static_cast<double>(x + 1 - box.x0),
@@ -171,13 +171,13 @@ class ConeCheck {
             note(part, place);
             return;
         }
-        // Higher cells than this there are not; a flatter cone than this would be out of a copy of the highest cell.
+        // No cell is higher than this, so cells beyond rise / kappa cannot stand out of the cone.
         const double rise = cells_.highestOfAll() - apex;
         if (rise <= 0) return;
         const double farthest = kPeriods * (map_.nx() + map_.ny());
         const double reach = kappa * farthest > rise ? rise / kappa : farthest;
         const CellBox box{place.i, place.i + 1, place.j, place.j + 1};
-        double worst = 0;  // by how much a cell stands out
+        double worst = 0;  // largest height by which a cell stands out of the cone
         cells_.visit(
             box, reach, [&](double gap, double highest) { return highest - apex - kappa * gap > worst; },
             [&](int x, int y, double gap, double highest) {
@@ -192,7 +192,7 @@ class ConeCheck {
         if (worst > 0) note(part, place);
     }
 
-    // Whether the cell can be seen in the sector; the outermost cells have no outer edge under clamp.
+    // Returns true if the cell is visible in the sector; under clamp the outermost cells extend to infinity.
     bool seen(const BrokenBound& place, int x, int y) const {
         if (map_.parameters.sectors == 1) return true;
         constexpr double kFar = 1e9;
@@ -211,7 +211,7 @@ class ConeCheck {
         return AzimuthRange({x0, x1, y0, y1}).meets(place.sector, map_.parameters.sectors);
     }
 
-    // Within so many periods there is a copy of every cell in every sector of 45 degrees or more.
+    // Within this many periods there is a copy of every cell in every sector of at least 45 degrees.
     static constexpr double kPeriods = 4;
 
     const ConeMap& map_;

@@ -8,7 +8,7 @@ namespace relief {
 
 namespace {
 
-// Texels beside a line, and heights above or below an edge, that rays are laid at.
+// Offsets of rays from a line, texels, and from an edge, heights.
 constexpr std::array<double, 4> kBeside{0, 1e-9, 1e-3, 0.1};
 
 double beside(Random& random) {
@@ -25,7 +25,7 @@ const std::vector<std::string_view>& CertificateRays::families() {
 }
 
 ViewRay CertificateRays::ray(Random& random, std::size_t family) const {
-    // Near the rim of a picture that does not repeat some rays would enter outside it.
+    // Near the edge of a picture that does not repeat, some rays would enter outside it.
     constexpr int kTries = 8;
     for (int n = 0; n < kTries; ++n) {
         std::optional<ViewRay> made;
@@ -68,10 +68,10 @@ std::optional<ViewRay> CertificateRays::through(double s, double t, double z, do
 }
 
 CertificateRays::Wall CertificateRays::wall(Random& random) const {
-    constexpr int kLooked = 4;  // the steepest of so many
+    constexpr int kCandidates = 4;  // number of random walls of which the steepest is taken
     constexpr std::array<std::array<int, 2>, 4> kSides{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     Wall best{0, 0, 1, 0, 0, 0};
-    for (int n = 0; n < kLooked; ++n) {
+    for (int n = 0; n < kCandidates; ++n) {
         const int i = random.below(field_.width());
         const int j = random.below(field_.height());
         const auto& [dx, dy] = kSides[static_cast<std::size_t>(random.below(4))];
@@ -108,7 +108,7 @@ ViewRay CertificateRays::grazing(Random& random) const {
             length * std::sin(azimuth)};
 }
 
-// Beside the wall's face, nearly parallel to it, and below its top.
+// Returns a ray next to the wall's face, nearly parallel to it, and below its top.
 std::optional<ViewRay> CertificateRays::alongWall(Random& random) const {
     const Wall w = wall(random);
     const double off = 0.5 + beside(random);
@@ -118,11 +118,12 @@ std::optional<ViewRay> CertificateRays::alongWall(Random& random) const {
     const double length = run(random) * (random.below(2) == 0 ? 1 : -1);
     const double tilt = length * beside(random);
     const double z = random.between(w.low, w.high);
-    const double shorter = 1 / std::sqrt(1 + 0.1 * 0.1);  // the largest tilt
+    // so that the run is at most `length` even with the largest tilt
+    const double shorter = 1 / std::sqrt(1 + 0.1 * 0.1);
     return through(s, t, z, (tilt * w.dx + length * w.dy) * shorter, (tilt * w.dy + length * w.dx) * shorter);
 }
 
-// From the low side onto the wall's face.
+// Returns a ray from the low side onto the wall's face.
 std::optional<ViewRay> CertificateRays::intoWall(Random& random) const {
     const Wall w = wall(random);
     const double off = random.between(0, 1);
@@ -132,12 +133,12 @@ std::optional<ViewRay> CertificateRays::intoWall(Random& random) const {
     const double length = run(random);
     const double angle = random.between(-0.45, 0.45) * std::numbers::pi;
     const double towards = -length * std::cos(angle);
-    const double aside = length * std::sin(angle);
+    const double sideways = length * std::sin(angle);
     const double z = w.high - off * (w.high - w.low);
-    return through(s, t, z, towards * w.dx + aside * w.dy, towards * w.dy + aside * w.dx);
+    return through(s, t, z, towards * w.dx + sideways * w.dy, towards * w.dy + sideways * w.dx);
 }
 
-// Past the upper edge of a wall, just over or under it.
+// Returns a ray just above or below the upper edge of a wall.
 std::optional<ViewRay> CertificateRays::atEdge(Random& random) const {
     const Wall w = wall(random);
     const bool columns = field_.surface() == Surface::Columns;

@@ -1,4 +1,4 @@
-// Rays that look for a map's weak places: families with a name each, seeded.
+// Seeded families of rays designed to find errors of maps.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,24 @@
 
 namespace relief {
 
-// Rays over a field, of a run of `longest` texels at most; all enter within the picture.
+// Generates rays over a field, with a run of at most `longest` texels; all enter within the picture.
 class CertificateRays {
   public:
     CertificateRays(HeightField field, double longest) : field_(std::move(field)), longest_(longest) {}
 
-    // any direction; grazing; along walls; into walls; at edges. Ray n of a family: family n % 5.
+    // any direction; grazing; along walls; into walls; at edges. Ray n of a block is of family n % 5.
     static const std::vector<std::string_view>& families();
+    // Returns a random ray of a family; `block` returns `count` rays of all families in turn.
     ViewRay ray(Random& random, std::size_t family) const;
     RayBlock block(std::uint64_t seed, std::size_t count) const;
 
-    // A ray through (s, t, z) with the run (a, b); nothing if it would enter outside the picture.
+    // Returns the ray through (s, t, z) with the run (a, b); std::nullopt if it would enter outside the picture.
     std::optional<ViewRay> through(double s, double t, double z, double a, double b) const;
 
     double longest() const { return longest_; }
 
   private:
-    // A texel that stands higher than its neighbour, and on which side that lies.
+    // A texel that is higher than its neighbour, with the direction to that neighbour.
     struct Wall {
         int i;
         int j;
@@ -41,7 +42,7 @@ class CertificateRays {
     std::optional<ViewRay> alongWall(Random& random) const;
     std::optional<ViewRay> intoWall(Random& random) const;
     std::optional<ViewRay> atEdge(Random& random) const;
-    // Texels, as many of each size.
+    // Returns a random run, texels, with uniform logarithm.
     double run(Random& random) const;
 
     HeightField field_;

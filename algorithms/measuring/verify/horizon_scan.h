@@ -1,5 +1,6 @@
-// How steep a ray must be to have reached a box of the slab unhindered, by plain scans over the heights: the horizons
-// of the refined map once more, for its certificate. The geometry is that of relief/maps/refined.h, not its code.
+// Computes the minimum slope of a ray that reaches a box of the slab unobstructed, by plain scans over the heights.
+// These are the horizons of the refined map, for its certificate; the geometry is that of relief/maps/refined.h, but
+// the implementation is independent.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@
 
 namespace relief {
 
-// Of one box, per azimuth sector: what a ray must have passed over, metric texels, and its longest way from there.
+// The gates of one box by azimuth sector: least: minimum height that a ray must have passed over, metric texels; way:
+// its longest distance from there into the box.
 class HorizonGates {
   public:
     struct Gate {
@@ -22,7 +24,7 @@ class HorizonGates {
     };
     std::vector<std::vector<Gate>> sectors;
 
-    // Of rays that come to a point no higher than z1 (metric texels).
+    // Returns the minimum slope of rays that reach a point no higher than z1 (metric texels).
     double leastSlope(int sector, double z1, double atLeast) const {
         double slope = atLeast;
         for (const Gate& gate : sectors[static_cast<std::size_t>(sector)]) {
@@ -34,13 +36,13 @@ class HorizonGates {
 
 class HorizonScan {
   public:
-    // sectors 0: none are wanted.
+    // reach: run of the flattest ray, texels. sectors: 0 disables the scan.
     HorizonScan(const HeightField& field, double slabTexels, double reach, int sectors)
         : field_(field), grid_(field), slab_(slabTexels), reach_(reach), sectors_(sectors) {}
 
     int sectors() const { return sectors_; }
 
-    // Box: cells [x0, x1) x [y0, y1).
+    // The box consists of the cells [x0, x1) x [y0, y1).
     void collect(int x0, int x1, int y0, int y1, HorizonGates& gates) const {
         gates.sectors.assign(static_cast<std::size_t>(sectors_), {});
         for (int k = 0; k < sectors_; ++k) {
@@ -57,25 +59,27 @@ class HorizonScan {
   private:
     using Pair = std::array<double, 2>;
 
-    // Lines of one axis behind the box. A ray of the sector moves by ahead[n] along the axis and by aside[n] across it,
-    // at the sector's two ends; in between its tangent lies between theirs.
+    // Scans the lines of one axis behind the box. At the two ends of the sector, a ray moves by ahead[n] along the axis
+    // and by sideways[n] across it; all rays of the sector lie between.
     void scan(const GridAxis& along, const GridAxis& across, bool turned, int low, int high, int acrossLow,
-              int acrossHigh, Pair ahead, Pair aside, std::vector<HorizonGates::Gate>& list) const {
-        // Lines crossed more flatly would ask for too wide a stretch to be of use.
+              int acrossHigh, Pair ahead, Pair sideways, std::vector<HorizonGates::Gate>& list) const {
+        // Sectors nearly parallel to the lines are not scanned, because the intervals of crossing points would be too
+        // wide to be of use.
         constexpr double kLeastCosine = 0.4;
         const double cosine = std::min(std::abs(ahead[0]), std::abs(ahead[1]));
         if (ahead[0] * ahead[1] <= 0 || cosine < kLeastCosine) return;
         const bool fromBelow = ahead[0] > 0;  // the ray comes from smaller coordinates
         double highest = 0;
-        // Lines farther back than the flattest ray runs ask for no steeper slope than that ray's.
+        // Lines farther away than the run of the flattest ray require no steeper slope than that ray has.
         for (int n = 0; n + (high - low) <= reach_ * cosine + 1; ++n) {
             const int line = fromBelow ? low - n : high + n;
-            // By how far across the ray was off when it crossed the line, that many texels back along the axis.
+            // Range of the ray's offset across the axis where it crossed this line, which is between n and
+            // n + (high - low) texels behind the ray's points in the box.
             double from = std::numeric_limits<double>::infinity();
             double to = -from;
             for (const double back : {static_cast<double>(n), static_cast<double>(n + high - low)}) {
                 for (const std::size_t e : {std::size_t{0}, std::size_t{1}}) {
-                    const double off = -back * aside[e] / std::abs(ahead[e]);
+                    const double off = -back * sideways[e] / std::abs(ahead[e]);
                     from = std::min(from, off);
                     to = std::max(to, off);
                 }
@@ -95,7 +99,7 @@ class HorizonScan {
         }
     }
 
-    // The texel whose heights stand on a line: the node on it, or the column beyond.
+    // Returns the texel whose heights are on a line: the node on it, or the column beyond it.
     int texelOf(const GridAxis& along, int line, bool fromBelow) const {
         if (field_.surface() == Surface::Columns) return fromBelow ? line - 1 : line;
         return along.wraps ? line : line - 1;
@@ -105,13 +109,15 @@ class HorizonScan {
         return along.wraps || (texel >= 0 && texel < along.texels);
     }
 
-    // The least height on the line between lo and hi; given up as soon as it is not above `enough`.
+    // Returns the minimum height on the line between lo and hi; the scan ends early once the minimum does not exceed
+    // `enough`.
     double leastOn(const GridAxis& along, const GridAxis& across, bool turned, int line, bool fromBelow, double lo,
                    double hi, double enough) const {
         const bool nodes = field_.surface() == Surface::Bilinear;
         const int shift = nodes && !across.wraps ? 1 : 0;
-        // The ray is within the box for a while: it crosses between lo and hi, and nodes or columns that it would only
-        // touch there do not count. kEdge is above the rounding of both, and what an interpolated height can differ by.
+        // The ray stays in the box for a finite interval, so it crosses strictly between lo and hi, and nodes or
+        // columns that it would only touch there do not count. kEdge exceeds the rounding error of lo and hi, and the
+        // error of an interpolated height.
         constexpr double kEdge = 1e-11;
         const auto first = static_cast<std::int64_t>(std::floor(lo + kEdge)) - shift;
         auto last = static_cast<std::int64_t>(std::ceil(hi - kEdge)) - (nodes ? 0 : 1) - shift;
@@ -119,7 +125,7 @@ class HorizonScan {
         const int texel = texelOf(along, line, fromBelow);
         double least = std::numeric_limits<double>::infinity();
         for (std::int64_t p = first; p <= last && least > enough; ++p) {
-            // Outside the picture: the rim's, as addressed.
+            // Outside the picture, clamped to its edge as the addressing does.
             const std::int64_t q = across.wraps ? p : std::clamp<std::int64_t>(p, 0, across.texels - 1);
             least = std::min(least, static_cast<double>(turned ? field_.texel(q, texel) : field_.texel(texel, q)));
         }

@@ -20,7 +20,7 @@ namespace {
 using namespace stress_detail;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLookEvery{100};
+constexpr std::chrono::milliseconds kWatchInterval{100};
 
 double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
@@ -40,7 +40,7 @@ std::vector<MethodGroup> grouped(const std::vector<MeasuredMethod>& methods) {
     return groups;
 }
 
-// The heights as a command names them; the map is written where no recipe makes it.
+// Sets the heights in the scenario as a command names them; the map is written to a file if no recipe makes it.
 void nameHeights(Scenario& scenario, const Case& of, const StressOptions& options) {
     Pictures& pictures = scenario.pictures;
     if (of.made.recipe.empty() || std::max(of.field.width(), of.field.height()) > kMaxPictureSide) {
@@ -59,7 +59,8 @@ void nameHeights(Scenario& scenario, const Case& of, const StressOptions& option
     scenario.surface = of.field.surface();
 }
 
-// The command that shows it. Any-hit queries, homographies and rows have none of their own: the case is run again.
+// Returns the command that reproduces the violation. Any-hit queries, homographies and rows have no command of their
+// own, so the case is run again.
 std::string reproduction(const Running& what, const StressOptions& options) {
     if (what.part == StressPart::Frames) {
         Scenario scenario = *what.frame;
@@ -99,7 +100,7 @@ class StressRun {
         watch.request_stop();
         watch.join();
         if (failure_) std::rethrow_exception(failure_);
-        // Interrupted, some are missing in between.
+        // After an interruption, some of the preceding cases are missing.
         for (auto& [number, result] : waiting_) add(result);
         StressReport report = tally_.report();
         report.seconds = secondsSince(begun_);
@@ -108,7 +109,7 @@ class StressRun {
     }
 
   private:
-    // Cases, or milliseconds.
+    // Returns the total progress: cases, or milliseconds.
     static std::int64_t total(const StressOptions& options) {
         if (!options.cases) return static_cast<std::int64_t>(options.seconds * 1000);
         return static_cast<std::int64_t>((*options.cases - std::min(options.first, *options.cases)) / options.step);
@@ -123,7 +124,7 @@ class StressRun {
                 keep(number, std::move(result));
             }
         } catch (const Cancelled&) {
-            // The report says so.
+            // The report states that it was interrupted.
         } catch (...) {
             const std::lock_guard lock(mutex_);
             if (!failed_.exchange(true)) failure_ = std::current_exception();
@@ -136,7 +137,8 @@ class StressRun {
         return number >= kStressCasesAtLeast && secondsSince(begun_) >= options_.seconds;
     }
 
-    // Adds it when those before it are added: the report does not hang on who is done first.
+    // Adds a result once all results before it are added, so that the report does not depend on the order in which
+    // cases finish.
     void keep(std::uint64_t number, CaseResult result) {
         const std::lock_guard lock(mutex_);
         waiting_[number] = std::move(result);
@@ -152,22 +154,22 @@ class StressRun {
         std::mutex mutex;
         std::condition_variable_any wake;
         std::unique_lock lock(mutex);
-        bool told = false;
+        bool reported = false;
         std::int64_t shown = 0;
-        while (!wake.wait_for(lock, end, kLookEvery, [&] { return end.stop_requested(); })) {
+        while (!wake.wait_for(lock, end, kWatchInterval, [&] { return end.stop_requested(); })) {
             const auto now = static_cast<std::int64_t>(std::min(secondsSince(begun_), options_.seconds) * 1000);
             if (!options_.cases) progress_.advance(now - std::exchange(shown, now));
             for (Watched& watched : watched_) {
-                watched.look([&](const Running& running) {
-                    if (told || !options_.onHang || secondsSince(running.since) < options_.hangSeconds) return;
-                    told = true;
-                    tellHang(running);
+                watched.examine([&](const Running& running) {
+                    if (reported || !options_.onHang || secondsSince(running.since) < options_.hangSeconds) return;
+                    reported = true;
+                    reportHang(running);
                 });
             }
         }
     }
 
-    void tellHang(const Running& running) {
+    void reportHang(const Running& running) {
         StressViolation violation{{"hang", "no answer for " + numberText(options_.hangSeconds) + " s"},
                                   methodOf(*running.method, running.frame),
                                   std::string(running.rays),
@@ -176,13 +178,13 @@ class StressRun {
         try {
             violation.command = reproduction(running, options_);
         } catch (const WorkError& error) {
-            // The map cannot be written: the ray at least is said.
+            // The map cannot be written; the violation still names the ray.
             violation.command = error.what();
         }
         options_.onHang(violation);
     }
 
-    // Commands are made for those that may be listed: maps are written for some.
+    // Commands are made only for violations that may be listed, because some of them write a map.
     void add(CaseResult& result) {
         std::optional<Case> of;
         for (const Found& found : result.found) {
@@ -203,7 +205,7 @@ class StressRun {
     std::vector<MethodGroup> groups_;
     std::deque<Watched> watched_;
     Work& work_;
-    WholeProgress progress_;  // a case is many stages
+    WholeProgress progress_;  // a case consists of many stages
     Clock::time_point begun_ = Clock::now();
     std::atomic<std::uint64_t> next_{options_.only.value_or(options_.first)};
     std::mutex mutex_;

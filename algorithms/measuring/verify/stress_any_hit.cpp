@@ -10,15 +10,15 @@ namespace relief {
 
 namespace {
 
-// Rounding of lambda when a segment's height is turned back into it.
+// Rounding error of lambda when it is computed back from a segment's height.
 constexpr double kLambdaRounding = 1e-9;
-// Samples of a ray behind its hit.
+// Number of samples along a ray behind its hit.
 constexpr int kSamples = 16;
-// Places are known to this, texels, up to kSurePlace texels from the origin.
+// Positions have this error, texels, up to kSurePlace texels from the origin.
 constexpr double kPlaceError = 1e-6;
 constexpr double kSurePlace = 1e8;
 
-// Whether the surface at (s, t) is the same piece for all places within kPlaceError.
+// Returns true if all positions within kPlaceError of (s, t) are on the same piece of the surface.
 bool surePlace(const HeightField& field, double s, double t) {
     if (std::abs(s) > kSurePlace || std::abs(t) > kSurePlace) return false;
     const auto inside = [](double x, int size) { return x > kPlaceError && x < size - kPlaceError; };
@@ -27,7 +27,7 @@ bool surePlace(const HeightField& field, double s, double t) {
     return field.surface() == Surface::Bilinear || (whole(s) && whole(t));
 }
 
-// The lambda of a sampled place at which the surface surely rises above the ray.
+// Returns the lambda of a sampled position at which the surface is certainly above the ray.
 std::optional<double> risesAbove(const HeightField& field, const ViewRay& ray, double from) {
     for (int n = 1; n <= kSamples; ++n) {
         const double lambda = from + (1 - from) * n / kSamples;
@@ -38,7 +38,8 @@ std::optional<double> risesAbove(const HeightField& field, const ViewRay& ray, d
     return std::nullopt;
 }
 
-// Such a ray may come under the surface through the border's side, which is no hit, yet in the way.
+// Returns true for rays that may pass below the surface through the border's side: this is no hit, but it blocks a
+// query.
 bool startsOutside(const HeightField& field, const ViewRay& ray) {
     return field.address() == Address::Border &&
            !(ray.s0 >= 0 && ray.s0 <= field.width() && ray.t0 >= 0 && ray.t0 <= field.height());
@@ -86,8 +87,9 @@ namespace stress_detail {
 
 namespace {
 
-// Segments of one query over one family in a case, with a log of each: long ones end the family early.
-constexpr std::uint64_t kStepsAFamily = 50'000;
+// Steps of one query over one ray family in a case after which the family ends early; one segment at least is tested.
+// Every segment is also logged.
+constexpr std::uint64_t kStepsPerFamily = 50'000;
 
 class QueryTurn {
   public:
@@ -96,16 +98,16 @@ class QueryTurn {
         coverage_.forms.insert("");
     }
 
-    void over(const Asked& asked) {
+    void over(const FamilyRays& familyRays) {
         std::uint64_t steps = 0;
-        for (std::size_t r = 0; r < asked.rays.size() && steps < kStepsAFamily; ++r) {
-            steps += one(asked.family, asked.rays[r], asked.truth[r]);
-            ++coverage_.rays[std::string(asked.family)];
+        for (std::size_t r = 0; r < familyRays.rays.size() && steps < kStepsPerFamily; ++r) {
+            steps += one(familyRays.family, familyRays.rays[r], familyRays.truth[r]);
+            ++coverage_.rays[std::string(familyRays.family)];
         }
     }
 
   private:
-    // Returns the steps.
+    // Tests one ray; returns the number of steps.
     std::uint64_t one(std::string_view family, const ViewRay& ray, const Hit& truth) {
         CountedVisibility answer;
         const VisibilityBlock plain = queried<NullSink>(family, ray);
@@ -113,8 +115,8 @@ class QueryTurn {
         const VisibilityBlock counted = queried(family, ray, counts);
         answer.visibility = counted.visibility[0];
         answer.steps = counted.steps[0];
-        // A log of a ray that takes long would not fit.
-        if (answer.steps <= kStepsAFamily) {
+        // A longer log would take too much memory.
+        if (answer.steps <= kStepsPerFamily) {
             queried(family, ray, answer.log);
             ++coverage_.logs;
         }
@@ -156,15 +158,15 @@ class QueryTurn {
 
 }  // namespace
 
-void stressAnyHit(const CaseRun& run, const std::vector<Asked>& asked) {
+void stressAnyHit(const CaseRun& run, const std::vector<FamilyRays>& familyRays) {
     const HeightField& field = run.of.field;
     for (const MethodDescription& method : anyHitList()) {
-        // Pyramids and packed cones are made in no time.
+        // Other maps take too long to build over large pictures; pyramids and packed cones do not.
         const std::string& map = method.maps.front();
         if (map != "max-pyramid" && map != "packed-cones" && field.heights().size() > kStressBuildTexels) continue;
         const auto query = run.subjects.query({method.name, {}}, field, *run.maps, run.work);
         QueryTurn turn(run, *query);
-        for (const Asked& family : asked) {
+        for (const FamilyRays& family : familyRays) {
             run.work.throwIfStopped();
             turn.over(family);
         }

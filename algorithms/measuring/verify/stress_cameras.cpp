@@ -7,7 +7,7 @@ namespace relief {
 
 namespace {
 
-constexpr double kNarrowest = 1;  // degrees, as scenarios allow them
+constexpr double kNarrowest = 1;  // degrees, limit of scenarios
 constexpr double kWidest = 170;
 constexpr double kCubeHalf = 0.5;  // world units
 
@@ -38,7 +38,7 @@ Camera freeCamera(const glm::dvec3& eye, const glm::dvec3& target, double fov) {
     return camera;
 }
 
-// A point `above` the plane of the scene's first polygon, and (along, across) in it.
+// Returns a point at distance `above` from the plane of the scene's first polygon, at (along, across) within it.
 glm::dvec3 overPolygon(SceneKind scene, double above, double along, double across) {
     if (scene == SceneKind::Floor) return {along, above, across};
     return {along, across, (scene == SceneKind::Cube ? kCubeHalf : 0.0) + above};
@@ -51,7 +51,7 @@ Camera ordinary(SceneKind, Random& random) {
     return orbit(elevation, azimuth, distance, random.between(20, 90));
 }
 
-// The polygon is seen edge on.
+// The polygon is seen edge-on.
 Camera inPlane(SceneKind scene, Random& random) {
     constexpr std::array<double, 5> kBeside{0, 1e-300, 1e-17, 1e-15, 1e-9};
     const double above = eitherSign(random, kBeside[static_cast<std::size_t>(random.below(5))]);
@@ -69,7 +69,7 @@ Camera grazing(SceneKind scene, Random& random) {
     return freeCamera(eye, target, fieldOfView(random));
 }
 
-// Close over the polygon, and close to what it looks at.
+// A camera close above the polygon and close to its target.
 Camera near(SceneKind scene, Random& random) {
     const double along = random.between(-0.4, 0.4);
     const double across = random.between(-0.4, 0.4);

@@ -10,21 +10,22 @@ namespace relief::stress_detail {
 
 namespace {
 
-// Steps of one method over one family in a case, after which its rays are enough (one at least).
-constexpr std::uint64_t kStepsAFamily = 100'000;
-// Logs are compared up to so many steps; the long ones twice a method and case.
+// Steps of one method over one ray family in a case after which the family ends early; one ray at least is traced.
+constexpr std::uint64_t kStepsPerFamily = 100'000;
+// Logs are compared up to kLoggedSteps steps, longer ones up to kLongLoggedSteps and kLongLogs times per method and
+// case.
 constexpr std::uint32_t kLoggedSteps = 4096;
 constexpr std::uint32_t kLongLoggedSteps = 131'072;
 constexpr int kLongLogs = 2;
 
 constexpr std::array<double, 5> kDepths{0.1, 0.5, 0.02, 4, 0};
 
-// Purposes of seeds; case numbers lie below.
+// Stream numbers for seedFor(); case numbers are below these.
 constexpr std::uint64_t kOrder = std::uint64_t{1} << 62;
 constexpr std::uint64_t kRays = std::uint64_t{1} << 61;
 constexpr std::uint64_t kParts = std::uint64_t{1} << 60;
 
-// The map family at a place of a round: each once a round, in an order of its own.
+// Returns the map family at a position of a round; a round contains each family once, in random order.
 std::size_t mapAt(std::uint64_t seed, std::uint64_t round, std::size_t place) {
     std::vector<std::size_t> order(stressMapFamilies().size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -35,7 +36,7 @@ std::size_t mapAt(std::uint64_t seed, std::uint64_t round, std::size_t place) {
     return order[place];
 }
 
-// Rays of a method's turn over one case.
+// Traces the rays of one case with one method.
 class Turn {
   public:
     Turn(const Case& of, const MeasuredMethod& method, const Tracer& tracer, Watched& watched, CaseResult& result,
@@ -50,15 +51,15 @@ class Turn {
         coverage_.forms.insert(optionsText(method.choice, false));
     }
 
-    void run(const Asked& asked) {
-        asked_ = &asked;
+    void run(const FamilyRays& familyRays) {
+        familyRays_ = &familyRays;
         std::uint64_t steps = 0;
-        for (std::size_t r = 0; r < asked.rays.size() && steps < kStepsAFamily; ++r) {
-            const CountedHit answer = counted(asked.rays[r]);
+        for (std::size_t r = 0; r < familyRays.rays.size() && steps < kStepsPerFamily; ++r) {
+            const CountedHit answer = counted(familyRays.rays[r]);
             steps += answer.steps;
-            ++coverage_.rays[std::string(asked.family)];
-            note(answer, asked.rays[r]);
-            if (auto fault = answerFault(tracer_, asked.rays[r], answer, asked.truth[r])) report(*fault, r);
+            ++coverage_.rays[std::string(familyRays.family)];
+            note(answer, familyRays.rays[r]);
+            if (auto fault = answerFault(tracer_, familyRays.rays[r], answer, familyRays.truth[r])) report(*fault, r);
             compareSinks(answer, r);
         }
     }
@@ -69,7 +70,7 @@ class Turn {
         RayBlock rays(1);
         rays.set(0, ray);
         HitBlock hits;
-        watched_.begin({&of_, StressPart::Tracers, &method_.choice, asked_->family, ray});
+        watched_.begin({&of_, StressPart::Tracers, &method_.choice, familyRays_->family, ray});
         tracer_.trace(rays, hits, sink, work_);
         watched_.end();
         return hits;
@@ -83,7 +84,7 @@ class Turn {
 
     void compareSinks(const CountedHit& answer, std::size_t r) {
         NullSink null;
-        const Hit plain = traced(asked_->rays[r], null)[0];
+        const Hit plain = traced(familyRays_->rays[r], null)[0];
         if (!sameHit(answer.hit, plain)) {
             report({"sinks", "counting changes the answer: lambda " + numberText(plain.lambda) + " without, " +
                                  numberText(answer.hit.lambda) + " with"},
@@ -94,7 +95,7 @@ class Turn {
             ++longLogs_;
         }
         StepLog log;
-        const Hit logged = traced(asked_->rays[r], log)[0];
+        const Hit logged = traced(familyRays_->rays[r], log)[0];
         ++coverage_.logs;
         if (auto fault = logFault(answer, logged, log)) report(*fault, r);
     }
@@ -103,11 +104,12 @@ class Turn {
         const double share = answer.steps / tracer_.stepBound(ray);
         if (!(share > coverage_.worstBound)) return;
         coverage_.worstBound = share;
-        coverage_.worstWhere = std::string(asked_->family) + " over " + of_.map;
+        coverage_.worstWhere = std::string(familyRays_->family) + " over " + of_.map;
     }
 
     void report(const StressFault& fault, std::size_t r) {
-        result_.report({fault, StressPart::Tracers, method_.choice, asked_->family, asked_->rays[r], nullptr});
+        result_.report(
+            {fault, StressPart::Tracers, method_.choice, familyRays_->family, familyRays_->rays[r], nullptr});
     }
 
     const Case& of_;
@@ -117,45 +119,46 @@ class Turn {
     CaseResult& result_;
     StressMethodCoverage& coverage_;
     Work& work_;
-    const Asked* asked_ = nullptr;
+    const FamilyRays* familyRays_ = nullptr;
     int longLogs_ = 0;
 };
 
-std::vector<Asked> askedRays(const Case& of, std::uint64_t seed, const Tracer& exact, Watched& watched, Work& work) {
+std::vector<FamilyRays> raysOfFamilies(const Case& of, std::uint64_t seed, const Tracer& exact, Watched& watched,
+                                       Work& work) {
     const MethodChoice truth{exact.description().name, {}};
-    std::vector<Asked> all;
+    std::vector<FamilyRays> all;
     const auto& families = stressRayFamilies();
     for (std::size_t f = 0; f < families.size(); ++f) {
         const StressRayFamily& family = families[f];
         if ((of.number + f) % static_cast<std::uint64_t>(family.every) != 0) continue;
         Random random(seedFor(seed, kRays + of.number * families.size() + f));
-        Asked asked{family.name, {}, {}};
+        FamilyRays familyRays{family.name, {}, {}};
         for (int r = 0; r < family.rays; ++r) {
-            asked.rays.push_back(family.make(of.field, random));
+            familyRays.rays.push_back(family.make(of.field, random));
             RayBlock rays(1);
-            rays.set(0, asked.rays.back());
+            rays.set(0, familyRays.rays.back());
             HitBlock hits;
             NullSink null;
-            watched.begin({&of, StressPart::Tracers, &truth, family.name, asked.rays.back()});
+            watched.begin({&of, StressPart::Tracers, &truth, family.name, familyRays.rays.back()});
             exact.trace(rays, hits, null, work);
             watched.end();
-            asked.truth.push_back(hits[0]);
+            familyRays.truth.push_back(hits[0]);
         }
-        all.push_back(std::move(asked));
+        all.push_back(std::move(familyRays));
     }
     return all;
 }
 
-void traceRays(const CaseRun& run, const std::vector<Asked>& asked) {
+void traceRays(const CaseRun& run, const std::vector<FamilyRays>& familyRays) {
     const Case& tried = run.of;
     const std::uint64_t turn = tried.number + tried.number / stressMapFamilies().size();
     for (std::size_t g = 0; g < run.groups.size(); ++g) {
         const MeasuredMethod& method = run.groups[g].forms[(turn + g) % run.groups[g].forms.size()];
         if (method.buildsMaps && tried.field.heights().size() > kStressBuildTexels) continue;
-        if (!method.knows(tried.field.surface(), tried.field.address())) continue;
+        if (!method.supports(tried.field.surface(), tried.field.address())) continue;
         const auto tracer = method.make(tried.field, *run.maps, run.work);
         Turn methodTurn(tried, method, *tracer, run.watched, run.result, run.work);
-        for (const Asked& family : asked) {
+        for (const FamilyRays& family : familyRays) {
             run.work.throwIfStopped();
             methodTurn.run(family);
         }
@@ -169,7 +172,7 @@ Case makeCase(std::uint64_t seed, std::uint64_t number) {
     const std::uint64_t round = number / families.size();
     const std::size_t place = number % families.size();
     const std::size_t map = mapAt(seed, round, place);
-    // Each map meets every pair of surface and addressing within six rounds.
+    // Within six rounds, each map family meets every pair of surface and addressing.
     const std::uint64_t pair = (round + map) % 6;
     Random random(seedFor(seed, number));
     const auto& sizes = stressSizes();
@@ -202,16 +205,16 @@ CaseResult runCase(const Case& tried, const StressOptions& options, const std::v
     static const StressSubjects own;
     const StressSubjects& subjects = options.subjects ? *options.subjects : own;
     const CaseRun run{tried, options, groups, subjects, std::make_shared<MapCache>(), watched, result, work};
-    const auto wanted = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
-    if (wanted(StressPart::Tracers) || wanted(StressPart::AnyHit)) {
+    const auto enabled = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
+    if (enabled(StressPart::Tracers) || enabled(StressPart::AnyHit)) {
         const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);
-        const std::vector<Asked> asked = askedRays(tried, options.seed, *exact, watched, work);
-        if (wanted(StressPart::Tracers)) traceRays(run, asked);
-        if (wanted(StressPart::AnyHit)) stressAnyHit(run, asked);
+        const std::vector<FamilyRays> familyRays = raysOfFamilies(tried, options.seed, *exact, watched, work);
+        if (enabled(StressPart::Tracers)) traceRays(run, familyRays);
+        if (enabled(StressPart::AnyHit)) stressAnyHit(run, familyRays);
     }
-    if (wanted(StressPart::Frames)) stressFrames(run);
-    if (wanted(StressPart::Homographies)) stressHomographies(run);
-    if (wanted(StressPart::Rows)) stressRows(run);
+    if (enabled(StressPart::Frames)) stressFrames(run);
+    if (enabled(StressPart::Homographies)) stressHomographies(run);
+    if (enabled(StressPart::Rows)) stressRows(run);
     return result;
 }
 

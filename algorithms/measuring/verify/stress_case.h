@@ -1,5 +1,5 @@
-// One case of relief stress: a map with surface, addressing and depth; over it every ray family with every method, and
-// the other parts (stress_parts.h).
+// One case of relief stress: a map with surface, addressing and depth; over it every ray family is traced with every
+// method, and the other parts are run (stress_parts.h).
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace relief::stress_detail {
 
-// The forms of one method that take turns.
+// The option variants of one method, which take turns.
 struct MethodGroup {
     std::string name;
     std::vector<MeasuredMethod> forms;
@@ -21,19 +21,19 @@ struct MethodGroup {
 
 struct Case {
     std::uint64_t number = 0;
-    std::string map;  // the family
+    std::string map;  // map family
     StressMap made;
     HeightField field;
 };
 
-// What one ray's trace, or one frame, is about; read by the watch over hanging ones.
+// What a thread is tracing or rendering; read by the thread that watches for hanging calls.
 struct Running {
     const Case* of = nullptr;
     StressPart part = StressPart::Tracers;
     const MethodChoice* method = nullptr;
     std::string_view rays;
     ViewRay ray;
-    const Scenario* frame = nullptr;  // of frames: without its pictures
+    const Scenario* frame = nullptr;  // frames only: the scenario without its pictures
     std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
 };
 
@@ -47,11 +47,11 @@ class Watched {
         const std::lock_guard lock(mutex_);
         running_.reset();
     }
-    // Calls look(running) if a ray is being traced; it stays so meanwhile.
-    template <class Look>
-    void look(const Look& look) {
+    // Calls examine(running) if a ray is being traced; it cannot end during the call.
+    template <class Examine>
+    void examine(const Examine& examine) {
         const std::lock_guard lock(mutex_);
-        if (running_) look(*running_);
+        if (running_) examine(*running_);
     }
 
   private:
@@ -59,27 +59,27 @@ class Watched {
     std::optional<Running> running_;
 };
 
-// A violation before it has a command.
+// A violation that has no command yet.
 struct Found {
     StressFault fault;
     StressPart part = StressPart::Tracers;
     MethodChoice method;
     std::string_view rays;
     ViewRay ray;
-    std::shared_ptr<const Scenario> frame;  // of frames: without its pictures
+    std::shared_ptr<const Scenario> frame;  // frames only: the scenario without its pictures
 };
 
-// violations are empty until the found ones have commands.
+// `violations` is empty until commands for `found` are made.
 struct CaseResult : StressCase {
     std::vector<Found> found;  // the first of each method and check
 
-    // Counts it, and keeps the first of each method and check.
+    // Counts the violation, and keeps it if it is the first of its method and check.
     void report(Found violation);
 };
 
-// The n-th case of a seed.
+// Returns the case of this number.
 Case makeCase(std::uint64_t seed, std::uint64_t number);
-// Throws Cancelled.
+// Runs a case. Throws Cancelled.
 CaseResult runCase(const Case& tried, const StressOptions& options, const std::vector<MethodGroup>& groups,
                    Watched& watched, Work& work);
 

@@ -1,4 +1,4 @@
-// What every tracer must keep to, whatever the ray: the checks of relief stress, one answer at a time.
+// The checks of relief stress that every tracer must pass for any ray, for one answer at a time.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace relief {
 
-// A check that failed: its name ("overshoot", "not-finite", ...), and the numbers that show it.
+// A failed check: its name ("overshoot", "not-finite", ...), and the numbers that show it.
 struct StressFault {
     std::string check;
     std::string detail;
@@ -21,19 +21,23 @@ struct CountedHit {
     std::uint32_t reads = 0;
 };
 
-// The same bits, where NaN is equal to itself.
+// Returns true if both have the same bits, where NaN is equal to NaN.
 bool sameHit(const Hit& a, const Hit& b);
 
-// not-finite: a hit with a number that is none, or a lambda outside [0, 1]; inconsistent: s, t are not the ray's at
-// lambda; miss: a miss where nothing can be missed (repeat, clamp); limit: an exact method gave up within the domain;
-// steps: more than Tracer::stepBound; bits: an exact method differs from `exact`; overshoot: a conservative one is
-// later or misses. Beyond the domain (kMaxRun) bits and overshoot do not apply: there, either may have given up.
-// reference: what `exact` found.
+// Checks an answer; reference: the answer of `exact`. The checks:
+// - not-finite: a hit has a NaN or infinite number, or lambda is outside [0, 1];
+// - inconsistent: s, t are not the ray's position at lambda;
+// - miss: a miss where no ray can miss (repeat, clamp);
+// - limit: an exact method reached a limit within the domain;
+// - steps: more than Tracer::stepBound;
+// - bits: an exact method differs from `exact`;
+// - overshoot: a conservative method hits later than `exact`, or misses.
+// Beyond the domain (kMaxRun) bits and overshoot are not checked, because either tracer may have reached a limit there.
 std::optional<StressFault> answerFault(const Tracer& tracer, const ViewRay& ray, const CountedHit& answer,
                                        const Hit& reference);
 
-// sinks: the log's answer, number of steps or reads differ from the counting one's; log: it does not end with the
-// outcome, or holds a number that is none.
+// Checks a log. sinks: its answer, number of steps or reads differ from those of the counting sink; log: it does not
+// end with the outcome, or contains NaN.
 std::optional<StressFault> logFault(const CountedHit& counted, const Hit& logged, const StepLog& log);
 
 }  // namespace relief

@@ -10,7 +10,7 @@ namespace relief {
 
 namespace {
 
-// Share of a place by which two computations of it, in float, may differ.
+// Relative tolerance between two computations of a position in float.
 constexpr double kPlaceRounding = 0x1p-20;
 
 bool finite(const Color& color) {
@@ -90,20 +90,22 @@ namespace stress_detail {
 
 namespace {
 
-constexpr int kFramesACase = 4;
+constexpr int kFramesPerCase = 4;
 constexpr int kWidth = 24;
 constexpr int kHeight = 18;
 constexpr int kManyThreads = 3;
-// Texels that the rays of a frame run over together; beyond, only the standard method is tried, which leaps.
+// Limit on the texels that a frame's rays pass over in total; above it only the default method is used, which skips
+// empty space.
 constexpr double kFrameTexels = 2e6;
-// Texels of level 0 under all pixels together; beyond, no filter reads them all (levels=exhaustive).
+// Limit on the texels of level 0 below all pixels in total; above it no filter reads them all (levels=exhaustive).
 constexpr double kFootprintTexels = 1e5;
-// What may be spared where it is as small, texels (Scenario::bounded).
+// Error bounds of approximate skipping, texels (Scenario::bounded).
 constexpr double kBounds[] = {0, 0, 0, 0.25, 4};
-// Rays looked at for that, each of so many pixels across and down.
+// The estimates use every n-th pixel across and down.
 constexpr int kRunStep = 3;
 
-// Its lower end, or a little above it: the upper ends sum up millions of texels for a pixel.
+// Returns the option's lower end, or a value a quarter up its range; at the upper ends, filters sum up millions of
+// texels per pixel.
 std::string optionValue(const OptionDescription& option, Random& random) {
     if (option.kind == OptionKind::Choice) {
         return option.choices[static_cast<std::size_t>(random.below(static_cast<int>(option.choices.size())))];
@@ -112,7 +114,7 @@ std::string optionValue(const OptionDescription& option, Random& random) {
     return numberText(option.kind == OptionKind::Integer ? std::floor(value) : value);
 }
 
-// Two of the filter's options, its samples and the pixel's shape.
+// Sets two of the filter's options, its samples and the pixel model at random.
 void turnOptions(FilterChoice& choice, Random& random) {
     choice.pixelModel = static_cast<PixelModel>(random.below(static_cast<int>(kPixelModelNames.size())));
     choice.samples = std::max(2, fewestSamples(choice.pixelModel));
@@ -129,7 +131,7 @@ std::string kindText(const FilterChoice& choice) {
     return form == choice.options.end() ? choice.name : choice.name + ":form=" + form->second;
 }
 
-// Texels that all view rays run over, by some of them.
+// Estimates the number of texels that all view rays pass over, from some of the rays.
 double texelsRun(const FrameRequest& request) {
     double sum = 0;
     for (int y = 0; y < request.height; y += kRunStep) {
@@ -140,8 +142,8 @@ double texelsRun(const FrameRequest& request) {
     return sum * kRunStep * kRunStep;
 }
 
-// Texels of level 0 under all pixels together, about: of parallelograms between rays that start beside each other.
-// Without end where a neighbour has no ray, at a horizon, say.
+// Estimates the number of texels of level 0 below all pixels, from parallelograms between neighbouring rays. Infinite
+// if a neighbour has no ray, such as at a horizon.
 double texelsUnder(const FrameRequest& request) {
     double sum = 0;
     for (int y = 0; y + 1 < request.height; y += kRunStep) {
@@ -214,7 +216,7 @@ class FrameTry {
         const MeasuredMethod& method =
             group.forms[static_cast<std::size_t>(random_.below(static_cast<int>(group.forms.size())))];
         const bool builds = method.buildsMaps && field.heights().size() > kStressBuildTexels;
-        if (!builds && method.knows(field.surface(), field.address())) scenario_.method = method.choice;
+        if (!builds && method.supports(field.surface(), field.address())) scenario_.method = method.choice;
     }
 
     FrameRequest request(bool skip, bool spare = true) const {
@@ -240,15 +242,15 @@ class FrameTry {
                 const auto fault = boundFault(*frame, *rendered(true, 1, false), scenario_.bounded);
                 if (fault) return report(*fault);
             }
-            // Rays over flat ground have little parallax, too: without skipping they come to the same hit by another
-            // way, and its last bit may differ.
+            // Rays over flat ground have little parallax, too; without skipping, they reach the same hit by another
+            // computation whose last bit may differ. Only the numbers of threads are therefore compared.
             const auto fault = differenceFault(*frame, *rendered(true, kManyThreads), "threads", "by several threads");
             if (fault) report(*fault);
             return;
         }
         const auto plain = rendered(false, kManyThreads);
         if (!differenceFault(*frame, *plain, "", "")) return;
-        // Which of the two it was.
+        // Finds out whether skipping or the number of threads caused the difference.
         const auto alone = rendered(false, 1);
         if (const auto fault = differenceFault(*frame, *alone, "no-skip", "with --no-skip")) return report(*fault);
         const auto fault = differenceFault(*alone, *plain, "threads", "by several threads");
@@ -270,9 +272,9 @@ class FrameTry {
 }  // namespace
 
 void stressFrames(const CaseRun& run) {
-    for (int n = 0; n < kFramesACase; ++n) {
+    for (int n = 0; n < kFramesPerCase; ++n) {
         run.work.throwIfStopped();
-        FrameTry(run, run.of.number * kFramesACase + static_cast<std::uint64_t>(n))();
+        FrameTry(run, run.of.number * kFramesPerCase + static_cast<std::uint64_t>(n))();
     }
 }
 

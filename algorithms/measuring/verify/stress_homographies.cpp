@@ -10,15 +10,15 @@ namespace relief {
 namespace {
 
 constexpr double kRoundoff = 0x1p-53;
-// Texel coordinates up to which homography.h keeps clear of overflow.
+// Texel coordinates up to which homography.h avoids overflow.
 constexpr double kLargestTexel = 1e9;
-// Step of the differences, pixels: a power of two, so that x + h and x - h are exact.
+// Step of central differences, pixels: a power of two, so that x + h and x - h are exact.
 constexpr double kStep = 0x1p-6;
-// Differences are only trusted where q changes by at most this share of itself over a step.
+// Differences are trusted only if q changes by at most this share of itself over a step.
 constexpr double kStepShare = 0.25;
 
-// The absolute values of a map's coefficients, or of what their minors are differences of: what rounding is relative
-// to.
+// Sums of the absolute values of the terms of a homography's numerators, denominator and minors, to which rounding
+// errors are relative.
 struct Sizes {
     Homography of;
 
@@ -28,7 +28,7 @@ struct Sizes {
     double s(double x, double y) const { return of.sx * std::abs(x) + of.sy * std::abs(y) + of.s1; }
     double t(double x, double y) const { return of.tx * std::abs(x) + of.ty * std::abs(y) + of.t1; }
     double q(double x, double y) const { return of.qx * std::abs(x) + of.qy * std::abs(y) + of.q1; }
-    // Of the adjugate: each minor k l - r s as |k l| + |r s|.
+    // For the adjugate: each minor k l - r s becomes |k l| + |r s|.
     Sizes adjugate() const {
         const auto sum = [](double k, double l, double r, double s) { return k * l + r * s; };
         const Homography& m = of;
@@ -38,10 +38,10 @@ struct Sizes {
     }
 };
 
-// A map's texel at a pixel, and what it may be off by.
+// The texel of a homography at a pixel, with its error bounds.
 struct RoundedTexel {
     TexelPoint at;
-    double s = 0, t = 0;  // texels
+    double s = 0, t = 0;  // error bounds, texels
     double q = 0;
 
     RoundedTexel(const Homography& map, double x, double y) : at(map.at(x, y)) {
@@ -70,8 +70,8 @@ std::optional<StressFault> roundTripFault(const Homography& map, const Homograph
                            "s " + numberText(texel.at.s) + ", t " + numberText(texel.at.t) + "; " + mapText(map, x, y)};
     }
     if (!texel.moderate()) return std::nullopt;
-    // The adjugate at the texel is (x, y, 1) det / q: what its numerators may be off by, by its own terms and by the
-    // texel's.
+    // The adjugate at the texel is (x, y, 1) det / q. The errors of its numerators stem from rounding of its own terms
+    // and from the error of the texel.
     const Homography adjugate = map.adjugate();
     const Sizes exact(adjugate);
     const Sizes terms = Sizes(map).adjugate();
@@ -100,7 +100,7 @@ std::optional<StressFault> derivativeFault(const Homography& map, const Derivati
     const Sizes minors = Sizes(map).adjugate();
     const double square = here.at.q * here.at.q;
     const double share = 2 * here.q / here.at.q;
-    // One derivative: the minors it is made of, and the texels a step to either side.
+    // Checks one derivative. minor: error terms of its minors; dx, dy: the step to either side, pixels.
     const auto fault = [&](const char* name, double value, double minor, bool ofS, double dx,
                            double dy) -> std::optional<StressFault> {
         const double change = (dx * map.qx + dy * map.qy) / here.at.q;
@@ -116,7 +116,8 @@ std::optional<StressFault> derivativeFault(const Homography& map, const Derivati
                                               numberText(expected) + ", allowed " + numberText(allowed) + "; " +
                                               mapText(map, x, y)};
     };
-    // The minors of u_x = (M y + A I - C G) / q^2 stand in the adjugate's second row and third row, and so on.
+    // The minors of u_x = (M y + A I - C G) / q^2 are in the second and third row of the adjugate; likewise for the
+    // others.
     const double height = std::abs(y);
     const double width = std::abs(x);
     const Homography& m = minors.of;
@@ -130,7 +131,7 @@ namespace stress_detail {
 
 namespace {
 
-constexpr int kPixels = 12;  // of a map
+constexpr int kPixels = 12;  // pixels tested per homography
 constexpr int kScreenWidth = 800;
 constexpr int kScreenHeight = 600;
 

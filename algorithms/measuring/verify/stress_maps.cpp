@@ -13,7 +13,7 @@ namespace {
 constexpr float kBelowOne = 1 - std::numeric_limits<float>::epsilon() / 2;
 constexpr float kSmallest = std::numeric_limits<float>::denorm_min();
 
-// height(x, y) for every texel, in reading order.
+// Fills the map with height(x, y), row by row.
 template <class Height>
 StressMap filled(int width, int height, const Height& heightAt) {
     FloatImage image(width, height);
@@ -49,7 +49,7 @@ StressMap denormal(int width, int height, Random& random) {
     });
 }
 
-// One texel of `special` on an even ground.
+// One texel of height `special` on constant ground.
 StressMap single(int width, int height, Random& random, float ground, float special) {
     const int i = random.below(width);
     const int j = random.below(height);
@@ -89,7 +89,7 @@ StressMap roundings(int width, int height, Random& random) {
 StressMap noise(int width, int height, Random& random) {
     return filled(width, height, [&](int, int) { return unit(random); });
 }
-// Even slopes: a ray can lie in the surface.
+// Constant slopes, so that a ray can lie in the surface.
 StressMap ramps(int width, int height, Random& random) {
     const int period = 2 + random.below(30);
     const bool across = random.below(2) == 0;

@@ -1,4 +1,4 @@
-// The parts of a stress case, each over the case's map. Their violations and counts go into the case's result.
+// The parts of a stress case, each over the case's map. Their violations and counts are added to the case's result.
 #pragma once
 
 #include "measuring/verify/stress_case.h"
@@ -6,14 +6,14 @@
 
 namespace relief::stress_detail {
 
-// The rays of a family over a case, and what `exact` finds.
-struct Asked {
+// The rays of a family over a case, and the answers of `exact`.
+struct FamilyRays {
     std::string_view family;
     std::vector<ViewRay> rays;
     std::vector<Hit> truth;
 };
 
-// What the parts of one case share.
+// Data that the parts of one case share.
 struct CaseRun {
     const Case& of;
     const StressOptions& options;
@@ -25,17 +25,19 @@ struct CaseRun {
     Work& work;
 };
 
-// Random numbers of the n-th try of a part in this case: the same whichever other parts run.
+// Returns the random numbers of the n-th try of a part in this case, which do not depend on the other parts.
 Random partRandom(const CaseRun& run, StressPart part, std::uint64_t n);
 
-// All throw Cancelled.
-// Every any-hit query on every ray from its entry to the bottom of the slab, held against the exact hit.
-void stressAnyHit(const CaseRun& run, const std::vector<Asked>& asked);
-// Small frames with filters, shadows and cameras at their ends, with and without skipping, by one thread and several.
+// Each of these throws Cancelled.
+// stressAnyHit: every any-hit query on every ray, from its entry to the bottom of the slab, compared with the exact
+// hit.
+void stressAnyHit(const CaseRun& run, const std::vector<FamilyRays>& familyRays);
+// Small frames with filters, shadows and extreme cameras, with and without skipping, with one thread and several.
 void stressFrames(const CaseRun& run);
-// The maps of the polygons that such cameras see: there and back, derivatives against differences.
+// The homographies of the polygons that such cameras see: round trips, and derivatives compared with differences.
 void stressHomographies(const CaseRun& run);
-// Every row variant on rows of such cameras and on rows whose bounds are stated; rows-parallel also as a block.
+// Every row variant on rows of such cameras and on rows for which error bounds are stated; rows-parallel also as a
+// block.
 void stressRows(const CaseRun& run);
 
 }  // namespace relief::stress_detail

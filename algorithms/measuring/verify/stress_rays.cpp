@@ -17,14 +17,14 @@ double zeroOfEitherSign(Random& random) {
 double eitherSign(Random& random, double value) {
     return random.below(2) == 0 ? value : -value;
 }
-// As many of each size: 10^u, u uniform.
+// Returns a number whose logarithm is uniform between those of low and high.
 double logarithmic(Random& random, double low, double high) {
     return low * std::pow(high / low, random.unit());
 }
 double run(Random& random) {
     return eitherSign(random, logarithmic(random, 0.1, kOrdinaryRun));
 }
-// On the lines of cells and columns: whole and half texels.
+// Returns a position on the lines of cells and columns: whole and half texels.
 double onLine(Random& random, int size) {
     return random.below(2 * size + 1) / 2.0;
 }
@@ -54,7 +54,7 @@ ViewRay grazing(const HeightField& field, Random& random) {
     return turned(ray, logarithmic(random, 10, kMaxRun / 8), azimuth(random));
 }
 
-// The flattest that are exact, and their neighbours on both sides.
+// The most grazing rays for which tracers are exact, and their neighbours on both sides of the limit.
 ViewRay atLimit(const HeightField& field, Random& random) {
     ViewRay ray = entry(field, random);
     const int which = random.below(3);
@@ -88,7 +88,7 @@ ViewRay axisParallel(const HeightField& field, Random& random) {
     return ray;
 }
 
-// Along a line between cells, or a rounding beside it.
+// Along a line between cells, or off by one rounding step.
 ViewRay alongBorders(const HeightField& field, Random& random) {
     ViewRay ray = axisParallel(field, random);
     if (ray.a == 0) {
@@ -99,7 +99,7 @@ ViewRay alongBorders(const HeightField& field, Random& random) {
     return ray;
 }
 
-// Starts on a corner (of cells or columns) and runs through others.
+// Starts on a corner of cells or columns and passes through others.
 ViewRay throughCorners(const HeightField& field, Random& random) {
     ViewRay ray{onLine(random, field.width()), onLine(random, field.height()), 0, 0};
     const double unit = random.below(2) == 0 ? 1 << random.below(10) : run(random);
@@ -129,7 +129,7 @@ ViewRay denormalRun(const HeightField& field, Random& random) {
     return ray;
 }
 
-// A million texels, or a million pictures, away; on whole texels or between.
+// A million texels, or a million periods, away; on whole texels or between them.
 ViewRay farStart(const HeightField& field, Random& random) {
     const ViewRay start = entry(field, random);
     const bool whole = random.below(2) == 0;
@@ -140,7 +140,7 @@ ViewRay farStart(const HeightField& field, Random& random) {
     return ray;
 }
 
-// A ray that passes (s, t) just when it has come down to the height of texel (i, j).
+// Returns a ray that passes (s, t) at the height of texel (i, j).
 ViewRay through(const HeightField& field, Random& random, int i, int j, double s, double t) {
     ViewRay ray = turned({}, logarithmic(random, 0.1, kOrdinaryRun), azimuth(random));
     if (random.below(3) == 0) (random.below(2) == 0 ? ray.a : ray.b) = zeroOfEitherSign(random);
@@ -150,7 +150,7 @@ ViewRay through(const HeightField& field, Random& random, int i, int j, double s
     return ray;
 }
 
-// Meets the edge or corner of a column at the very height of its top.
+// Meets the edge or corner of a column exactly at the height of its top.
 ViewRay plateauHeight(const HeightField& field, Random& random) {
     const int i = random.below(field.width());
     const int j = random.below(field.height());
@@ -166,7 +166,7 @@ ViewRay throughNodes(const HeightField& field, Random& random) {
     return through(field, random, i, j, i + 0.5, j + 0.5);
 }
 
-// Enters on the picture's rim, or a rounding inside or outside it.
+// Enters on the picture's edge, or one rounding step inside or outside it.
 ViewRay onRim(const HeightField& field, Random& random) {
     ViewRay ray = entry(field, random);
     const int which = random.below(3);

@@ -10,8 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Violations listed of one kind: one fault would push out all others.
-constexpr std::size_t kListedAlike = 5;
+// Maximum number of listed violations of one kind, so that a single fault does not displace all others.
+constexpr std::size_t kListedPerKind = 5;
 
 Json methodJson(const StressMethodCoverage& method) {
     return {{"rays", method.rays},
@@ -46,8 +46,8 @@ StressViolation violationOf(const Json& json) {
 }  // namespace
 
 bool StressTally::lists(const std::string& kind) const {
-    const auto found = alike_.find(kind);
-    return found == alike_.end() || found->second < kListedAlike;
+    const auto found = countByKind_.find(kind);
+    return found == countByKind_.end() || found->second < kListedPerKind;
 }
 
 void StressTally::add(const StressCase& one) {
@@ -71,7 +71,7 @@ void StressTally::add(const StressCase& one) {
         whole.refused += part.refused;
     }
     for (const StressViolation& violation : one.violations) {
-        if (alike_[violation.kind]++ < kListedAlike && !full()) report_.violations.push_back(violation);
+        if (countByKind_[violation.kind]++ < kListedPerKind && !full()) report_.violations.push_back(violation);
     }
 }
 

@@ -1,4 +1,5 @@
-// The cases of a stress run as they add up to its report, and as lines of JSON that parts of a run leave for others.
+// Adds up the cases of a stress run to its report, and writes and reads them as lines of JSON, by which the parts of a
+// divided run pass on their results.
 #pragma once
 
 #include <cstddef>
@@ -11,30 +12,30 @@
 
 namespace relief {
 
-// Adds up cases. Not for several threads at once.
+// Adds up cases. Not thread-safe.
 class StressTally {
   public:
     // listed: StressOptions::listed.
     explicit StressTally(std::size_t listed = StressOptions{}.listed) : listed_(listed) {}
 
-    // Whether fewer violations of the kind than are listed of one have come.
+    // Returns true if another violation of this kind would be listed.
     bool lists(const std::string& kind) const;
-    // Whether as many violations are listed as there is room for.
+    // Returns true if no further violation can be listed.
     bool full() const { return report_.violations.size() == listed_; }
-    // In the order of their numbers.
+    // Adds a case; they must be added in the order of their numbers.
     void add(const StressCase& one);
-    // Of the cases so far; seconds 0, not interrupted.
+    // Returns the report of the cases so far, with seconds 0 and not interrupted.
     const StressReport& report() const { return report_; }
 
   private:
     std::size_t listed_;
     StressReport report_;
-    std::map<std::string, std::size_t> alike_;
+    std::map<std::string, std::size_t> countByKind_;
 };
 
-// One line of JSON with "\n", printable ASCII.
+// Returns one line of JSON with "\n", printable ASCII.
 std::string stressCaseLine(const StressCase& one);
-// The same case, to the last bit of its numbers; empty where the text is no such line.
+// Parses such a line; the case has exactly the same numbers. std::nullopt if the text is no such line.
 std::optional<StressCase> parseStressCase(std::string_view line);
 
 }  // namespace relief

@@ -11,16 +11,17 @@ namespace relief {
 
 namespace {
 
-// For what is of second order in the roundoff.
+// Allowance for terms of second order in the roundoff.
 constexpr double kSecondOrder = 1.001;
-// Rounding of a q that is half off, over the texel and the terms of its numerators (rows.h: smallestRowQ).
+// Rounding error of a texel with a relative error of one half in q, over the texel and the terms of its numerators
+// (rows.h: smallestRowQ).
 constexpr double kHalfOff = 1.01;
 
 double qAt(const Homography& map, double y, std::int64_t pixel) {
     return map.denominator(static_cast<double>(pixel) + 0.5, y);
 }
 
-// Texels: what rows.h states for the variant.
+// Returns the error bound, texels, that rows.h states for the variant.
 template <typename T>
 double statedBound(const StressRow<T>& row, double largest) {
     const Homography& map = *row.map;
@@ -37,7 +38,8 @@ double statedBound(const StressRow<T>& row, double largest) {
     return kSecondOrder * largest * ((2 * steps + 3) * roundoff * ratio + 8 * 0x1p-53 * terms / smallest);
 }
 
-// What the numerators' rounding is relative to, texels: their terms over the largest q.
+// Returns the sum of the numerators' terms over the largest q, texels, to which the rounding errors of the numerators
+// are relative.
 template <typename T>
 double numeratorTexels(const StressRow<T>& row) {
     const Homography& map = *row.map;
@@ -135,7 +137,7 @@ namespace {
 
 constexpr int kLongestRow = 1500;
 constexpr int kLines = 600;
-// Numerators up to which no quotient by an admitted q overflows in float.
+// Limit on numerators, below which no quotient by an admissible q overflows in float.
 constexpr double kLargestNumerator = 0x1p90;
 
 bool fitsFloat(const Homography& map) {
@@ -144,7 +146,7 @@ bool fitsFloat(const Homography& map) {
                        [](double value) { return std::abs(value) * kLongestRow < kLargestNumerator; });
 }
 
-// No numerator cancels.
+// Returns a row along which no numerator cancels.
 Homography anyRowOfRatio(Random& random) {
     const double lastQ = std::exp2(random.between(-4.3, 4.3));
     const double texels = random.between(10, 5000);
@@ -170,12 +172,12 @@ std::optional<StressFault> variantFault(const Homography& map, double y, PixelSp
     if (auto fault = rowFault(row)) return fault;
     options.lanes = false;
     const StressRow<T> scalar = evaluatedRow<T>(map, y, span, options, stated, evaluate);
-    // Pixels that were cut off are not written: both hold zeros there.
+    // Pixels cut off at the horizon are not written; both results contain zeros there.
     if (scalar.valid == row.valid && scalar.u == row.u && scalar.v == row.v) return std::nullopt;
     return StressFault{"lanes", "SIMD and scalar differ" + rowText(row, row.valid.begin)};
 }
 
-// Lines of a block that several threads evaluate: the bits of each line by itself.
+// Lines of a block evaluated by several threads, which must have the bits of each line evaluated alone.
 constexpr int kBlockLines = 5;
 constexpr int kBlockThreads = 3;
 

@@ -1,5 +1,5 @@
-// What relief stress tries beside its tracers, as functions: by default the program's own. Tests put a faulty one in
-// the place of each, to see that the check for it reports the fault.
+// The functions that relief stress tests in addition to the tracers; by default the program's own. Tests substitute a
+// faulty function for each of them, to check that the fault is reported.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace relief {
 
 struct StressSubjects {
-    // Called by several threads at once, as stress() is given them.
+    // May be called by several threads at once, if stress() is.
     std::function<std::unique_ptr<AnyHitQuery>(const MethodChoice&, const HeightField&, MapCache&, Work&)> query =
         makeAnyHit;
     std::function<std::shared_ptr<const Frame>(const FrameRequest&, const std::shared_ptr<MapCache>&, Work&)> frame =

@@ -34,7 +34,7 @@ std::string methods(const StressReport& report) {
     return "methods, the worst steps/bound and where\n" + textTable(rows, 1, 5);
 }
 
-// Of each part that was run: its total, and how often each kind.
+// Returns the total of each part that was run, and the count of each kind.
 std::string parts(const StressReport& report) {
     std::string out;
     for (const auto& [name, part] : report.parts) {

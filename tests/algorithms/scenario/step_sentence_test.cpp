@@ -153,8 +153,8 @@ TEST(StepSentence, closeNumbersReadDifferently) {
     close.lambdaOut = 1 - 0.70014;
     EXPECT_EQ(sentence(stepSentence(close, {})),
               "Level 3, texel (1,0): maximum 0.70011, the ray leaves it at 0.70014: nothing here, skipped.");
-    EXPECT_EQ(tellingDecimals(0.5, 0.5), 2);
-    EXPECT_EQ(tellingDecimals(0.5, 0.5 + 1e-12), 6);
+    EXPECT_EQ(distinguishingDecimals(0.5, 0.5), 2);
+    EXPECT_EQ(distinguishingDecimals(0.5, 0.5 + 1e-12), 6);
     EXPECT_EQ(fixedText(-1e-9, 2), "0.00");
 }
 

@@ -100,7 +100,7 @@ class Marks {
         for (const double x : {band.x0, band.x1}) {
             drawing_.add({}, role, Polyline{{{x, band.y0}, {x, band.y1}}, false}, Emphasis::Faint);
         }
-        const int decimals = relief::tellingDecimals(s.lambdaIn, s.lambdaOut);
+        const int decimals = relief::distinguishingDecimals(s.lambdaIn, s.lambdaOut);
         drawing_.add({}, Role::Label,
                      Label{.at = {frame_.seen().x1, std::max(frame_.plot.y0, frame_.visible.y0 + 12 * unit_)},
                            .text = Message(MessageId::DrawStretch, {{"step", chosen_ + 1},

@@ -13,7 +13,7 @@ AdviceTrial trial(const std::string& name, double cost, std::int64_t bytes, Verd
                   double beyond = 0) {
     AdviceTrial one;
     one.facts.method.name = name;
-    one.facts.cost = one.facts.secondsARay = cost;
+    one.facts.cost = one.facts.secondsPerRay = cost;
     one.facts.bytes = bytes;
     one.facts.verdict = verdict;
     one.facts.beyond = beyond;

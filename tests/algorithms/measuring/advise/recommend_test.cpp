@@ -185,8 +185,8 @@ TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
     Work work;
     const Advice advice = recommend(options, work);
     EXPECT_EQ(advice.best().verdict, Verdict::Kept);
-    EXPECT_GT(advice.best().secondsARay, 0);
-    EXPECT_EQ(advice.best().cost, advice.best().secondsARay);
+    EXPECT_GT(advice.best().secondsPerRay, 0);
+    EXPECT_EQ(advice.best().cost, advice.best().secondsPerRay);
     for (const AdvisedForm& form : advice.forms) {
         // Thousands of look-ups a ray: slower at any load, and not looked at twice.
         if (form.method.name == "layers") {

@@ -138,7 +138,7 @@ TEST(BenchTracers, TracersAreMadeOnceAMap) {
     const auto whole = benchTracers(options, work);
     ASSERT_EQ(whole.size(), 2U);
     EXPECT_EQ(made, 1);
-    options.prepared = nothingPrepared();
+    options.prepared = noPreparedTracers();
     made = 0;
     std::vector<BenchRow> parts;
     for (const Elevation& elevation : std::vector<Elevation>{25.0, std::nullopt}) {
