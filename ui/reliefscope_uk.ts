@@ -2136,8 +2136,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Експортувати нема чого: зображення лише одне. Натисніть + на панелі порівняння.</translation>
     </message>
     <message>
-        <source>The manual is not here: cmake --build build --target manual makes it, in build/manual/html.</source>
-        <translation>Посібника тут немає: його створює cmake --build build --target manual, у build/manual/html.</translation>
+        <source>The manual is not here: %1 makes it, in %2.</source>
+        <translation>Посібника тут немає: його створює %1, у %2.</translation>
     </message>
     <message>
         <source>No browser could be started; the manual is %1</source>

@@ -234,7 +234,8 @@ void MainWindow::showManual() {
     const QString page = manualPage(QApplication::applicationDirPath());
     if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
     report(page.isEmpty()
-               ? tr("The manual is not here: cmake --build build --target manual makes it, in build/manual/html.")
+               ? tr("The manual is not here: %1 makes it, in %2.")
+                     .arg(QStringLiteral("cmake --build build --target manual"), QStringLiteral("build/manual/html"))
                : tr("No browser could be started; the manual is %1").arg(page),
            false);
 }
