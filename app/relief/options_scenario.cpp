@@ -17,7 +17,7 @@ namespace relief::app {
 
 namespace {
 
-// "elevation, degrees, -90 to 90, default 35": from the one description of the number.
+// Returns "elevation, degrees, -90 to 90, default 35" from the shared description of the number.
 std::string numberHelp(std::string_view name) {
     const ScenarioNumber& number = scenarioNumber(name);
     const OptionDescription& d = number.description;
@@ -26,8 +26,8 @@ std::string numberHelp(std::string_view name) {
            numberText(number.get(Scenario{}));
 }
 
-// "elevation=30,azimuth=45": each name with `prefix` (where there is such a number) set in the scenario.
-// Returns the names.
+// Parses "elevation=30,azimuth=45" and sets each number in the scenario; `prefix` is put before a name if a number of
+// that full name exists. Returns the names.
 std::vector<std::string> applySettings(Scenario& scenario, const std::string& text, const std::string& option,
                                        const std::vector<std::pair<std::string, std::string>>& names) {
     std::vector<std::string> given;
@@ -58,7 +58,7 @@ glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
     return {p[0], p[1], p[2]};
 }
 
-// "NAME=VALUE", each name once.
+// Parses settings "NAME=VALUE"; each name may occur once.
 void applySettings(OptionValues& options, const std::vector<std::string>& settings, const std::string& option,
                    const std::string& example) {
     std::set<std::string> given;
@@ -73,7 +73,7 @@ void applySettings(OptionValues& options, const std::vector<std::string>& settin
     }
 }
 
-// "drawn", "WxH", "0.1,0.5,...": as the trace command of a relief drawn by hand has it.
+// Parses a relief drawn by hand, "drawn", "WxH", "0.1,0.5,...", as the printed `relief trace` command contains it.
 void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts, const std::string& option) {
     const SizeText size = parseSize(parts[1], option, kMostDrawnSide);
     pictures.drawn = {size.width, size.height, parseDrawnNumbers(parts[2], option)};
@@ -88,7 +88,7 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
     const auto given =
         applySettings(scenario, text, option,
                       {{"elevation", "elevation"}, {"azimuth", "azimuth"}, {"distance", "distance"}, {"fov", "fov"}});
-    // The field of view alone leaves a free camera free.
+    // Setting only the field of view does not turn a free camera into an orbit camera.
     if (given != std::vector<std::string>{"fov"}) scenario.camera.kind = Camera::Kind::Orbit;
 }
 
@@ -357,7 +357,7 @@ void ScenarioOptions::applyView(Scenario& scenario) const {
         const SizeText size = parseSize(*size_, "--size", kMaxPictureSide);
         scenario.width = size.width;
         scenario.height = size.height;
-        // The scenario's chosen pixel was one of another picture.
+        // The scenario's chosen pixel lies outside a picture of the new size.
         if (scenario.pixel && (scenario.pixel->x >= size.width || scenario.pixel->y >= size.height)) {
             scenario.pixel.reset();
         }

@@ -18,7 +18,7 @@ constexpr double kMostMemory = 1 << 20;  // megabytes
 constexpr double kMostSeconds = 24 * 3600;
 constexpr double kMostStepCost = 1000;
 constexpr std::int64_t kMostSteps = 1'000'000'000;
-constexpr int kCheckSide = 128;  // of the reliefs that are checked
+constexpr int kCheckSide = 128;  // texels of the reliefs used by --check
 
 struct RecommendOptions {
     ScenarioOptions scenario;
@@ -60,7 +60,7 @@ HeightField fieldOf(const Scenario& scenario, const Assets& assets) {
     return {assets.heights, scenario.surface, scenario.address, scenario.reliefDepth};
 }
 
-// Every procedural relief, small, in place of a height map that was not given.
+// Returns all procedural reliefs at a small size, for checks without a height map.
 std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
     if (given.scenario.heightsGiven()) return {given.scenario.scenario()};
     std::vector<Scenario> all;

@@ -1,6 +1,5 @@
-// relief trace PICTURE|SCENARIO.json --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...) [-o
-// HITS.csv]
-// [--steps FILE.csv|json]
+// relief trace PICTURE|SCENARIO.json --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...)
+//     [-o HITS.csv] [--steps FILE.csv|json]
 #include <algorithm>
 
 #include "measuring/bench/child_counts.h"
@@ -16,9 +15,9 @@ namespace relief::app {
 
 namespace {
 
-// Rays whose steps are held in memory at a time.
+// Number of rays whose steps are held in memory at once.
 constexpr std::size_t kLoggedBlock = 4096;
-// Characters of a hit: three numbers of 17 digits, the outcome, the steps.
+// Characters of a hit's line: three numbers of 17 digits, the outcome, the steps.
 constexpr std::uint64_t kLongestLine = 88;
 constexpr int kDigits = 17;
 
@@ -31,11 +30,10 @@ struct TraceOptions {
     RunOptions run;
 };
 
-// Rays to trace, and which of the answers asked for each belongs to: a pixel that sees no polygon has an answer, but
-// no ray.
+// The rays to trace and, for each, the index of its answer: a pixel that sees no polygon has an answer but no ray.
 struct Asked {
     RayBlock rays;
-    std::vector<std::size_t> answer;  // empty: the same numbers
+    std::vector<std::size_t> answer;  // per ray; empty: the ray's own index
     std::size_t answers = 0;
 
     std::size_t answerOf(std::size_t ray) const { return answer.empty() ? ray : answer[ray]; }
@@ -89,8 +87,8 @@ HitBlock answers(const Asked& asked, const HitBlock& traced) {
     return all;
 }
 
-// Traces again with the log, a block at a time: a million rays have more steps than memory should hold. Calls
-// body(log, first, count) for the rays from `first` on.
+// Traces the rays a second time with a step log, in blocks, because the steps of a million rays would not fit into
+// memory. Calls body(log, first, count) for each block, whose rays begin at index `first`.
 template <class Body>
 void overLogs(const Asked& asked, const Tracer& tracer, const char* title, Work& work, const Body& body) {
     work.progress().begin(title, static_cast<std::int64_t>(asked.rays.size()));
@@ -125,7 +123,8 @@ void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bo
     output.write(text);
 }
 
-// The numbers behind each pixel, a line a pixel; one that sees no polygon has none.
+// Returns the mapping coefficients of each pixel, one line per pixel; fields are empty for a pixel that sees no
+// polygon.
 std::string coefficientLines(const std::vector<PixelChoice>& pixels, const FrameRequest& request) {
     std::string text;
     for (const NamedNumber& number : namedNumbers({})) text += std::string(number.name) + ",";
@@ -141,7 +140,7 @@ std::string coefficientLines(const std::vector<PixelChoice>& pixels, const Frame
     return text;
 }
 
-// Every pixel of the view that sees a polygon.
+// Returns the rays of all pixels of the view that see a polygon.
 Asked raysOfView(const FrameRequest& request) {
     const VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
@@ -157,7 +156,7 @@ Asked raysOfView(const FrameRequest& request) {
     return asked;
 }
 
-// Children entered at each level, of all rays.
+// Returns the number of children entered at each level, summed over all rays.
 ChildrenByLevel childrenOf(const Asked& asked, const Tracer& tracer, Session& session) {
     ChildrenByLevel counts;
     overLogs(asked, tracer, "children", session.work(), [&](const StepLog& log, std::size_t, std::size_t count) {
@@ -178,7 +177,7 @@ void refuseTwoSources(const TraceOptions& options) {
     if (options.rays && !options.pixels.empty()) refuse("--rays", "--pixel");
     if (options.rays && !options.single.empty()) refuse("--rays", "--ray");
     if (!options.single.empty() && !options.pixels.empty()) refuse("--ray", "--pixel");
-    // Rays that are given do not depend on a view.
+    // Rays given as numbers do not depend on a view.
     const std::string view = options.scenario.viewOption();
     if (!view.empty() && options.rays) refuse(view, "--rays");
     if (!view.empty() && !options.single.empty()) refuse(view, "--ray");
@@ -191,11 +190,11 @@ int runTrace(const TraceOptions& options, Session& session) {
     if (options.steps) checkOutput(*options.steps, {"csv", "json"});
     refuseTwoSources(options);
     Scenario scenario = options.scenario.scenario();
-    // Only the heights matter to a ray.
+    // Tracing depends on the heights only.
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
     const bool given = options.rays || !options.single.empty();
-    // A count of children without a ray is one of the whole view.
+    // Without a ray or pixel, children are counted for the whole view.
     const bool wholeView = options.children && !given && options.pixels.empty();
     const std::vector<PixelChoice> pixels =
         given || wholeView ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
@@ -216,17 +215,18 @@ int runTrace(const TraceOptions& options, Session& session) {
         text.commit();
         return 0;
     }
-    // Rays that are given have no view to take it from; the tracer refuses them.
+    // Rays given as numbers have no view from which the base level could be chosen; the tracer refuses base=auto for
+    // them.
     if (!options.rays && options.single.empty()) noteBaseLevel(session, scenario, request);
     const Asked asked = options.rays              ? raysOfFile(*options.rays, session)
                         : !options.single.empty() ? single
                         : wholeView               ? raysOfView(request)
                                                   : raysOfPixels(pixels, request);
 
-    // What is traced, the answers, and their lines in pieces and whole.
+    // Bytes per ray: the hits traced, the answers, and their lines in pieces and joined.
     constexpr std::uint64_t kBytes = 2 * HitBlock::kBytes + 2 * kLongestLine;
     requireMemory(byteProduct({asked.answers, kBytes}), options.rays.value_or("--pixel"));
-    // Rays that come without a view have no pixels either, whose width base=auto could be taken from.
+    // Rays given as numbers have no pixel width, which base=auto needs.
     const auto tracer = makeTracer(given ? scenario.method : request.method, request.field, maps, work);
     if (options.children) {
         const ChildrenByLevel counts = childrenOf(asked, *tracer, session);
