@@ -1,4 +1,4 @@
-// Names that are nearly those that are known, and progress of work in several stages.
+// Suggestions for names that resemble known ones; progress of work in several stages.
 #include "relief/messages.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(Messages, unknownNamesAreAnsweredByWhatIsNearAndWhatIsKnown) {
     EXPECT_EQ(said("magic", ""), "there is no tracer \"magic\", nor any other");
 }
 
-// Stages within are not told, and do not begin the whole anew.
+// Nested stages are not reported and do not restart the outer one.
 TEST(Progress, ofSeveralStagesIsToldAsOne) {
     std::vector<std::string> told;
     Progress progress([&](std::string_view what, double fraction) {

@@ -1,4 +1,5 @@
-// The grid's arithmetic in lanes: planes and edges among hits, rays and footprints of points.
+// The SIMD arithmetic of the grid filter: detection of planes and edges between hits, and rays and footprints of sample
+// points.
 #include "filtering/grid_lanes.h"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
     const auto cells = static_cast<std::size_t>(kWidth * kHeight);
     struct Case {
         const char* name;
-        float s, lambda;  // beyond the edge: texels more, descent more
-        float fold;       // of the step across
+        float s, lambda;  // change at the edge: of s in texels, and of lambda
+        float fold;       // ratio of the steps in s beyond and before the edge
     };
     for (const Case& c : {Case{"level", 0, 0, 1}, Case{"plane", 0, 0.01F, 1}, Case{"fold", 0, 0.01F, 1.4F},
                           Case{"step", 5, 0.3F, 1}, Case{"hole", std::nanf(""), 0, 1}}) {
@@ -49,7 +50,7 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
         if (name == "plane") {
             EXPECT_EQ(at(kEdge, 4), all);
         }
-        // Bent by a sixth: smooth, and neither straight nor a plane.
+        // A bend of a sixth: smooth, but neither straight nor planar.
         if (name == "fold") {
             EXPECT_EQ(at(kEdge, 4) & across, unsigned{kSmooth << kAcross});
             EXPECT_EQ(at(kEdge, 4) & kOnPlane, 0U);
@@ -68,7 +69,7 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
     }
 }
 
-// The same bend: a plane and smooth where hits lie near each other; by lower bounds neither.
+// The same bend counts as planar and smooth if hits are close to each other, but not with smaller bounds.
 TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
     constexpr int kSide = 5;
     constexpr auto kMiddle = static_cast<std::size_t>(kSide * kSide / 2);
@@ -85,7 +86,7 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
         findSurroundings({kSide, kSide, s.data(), t.data(), lambda.data()}, bounds, found.data());
         return unsigned{found[kMiddle]};
     };
-    // Second differences over the first: 0.13, 0.375.
+    // Ratios of the second differences to the first: 0.13, 0.375.
     EXPECT_NE(middle(2, 1.3F, 1) & kOnPlane, 0U);
     EXPECT_EQ(middle(10, 1.3F, 1) & kOnPlane, 0U);
     EXPECT_EQ(middle(2, 1.3F, boundsFor(5)) & kOnPlane, 0U);
@@ -95,12 +96,12 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
     EXPECT_NE(middle(2, 1.3F, 1) & kNearAround, 0U);
     EXPECT_EQ(middle(10, 1.3F, 1) & kNearAround, 0U);
     EXPECT_EQ(boundsFor(2), 1.0F);
-    // Magnified, only what is flat.
+    // If the texture is magnified, only flat surroundings count as planar.
     EXPECT_NE(middle(0.7F, 1.2F, 1) & kOnPlane, 0U);
     EXPECT_EQ(middle(0.7F, 1.4F, 1) & kOnPlane, 0U);
 }
 
-// Rays and footprints of points against the text of single pixels.
+// Rays and footprints of sample points against the code for single pixels.
 TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
     constexpr double kRelative = 1e-7;  // rounding to float
     for (const Address address : {Address::Repeat, Address::Border}) {
@@ -124,7 +125,7 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
             for (std::size_t i = 0; i < count; ++i) {
                 ASSERT_EQ(rays[i], asked.block.rays[i]) << i;
                 const Jacobian pixel = asked.block[i].jacobian;
-                // Of the pixel's footprint blurred, its x.
+                // The x component of the pixel's blurred footprint.
                 const Jacobian j{blur.xx * pixel.ux + blur.xy * pixel.uy, blur.xx * pixel.vx + blur.xy * pixel.vy, 0,
                                  0};
                 const auto [slopeS, slopeT] = field.slope(asked.block.s[i], asked.block.t[i]);
@@ -140,7 +141,8 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
     }
 }
 
-// Under border nothing is hit from beyond the edge: a centre on it must not be rounded out of the polygon.
+// Under border nothing can be hit from beyond the edge, so rounding must not move a centre on the edge out of the
+// polygon.
 TEST(GridLanes, raysOnTheEdgeStayInsideByRounding) {
     PixelView view;
     view.width = 64, view.height = 48;
@@ -163,7 +165,7 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
     for (auto& column : channel) {
         column.assign(kCells + kCellSlack, 0.5F);
         for (float& color : column) color += static_cast<float>(random.between(0, 1.3 * kEvenColors));
-        // In the dark.
+        // A dark picture.
         for (std::size_t c = 0; c < 2 * kRow; ++c) column[c] = 0.05F * column[c];
         column[3 * kRow + 5] = std::numeric_limits<float>::infinity();
     }
@@ -211,7 +213,7 @@ TEST(GridLanes, centresAreSplitIntoColumns) {
     }
 }
 
-// Places and footprints of points that follow, where they are asked for, against one by one.
+// Positions and footprints of interpolated points, where requested, against a computation one by one.
 TEST(GridLanes, pointsFollowFromCentres) {
     constexpr std::size_t kRow = 9, kCells = 6 * kRow, kFirst = kRow + 1, kLast = kCells - kRow - 1;
     Random random(kSeed);
@@ -228,7 +230,7 @@ TEST(GridLanes, pointsFollowFromCentres) {
         const std::size_t square = point == 0 ? 0 : kRow + 1;
         const FollowJob job{s.data(), t.data(), kRow,   kFirst, kLast, asked.data(), follows.data(),
                             point,    3,        square, shares, blur,  {2, 3}};
-        // Of a column at cell c: the value, and its differences across and down.
+        // The value of a column at cell c, and its differences across and down.
         const auto expected = [&](const std::vector<double>& column, std::size_t c) -> std::array<double, 3> {
             const double* x = column.data() + c;
             if (point == 0) return {x[0], (x[1] - x[-1]) / 2, (x[kRow] - *(x - kRow)) / 2};

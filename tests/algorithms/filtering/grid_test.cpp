@@ -1,4 +1,4 @@
-// elliptical-visible:form=grid: pixels that are no plane as sums of points that neighbours share.
+// elliptical-visible:form=grid: pixels that are not planar are sums of sample points that neighbouring pixels share.
 #include "filtering/elliptical_grid.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 namespace relief::test {
 namespace {
 
-// Sums of sums of 16-bit texels in float.
+// Nested float sums of 16-bit texels.
 constexpr double kRounding = 1e-4;
-// Between a bilinear reading of 16-bit texels, its place in float, and the same in double: places are off by up to
-// 1e-5 texel, texels by 8e-6.
+// Difference between a bilinear sample of 16-bit texels at a float position and the same in double: positions differ by
+// up to 1e-5 texels, texels by 8e-6.
 constexpr double kTapRounding = 1e-4;
-// Levels and numbers of taps are chosen by comparisons: so many of a thousand points may fall to the other side.
+// Levels and numbers of taps are chosen by comparisons: the share of points for which rounding may choose differently.
 constexpr double kOtherSide = 2e-3;
 
 TEST(Grid, latticesAreEvenAndKeepTheMean) {
@@ -29,7 +29,7 @@ TEST(Grid, latticesAreEvenAndKeepTheMean) {
                 least = std::min(least, glm::length(lattice.places[k] + glm::dvec2(n % 3 - 1, n / 3 - 1)));
             }
         }
-        // Of the hexagonal lattice 1.07 / sqrt(points), and no lattice of so few points comes nearer than this.
+        // A hexagonal lattice has a spacing of 1.07 / sqrt(points); a lattice of so few points cannot reach that.
         EXPECT_GE(least, 0.79 / std::sqrt(points)) << points;
         glm::dvec2 mean(0);
         double total = 0;
@@ -50,7 +50,7 @@ TEST(Grid, isTheDefault) {
     const Asked plain(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {}}));
     const Asked named(requestOf(reliefOf("bricks"), picture, grid()));
     EXPECT_TRUE(plain.frame->color->color == named.frame->color->color);
-    // Weights with a shape of their own cannot be points': the surface is summed.
+    // Points cannot represent weights with a shape of their own: the visible surface is summed instead.
     const Asked shaped(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {{"weights", "box"}}}));
     const Asked summed(requestOf(reliefOf("bricks"), picture,
                                  {"elliptical-visible", {{"weights", "box"}, {"form", "position-area"}}}));
@@ -73,7 +73,7 @@ TEST(Grid, aConstantPictureStaysConstant) {
     }
 }
 
-// No colour lies beyond the picture's, whose colours are too far apart for any to be taken as the mean of others.
+// Colours lie within the range of the picture's. These are too far apart for any point to be interpolated from others.
 TEST(Grid, colorsStayWithinThePictures) {
     const Color dark(0.25F, 0.5F, 0.125F), bright(0.75F, 0.9F, 0.25F);
     auto picture = std::make_shared<ColorImage>(64, 48);
@@ -96,13 +96,13 @@ TEST(Grid, colorsStayWithinThePictures) {
     }
 }
 
-// Even colours save rays and change next to nothing.
+// Uniform colours save rays at almost no change of the picture.
 TEST(Grid, evenColorsAreNotTraced) {
     const HeightField field = reliefOf("bricks");
     const Asked even(requestOf(field, faintPicture(128, 96, 0.9F * kEvenColors), grid()));
     const Asked uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
     const auto rays = [](const Asked& asked) { return asked.frame->counters.at(MessageId::CountTexelsTraced); };
-    // What is left: centres beyond the picture's rim, and points round centres that meet nothing.
+    // The remaining rays: centres beyond the picture's rim, and points around centres without a hit.
     EXPECT_LT(rays(even), rays(uneven) / 3);
     EXPECT_GT(rays(uneven), 1000);
     RecordProperty("rays", std::to_string(rays(even) / rays(uneven)));
@@ -118,9 +118,9 @@ TEST(Grid, levelGroundIsPlainFiltering) {
     }
 }
 
-// Alone, in rows, and as the frame's tiles have them; the log changes nothing.
+// Single pixels, rows, and the frame's tiles give the same bits; so does logging.
 TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
-    // Of the faint picture some points are means of centres.
+    // In the faint picture some points are interpolated from centres.
     for (const std::string name : {"bricks", "hills", "faint bricks", "bricks with an edge"}) {
         const bool faint = name == "faint bricks";
         const Picture picture = faintPicture(100, 96, faint ? 3 * kEvenColors : 1);
@@ -162,7 +162,7 @@ TEST(Grid, framesAreTheSameForAnyNumberOfThreadsAndWithoutSkipping) {
     }
 }
 
-// Hits of methods that are not exact are filtered as form=rays does.
+// With a method that is not exact the hits are filtered as by form=rays.
 TEST(Grid, withoutExactHitsItIsRays) {
     FrameRequest request = requestOf(reliefOf("bricks"), randomPicture(128, 96, kSeed), grid());
     request.method = {"layers", {}};
@@ -172,7 +172,7 @@ TEST(Grid, withoutExactHitsItIsRays) {
     EXPECT_TRUE(seen.frame->color->color == rays.frame->color->color);
 }
 
-// Nearer to the truth than plain filtering, by the part measured and some room; with more points nearer.
+// Closer to the truth than plain filtering, by the measured factor with some margin; more points are closer still.
 TEST(Grid, behindBricksTheErrorIsAThirdOfPlain) {
     FilterBenchOptions options;
     options.scenes = {filterScene("bricks", 256, kSeed)};
@@ -212,17 +212,18 @@ void logSumsUp(const Picture& picture) {
     }
     EXPECT_GT(planes, 10);
     EXPECT_GT(summed, 100);
-    // A pixel is a dozen points.
+    // A pixel has a dozen points.
     EXPECT_LE(apart, 3 * 12 * kOtherSide * summed);
 }
 
 TEST(Grid, theLogSumsUpToTheColour) {
     logSumsUp(randomPicture(128, 96, kSeed));
-    // Some points are means of centres.
+    // Some points are interpolated from centres.
     logSumsUp(faintPicture(128, 96, 3 * kEvenColors));
 }
 
-// What the picture has is not traced again, with the same bits; nor is what lies between hits that belong together.
+// Rays whose hits the picture already has are not traced again, with the same bits; neither are rays between hits on
+// one smooth surface.
 TEST(Grid, thePictureAndSmoothGroundSaveRays) {
     for (const char* name : {"city", "bricks"}) {
         const Picture picture = randomPicture(64, 48, kSeed);
@@ -240,12 +241,12 @@ TEST(Grid, thePictureAndSmoothGroundSaveRays) {
         made.filter->colors(asked.block, together, saved, made.work);
         EXPECT_EQ(alone, together) << name;
         EXPECT_LT(saved.tested, traced.tested) << name;
-        // Of the frame, whose tiles share points; two of three are no centres.
+        // Counts of the whole frame, whose tiles share points; two of three points are not centres.
         const auto count = [&](MessageId of) { return asked.frame->counters.at(of); };
         const double edges = count(MessageId::CountFootprints) - count(MessageId::CountFootprintsClear);
         ASSERT_GT(edges, 500) << name;
-        // Points asked for beyond the edges' own are counted, too. Behind bricks 2.34 were measured first, 2.90 if none
-        // were taken from centres; among the city's walls there is nothing to take.
+        // Includes points requested beyond those of the edges. With bricks 2.34 was measured first, and 2.90 without
+        // interpolation from centres; among the city's walls nothing can be interpolated.
         EXPECT_LT(count(MessageId::CountTexelsTraced), (name == std::string("bricks") ? 2.6 : 3) * edges) << name;
         EXPECT_GT(count(MessageId::CountTexelsTraced), edges) << name;
         RecordProperty(name, std::to_string(count(MessageId::CountTexelsTraced) / edges));
@@ -258,10 +259,10 @@ TEST(Grid, weightsAreThePixels) {
     for (std::size_t n = 0; n < lattice.terms.size(); ++n) {
         const PointLattice::Term& term = lattice.terms[n];
         const glm::dvec2 at = glm::dvec2(term.dx, term.dy) + lattice.places[static_cast<std::size_t>(term.point)];
-        // Sigma 0.545 pixels, as the notes say.
+        // Sigma is 0.545 pixels.
         EXPECT_NEAR(lattice.weights[n], std::exp(-glm::dot(at, at) / (2 * 0.545 * 0.545)), 1e-6);
     }
-    // And they are what sums are made with.
+    // The sums use these weights.
     const std::vector<PointColor> colors{{{1, 2, 3, 1}}, {{0, 0, 0, 0}}, {{4, 8, 16, 1}}};
     const std::vector<std::int32_t> base{0, 1}, offset{0, 1};
     const std::vector<float> weight{0.5F, 0.25F};
@@ -299,7 +300,7 @@ TEST(PointReader, lanesAreNearTheReference) {
         }
         std::vector<PointColor> got(kPoints), expected(kPoints);
         FootprintCounts counts;
-        // Each into a slot of its own.
+        // Each point is stored in a slot of its own.
         std::vector<std::uint32_t> slots(kPoints);
         for (std::size_t i = 0; i < kPoints; ++i) slots[i] = static_cast<std::uint32_t>((i * 7) % kPoints);
         lanes.read(points, slots, got.data(), counts);
@@ -310,7 +311,7 @@ TEST(PointReader, lanesAreNearTheReference) {
             for (int k = 0; k < 4; ++k) {
                 difference = std::max(difference, std::abs(double{got[i].channel[k]} - expected[i].channel[k]));
             }
-            // Not finite: neither.
+            // NaN: the comparison is false, too.
             apart += difference <= kTapRounding ? 0 : 1;
         }
         EXPECT_LE(apart, kOtherSide * kPoints) << c.width << 'x' << c.height;

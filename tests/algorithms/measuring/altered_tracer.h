@@ -1,4 +1,4 @@
-// A tracer that is made wrong on purpose: what another one found, altered.
+// A tracer that is wrong on purpose: it alters the results of another one.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace relief::test {
 
-// Which call asks: alterations may depend on the sink.
+// Which overload of trace() was called: alterations may depend on the sink.
 enum class Asking : std::uint8_t { Plain, Counting, Logging };
 
 class AlteredTracer final : public Tracer {
@@ -63,7 +63,7 @@ class AlteredTracer final : public Tracer {
     Guarantee guarantee_;
 };
 
-// As if it were in the list under the name of `choice`.
+// A method that behaves as if it were listed under the name of `choice`.
 inline MeasuredMethod altered(const MethodChoice& choice, AlteredTracer::Alter alter,
                               Guarantee guarantee = Guarantee::Exact) {
     MeasuredMethod method = measuredMethod(choice);

@@ -1,4 +1,4 @@
-// What is counted of a view's rays: every ray lies in one bin, and bins lead to the pixels that are in them.
+// Histograms over the rays of a view: every ray is in one bin, and a bin gives the pixels that it contains.
 #include "measuring/bench/view_bench.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the cases of a stress run add up to, and the lines that parts of a run leave, on cases made by hand.
+// The sums over the cases of a stress run, and the lines that record cases, tested with hand-made cases.
 #include "measuring/verify/stress_record.h"
 
 #include <limits>
@@ -56,7 +56,7 @@ TEST(StressRecord, CasesAddUp) {
     EXPECT_EQ(report.parts.at("frames").total(), 7U);
 }
 
-// Five of a kind, and no more than there is room for, in the order in which they came.
+// At most five violations of a kind are listed, up to the total limit, in order of occurrence.
 TEST(StressRecord, FewOfEachKindAreListed) {
     constexpr std::size_t kAlike = 5, kListed = 8;
     StressTally tally(kListed);
@@ -77,7 +77,7 @@ TEST(StressRecord, FewOfEachKindAreListed) {
     EXPECT_EQ(listed, (std::vector<std::string>{"0", "1", "2", "3", "4", "two", "three", "four"}));
 }
 
-// Every member comes back, numbers to their last bit.
+// Every member is read back, numbers with all bits.
 TEST(StressRecord, ACaseIsReadBackFromItsLine) {
     StressCase one = caseOf(std::uint64_t{1} << 63, "fine \"checker\"\n", "65536x1");
     one.violationCount = 12345678901234567890U;

@@ -1,4 +1,4 @@
-// relief stress must find what is wrong, and find nothing in the listed tracers.
+// relief stress must find faults put into tracers, and find none in the listed tracers.
 #include "measuring/verify/stress.h"
 
 #include <atomic>
@@ -21,7 +21,7 @@ namespace {
 
 class StressTest : public ::testing::Test {
   protected:
-    // The least there is: a number of cases that does not hang on time.
+    // A run with a fixed number of cases, which does not depend on time.
     StressReport run(std::vector<MeasuredMethod> methods, int threads = 2) {
         StressOptions options;
         options.seconds = 0;
@@ -32,7 +32,7 @@ class StressTest : public ::testing::Test {
         Work work(threads);
         return stress(options, work);
     }
-    // The first violation of that check.
+    // Returns the first violation of that check.
     static const StressViolation* find(const StressReport& report, const std::string& check) {
         for (const StressViolation& v : report.violations) {
             if (v.fault.check == check) return &v;
@@ -40,7 +40,7 @@ class StressTest : public ::testing::Test {
         return nullptr;
     }
 
-    // What `exact` finds for a printed command, from nothing but its words.
+    // Returns the lambda that `exact` finds for a printed command, parsed from its text alone.
     static double exactLambda(const std::string& command) {
         const auto word = [&](const std::string& flag, const std::string& otherwise) {
             const std::size_t at = command.find(" " + flag + " ");
@@ -91,8 +91,8 @@ TEST_F(StressTest, ListedTracersKeepTheirPromises) {
     }
 }
 
-// Rays that took more steps than were stated, or gave up for it: thin maps whose seams cut all levels, rays beyond the
-// domain.
+// Rays with more steps than the stated bound, or that gave up because of it: thin maps whose seams cut all levels, rays
+// beyond the domain.
 TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
     struct Found {
         const char* recipe;
@@ -215,11 +215,11 @@ TEST_F(StressTest, LogsMustEndWithTheirOutcome) {
     EXPECT_EQ(logFault(counted, counted.hit, log)->check, "sinks");
 }
 
-// A ray that never ends cannot be stopped, but it must be named.
+// A tracer in an endless loop cannot be stopped, but its ray must be reported.
 TEST_F(StressTest, ARayThatHangsIsNamed) {
     std::atomic<bool> named = false;
     std::atomic<int> left = 1;
-    // The tracer goes on once it has been named: that is what is waited for, not a time.
+    // The tracer continues once its ray has been reported, so the test does not depend on a time.
     const auto hang = [&](const ViewRay&, Hit&, std::uint32_t&, Asking) {
         if (left.fetch_sub(1) != 1) return;
         while (!named) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,4 +1,4 @@
-// Maps in files: the same bits come back, anything else is refused; and builds that end early leave nothing.
+// Maps in files: reading gives the same bits, anything else is refused; interrupted builds leave nothing behind.
 #include "algorithms/images/temporary_folder.h"
 #include "algorithms/relief/fields.h"
 #include "images/described_tiff.h"
@@ -22,7 +22,7 @@ HeightField smallField(Surface surface = Surface::Bilinear, Address address = Ad
     return {randomHeights(13, 9, 5), surface, address, 0.3};
 }
 
-// Of every kind, in every precision; more than one sector where there can be.
+// Every kind of map in every precision; with several sectors where possible.
 std::vector<MethodChoice> storedChoices() {
     std::vector<MethodChoice> all;
     for (const std::string& kind : mapKinds()) {
@@ -116,7 +116,7 @@ TEST(MapFiles, SameBitsOfEveryKind) {
     EXPECT_EQ(folder.files(), 1);
 }
 
-// Distances rounded down, cones up: never beyond what the floats allow.
+// Distances are rounded down, cone slopes up, so that values never exceed those of float.
 TEST(MapFiles, CoarserValuesLieOnTheSafeSide) {
     Work work;
     const auto values = [](const StoredMap& map) -> std::vector<const StoredValues*> {
@@ -168,7 +168,7 @@ TEST(MapFiles, TracersUseTheStoredMap) {
             MapCache cache;
             MethodChoice asked{choice.name, {}};
             if (!outer.empty()) {
-                // Marks the bottom level alone, so that hybrid builds one map more.
+                // Marks only the bottom level, so that the hybrid builds an additional map.
                 asked = {outer, {{"inner", choice.name}}};
             }
             const MethodChoice chosen = useMap(folder / "map.tif", stored, asked, field, cache);
@@ -190,7 +190,7 @@ TEST(MapFiles, AnotherFieldIsRefused) {
     FloatImage other = field.heights();
     other(3, 4) = std::nextafter(other(3, 4), 1.0F);
     expectPart(loadFault(path, {share(other), Surface::Bilinear, Address::Repeat, 0.3}), "another height map");
-    // As many texels with the same bits, in another shape.
+    // The same number of texels with the same bits, in another shape.
     FloatImage turned(9, 13);
     std::copy(field.heights().pixels().begin(), field.heights().pixels().end(), turned.pixels().begin());
     expectPart(loadFault(path, {share(turned), Surface::Bilinear, Address::Repeat, 0.3}), "another height map");
