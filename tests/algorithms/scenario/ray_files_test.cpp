@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-// The message of the refusal; empty where the text is accepted.
+// Returns the message of the refusal; empty if the text is accepted.
 std::string refusal(const std::string& text) {
     try {
         parseRays(text, "r.csv");
@@ -37,7 +37,7 @@ TEST(RayFiles, FaultsNameTheLine) {
     EXPECT_NE(refusal("s0,t0,a,b\n1, 2,3,4\n"), "");
     EXPECT_NE(refusal("s0,t0,a,b\n1,2,3,4 \n"), "");
     EXPECT_NE(refusal("s0,t0,a,b\n\n1,2,3,4\n"), "");
-    // A line of anything stays one short line of the message, cut between characters.
+    // Any line is quoted in the message as one short line, truncated between characters.
     std::string words;
     for (int i = 0; i < 200; ++i) words += "щ";
     const std::string message = refusal("s0,t0,a,b\n" + words);

@@ -237,7 +237,7 @@ TEST(MapFiles, AnotherVersionOrPictureIsRefused) {
     EXPECT_NE(loadFault(folder / "nothing.tif", field), "");
 }
 
-// Every field of the description is held by its checksum: a number changed anywhere is noticed.
+// Every field of the description is covered by its checksum: any changed number is detected.
 TEST(MapFiles, AlteredDescriptionsAreRefused) {
     const TemporaryFolder folder;
     const std::string path = folder / "map.tif";
@@ -263,7 +263,8 @@ TEST(MapFiles, AlteredDescriptionsAreRefused) {
     EXPECT_GT(altered, 50);
 }
 
-// A byte changed anywhere: refused with a line, or nothing of the map is changed (padding, a date); never a crash.
+// A byte changed at any position: the file is refused with a message, or the map is the same (padding, a date); never a
+// crash.
 TEST(MapFiles, DamagedAndTruncatedFilesAreRefused) {
     const TemporaryFolder folder;
     const HeightField field = smallField();
@@ -315,7 +316,7 @@ TEST(MapFiles, TooLargeIsRefusedBeforeAllocating) {
     saveMap(folder / "map.tif", map, field.heights());
     EXPECT_EQ(loadFault(folder / "map.tif", field, kPlenty), "");
     EXPECT_NE(loadFault(folder / "map.tif", field, mapBytes(map) / 8), "");
-    // 1 TB: were it allocated first, the machine would say so.
+    // Would need 1 TB; the test fails if it were allocated before the check.
     const HeightField large(constantHeights(16384, 16384, 0.5F));
     for (const std::string& kind : mapKinds()) {
         MapCache cache(1 << 20);
@@ -334,7 +335,7 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
         std::stop_source stop;
         MapCache cache;
         bool begun = false;
-        // Stopped from inside, once some of it is done.
+        // Cancelled from the progress callback, after part of the build.
         Work work(2, stop.get_token(), [&](std::string_view, double fraction) {
             begun = true;
             if (fraction > 0) stop.request_stop();
@@ -342,7 +343,7 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
         EXPECT_THROW((void)buildMap(kind, {}, field, cache, work), Cancelled);
         EXPECT_TRUE(begun);
         EXPECT_EQ(cache.bytes(), 0U);
-        // The next one who asks gets a whole map.
+        // The next request builds a complete map.
         Work again;
         const StoredMap map = buildMap(kind, {}, field, cache, again);
         EXPECT_EQ(cache.bytes(), mapBytes(map) + field.heights().bytes());

@@ -1,4 +1,4 @@
-// What the cone walk looks at in lanes: each step's cell and word, ray by ray.
+// Records the cells and map entries that the SIMD cone traversal visits, ray by ray.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace relief::test {
 
-// A cell before any addressing, and its word in the ray's quadrant.
+// A cell before addressing, and its map entry for the ray's quadrant.
 struct LookedAt {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -15,15 +15,15 @@ struct LookedAt {
     bool operator==(const LookedAt&) const = default;
 };
 
-// begin: lambda at which the ray parted from its packet.
+// begin: lambda at which the ray left its packet.
 struct LookedAtRay {
     double begin = 0;
     std::vector<LookedAt> cells;
 };
 
-// Of an instance of the walk that rounds as the reference does (products and sums apart, quotients) and leads no rays
-// in packets; or of the product's. The rays differ from each other. hits: of all rays but those flatter than the
-// domain.
+// Traces the rays with a recording instance of the SIMD traversal. asTheReference: an instance that rounds as the
+// reference does (no fused sums, true quotients) and forms no packets; otherwise the instance that is shipped. The rays
+// must differ from each other. hits: of all rays except those flatter than the supported domain.
 std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
                                       HitBlock& hits, bool asTheReference);
 

@@ -1,4 +1,4 @@
-// What is shown is what drew the pixel: lanes look at the cells that the reference logs, one by one.
+// The displayed steps are those that rendered the pixel: SIMD visits the cells that the reference logs, one by one.
 #include "cone_cells.h"
 
 #include <array>
@@ -17,12 +17,13 @@ constexpr std::uint64_t kSeed = 20261124;
 struct Logged {
     Hit hit;
     std::vector<LookedAt> cells;
-    std::vector<Step> steps;  // of these cells
+    std::vector<Step> steps;  // one per cell
 };
 
-// The word of a step, as far as its record tells: that of its cell in the ray's quadrant.
+// Traces the ray with the reference and returns its cells; checks each step's record against the map entry of its cell
+// in the ray's quadrant.
 Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray, double begin) {
-    // The steps that lanes take as well; those in double, next to corners, they leave to the reference.
+    // Only the steps in float, which SIMD takes as well; those in double, next to corners, are left to the reference.
     LogSink sink;
     NullSink inDouble;
     Logged out;
@@ -48,7 +49,7 @@ Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray
     return out;
 }
 
-// Those that are finite, each once.
+// Returns the finite rays, each once.
 RayBlock differentRays(const RayBlock& all) {
     RayBlock rays;
     std::set<std::array<double, 4>> seen;
@@ -105,7 +106,7 @@ TEST(ConeCells, lanesLookAtThoseThatTheReferenceLogs) {
     EXPECT_GT(steps, 50000U);
 }
 
-// Of a view from above: neighbours begin together, so that packets lead them.
+// Rays of a view from above: neighbours have similar starts, so that packets form.
 RayBlock viewRays(const HeightField& field, double flat) {
     RayBlock rays;
     for (int y = 0; y < 40; ++y) {
@@ -117,13 +118,14 @@ RayBlock viewRays(const HeightField& field, double flat) {
     return rays;
 }
 
-// By so much of a jump, and so much more, cells, its end may differ: the reciprocal is approximate, sums are fused.
+// The end of a jump may differ by this share of its length, plus this many cells: the reciprocal is approximate, and
+// sums are fused.
 constexpr double kJumpShare = 3 * static_cast<double>(kReciprocalError);
 constexpr double kJumpRounding = 0x1p-17;
-// Of all steps, at most, those before which a jump ended so near a border that the cells differ.
+// Largest share of steps before which a jump ended so near to a border that the cells differ.
 constexpr double kMostDifferent = 0.001;
 
-// Whether the jump of a step ends next to a border of cells.
+// Returns true if the jump of a step ends next to a border of cells.
 bool endsAtABorder(const CellGrid& grid, const ViewRay& ray, const Step& step) {
     const GridRay exact(grid, ray);
     const double way = step.lambdaAfter - step.lambdaOut;
