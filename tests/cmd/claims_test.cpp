@@ -18,7 +18,7 @@ TEST_P(ClaimsTest, TheTableThatShipsInBothLanguagesAndAsJson) {
     const std::string ukrainian = runFine({"claims", "--language", "uk"});
     EXPECT_NE(english, ukrainian);
     EXPECT_EQ(lines(english).size(), lines(ukrainian).size());
-    // A line each behind two of a head, which ends in the verdict.
+    // After the two lines of the head there is a line per claim, which ends in the verdict.
     const auto rows = lines(english);
     ASSERT_EQ(rows.size(), table["claims"].size() + 2);
     std::multiset<std::string> said, wanted;

@@ -46,7 +46,7 @@ bool servable([[maybe_unused]] const RunSetup& setup) {
 #endif
 }
 
-// In the child, between fork and exec.
+// Runs in the child, between fork and exec.
 [[noreturn]] void execute(const std::vector<std::string>& arguments, const RunSetup& setup, const std::string& locale,
                           int input, const std::string& out, const std::string& err) {
     dup2(input, STDIN_FILENO);

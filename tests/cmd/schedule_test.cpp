@@ -1,4 +1,4 @@
-// Who does what next, where several ranks share numbered parts: played through without processes.
+// Scheduling of numbered parts over several ranks, simulated without processes.
 #include "schedule.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct Player {
     std::vector<std::optional<Task>> at = std::vector<std::optional<Task>>(hosts.size());
     std::map<std::size_t, int> counted = {}, finished = {};
 
-    // Whether no host times more than it may, or times while it counts.
+    // Checks that no host times more parts than permitted, or times while it counts.
     void expectQuietTimes(int concurrent) const {
         std::map<std::string, int> counting, timing;
         for (std::size_t rank = 0; rank < at.size(); ++rank) {

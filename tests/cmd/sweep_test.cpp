@@ -1,4 +1,4 @@
-// Sweeps that are killed and go on: the rows are those of one quiet run.
+// Sweeps that are killed and resumed have the rows of one undisturbed run.
 #include <algorithm>
 
 #include "sweep_fixture.h"
@@ -14,7 +14,7 @@ TEST_P(SweepTest, KilledTenTimesGoesOnToTheSameTable) {
     std::size_t before = 0;
     for (std::size_t kills = 1; kills <= 10; ++kills) {
         const pid_t child = start(sweep("b.csv", {"--resume"}));
-        // Each time somewhere in the cell after another two.
+        // Killed each time within a cell, after two more cells.
         ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2 * kills; })) << kills;
         std::this_thread::sleep_for(std::chrono::microseconds(700 * kills));
         kill(child, SIGKILL);
@@ -36,7 +36,7 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 3; }));
     kill(child, SIGKILL);
     statusOf(child);
-    // A mark that no measurement would give; and a crash in the middle of the last line.
+    // Marks a row with a value that no measurement gives, and truncates the last line as a crash would.
     auto kept = lines(read("b.csv.part"));
     std::size_t marked = 0;
     std::string text;
@@ -51,7 +51,7 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
     }
     ASSERT_GT(marked, 0U);
     ASSERT_LT(marked + 1, kept.size()) << "the line that is cut is another";
-    // A line without its result, one of a part that there is not, and one that holds no rows, are none.
+    // A line without its result, one of a part that does not exist, and one without rows are ignored.
     write("b.csv.part", text.substr(0, text.size() - 9) +
                             "\n{\"part\": 23}\n{\"part\": 99, \"result\": []}\n{\"part\": 22, \"result\": 7}\n");
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
@@ -105,7 +105,7 @@ TEST_P(SweepTest, StoppedBeforeTheFirstPartItLeavesNothing) {
 TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {
     const pid_t first = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return !done("b.csv").empty(); }));
-    kill(first, SIGSTOP);  // it lives, and writes nothing
+    kill(first, SIGSTOP);  // it is alive but writes nothing
     const std::string kept = read("b.csv.part");
     for (const auto& second : {sweep("b.csv"), sweep("b.csv", {"--resume"}), sweep("b.csv", {"--anew"})}) {
         expectRefusal(second, 2, {path("b.csv.part"), std::to_string(first)});
@@ -117,8 +117,8 @@ TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {
     EXPECT_EQ(files(), std::vector<std::string>{"b.csv"});
 }
 
-// Both read it before either has taken it over: the lines that belong to nothing make that last. The sweep takes hours,
-// so that neither comes to its end.
+// Both read the journal before either has replaced it: many lines without meaning make reading slow. The sweep takes
+// hours, so that neither process ends.
 TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
     constexpr int kIdleLines = 300'000;
     const auto hours = [&](const std::vector<std::string>& more) {
@@ -150,7 +150,7 @@ TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
     statusOf(other);
 }
 
-// Its process cannot be seen from here; nor can that of another one with the same number.
+// Neither a process on another host can be checked, nor does another process with the same id count.
 TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsBelieved) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2; }));
@@ -166,7 +166,7 @@ TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsBelieved) {
     const Result result = run(sweep("b.csv", {"--resume"}));
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.err.find("farther-away"), std::string::npos) << result.err;
-    // This process began at another time than the journal's.
+    // This process has another start time than the journal states.
     write("b.csv.part", head.dump() + kept.substr(end));
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
 }
@@ -192,7 +192,7 @@ TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
     }
 }
 
-// The journal of version 1 holds the first two of four cells, see its folder's README.
+// The journal of version 1 contains the first two of four cells; see the README in its folder.
 TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
     std::filesystem::copy_file(RELIEF_FILES "/v1/tables/sweep.journal", path("b.csv.part"));
     const auto parts = done("b.csv");
@@ -221,7 +221,7 @@ TEST_P(SweepTest, RowsAndFiltersGoOnToo) {
          "--pixels", "4000000", "--rounds", "5", "--threads", "1"},
         {"bench", "filters", "--scenes", "checker,bricks", "--filters", "bilinear,trilinear", "--elevations",
          "60,50,40,30,20,10", "--size", "32x24", "--samples", "4", "--rounds", "1", "--threads", "1"}};
-    // rate and spread of each.
+    // The columns rate and spread of each table.
     const std::size_t timed[] = {11, 9};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto to = [&](const std::string& output, bool resume) {
