@@ -1,4 +1,4 @@
-// Lessons show what they say they show.
+// Lessons show what their text says.
 #include <algorithm>
 
 #include <QAction>
@@ -35,7 +35,7 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
     const auto& steps = snapshot.trace.steps;
     const int chosen = snapshot.scenario.step;
     ASSERT_LT(static_cast<std::size_t>(chosen), steps.size());
-    // A step that a class can follow to.
+    // The number of the step is small enough for a class to follow.
     EXPECT_LT(steps.size(), 60U);
     if (lesson.departure) {
         relief::Work work;
@@ -91,7 +91,8 @@ TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
         const relief::Scenario wanted = lessonScenario(lesson.name);
         ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == wanted; }, 10000));
         ASSERT_NO_FATAL_FAILURE(waitForFull());
-        // Its step is one of the ray's: the program knows a lesson again when its picture is there.
+        // The stored step exists on the ray, since the program recognises a lesson by its scenario when the picture is
+        // ready.
         EXPECT_EQ(relief::scenarioText(scenario()), relief::scenarioText(wanted));
         ASSERT_NO_FATAL_FAILURE(showsWhatItSays(lesson, *snapshot()));
         EXPECT_EQ(window_->messages()->text(), lesson.about);
@@ -99,13 +100,13 @@ TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
         ASSERT_NE(pane, nullptr);
         EXPECT_FALSE(pane->visibleRegion().isEmpty()) << "its pane is in front";
     }
-    // One step of undo each.
+    // Each lesson is one step of undo.
     const relief::Scenario before = lessonScenario(all[all.size() - 2].name);
     workspace_->undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == before; }, 10000));
 }
 
-// As a file, from the command line or the menu: the same.
+// A lesson opened as a file, from the command line or the menu, is the same.
 TEST_F(WindowTest, ALessonOpenedAsAFileShowsItsPane) {
     openWindow(smallScenario());
     for (const char* const name : {"hidden_texels", "missed_spike"}) {

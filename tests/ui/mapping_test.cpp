@@ -1,4 +1,4 @@
-// Coordinates by other rows than direct, chosen in the window.
+// Texture coordinates from row variants other than direct, chosen in the window.
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalSpy>
@@ -34,7 +34,8 @@ TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
     EXPECT_EQ(snapshot()->frame->ray(100, 60), straight);
 }
 
-// How far the ellipses along rows are off; and what they cannot serve is refused in a line, the state kept.
+// The error of ellipses along rows is displayed; options that they do not support are refused with a message, and the
+// state is kept.
 TEST_F(WindowTest, EllipsesAlongRowsAreSaidAndRefusedForShapedPixels) {
     relief::Scenario start = smallScenario();
     start.filter = {"elliptical", {{"ellipse", "cached"}}};
