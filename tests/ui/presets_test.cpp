@@ -1,4 +1,4 @@
-// Views that are asked for often, and a method's options as it has them by itself.
+// Presets of the view, and resetting a method's options to their defaults.
 #include <QComboBox>
 #include <QToolButton>
 
@@ -29,7 +29,7 @@ TEST_F(PresetsTest, EveryViewShowsTheReliefOfEveryScene) {
             const ViewPreset& preset = viewPresets()[static_cast<std::size_t>(item - 1)];
             EXPECT_EQ(scenario().camera, presetCamera(preset, scene)) << preset.name;
             EXPECT_EQ(box->currentIndex(), 0);
-            // Not only sky.
+            // The view shows more than sky.
             const auto frame = snapshot()->frame;
             int covered = 0;
             for (int y = 0; y < frame->height; ++y) {

@@ -1,4 +1,5 @@
-// What a window saves while somebody works in it: there after a crash, gone after a clean end, never another's.
+// The autosaved state of a window: it exists after a crash, is removed at a regular end, and is never another
+// process's.
 #include <fstream>
 
 #include <QAction>
@@ -53,7 +54,7 @@ class SessionTest : public WindowTest {
                                                 [this] { return window_->layoutNow(); });
         keeper_->setInterval(20);
     }
-    // A scenario as a process left it that is gone.
+    // Writes a scenario as a process that has ended would have left it.
     static QString leave(const relief::Scenario& scenario, const QString& id = QStringLiteral("1-1")) {
         QDir().mkpath(settingsFolder());
         const QString file = settingsFolder() + QStringLiteral("/unfinished-") + id + QStringLiteral(".json");
@@ -82,7 +83,7 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
     };
     EXPECT_TRUE(QTest::qWaitFor(saved, kPatienceMs));
     EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the panes are part of it";
-    // Another window that starts now.
+    // A window that starts now does not take it.
     EXPECT_TRUE(SessionFiles::leftBehind().empty());
     EXPECT_TRUE(saved());
     EXPECT_EQ(keeper_->end(), "");
@@ -121,7 +122,7 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
         const RestoreOffer offer(window_.get(), workspace_.get(), keeper_.get(), SessionFiles::leftBehind());
         answer("restore");
         EXPECT_TRUE(QTest::qWaitFor([&] { return window_->messages()->isVisible(); }, kPatienceMs)) << "why not";
-        // What is done meanwhile is saved beside it.
+        // Meanwhile this window's own state is saved in another file.
         workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}}, QStringLiteral("bookmark"));
         const auto both = [] { return unfinished().filter(QStringLiteral(".json")).size() == 2; };
         EXPECT_TRUE(QTest::qWaitFor(both, kPatienceMs));
@@ -135,13 +136,13 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
     ASSERT_EQ(found.size(), 1U);
     const RestoreOffer offer(window_.get(), workspace_.get(), nullptr, std::move(found));
     EXPECT_TRUE(question()->isVisible());
-    // The buttons of the offer before are not connected any more.
+    // The buttons of the previous offer are no longer connected.
     for (QPushButton* const button : question()->findChildren<QPushButton*>(QStringLiteral("discard"))) button->click();
     EXPECT_FALSE(question()->isVisible());
     EXPECT_FALSE(QFileInfo::exists(lost));
 }
 
-// The window is made anew in the other language, and asks in it; so does what can be undone.
+// When the language changes, the window is created again and asks in that language; names of undo steps change as well.
 TEST_F(SessionTest, AnotherLanguageAsksAnew) {
     leave(smallScenario());
     open(smallScenario());
@@ -166,7 +167,7 @@ TEST_F(SessionTest, AnotherLanguageAsksAnew) {
     };
     EXPECT_EQ(undo(), MainWindow::tr("&Undo") + QStringLiteral(": ") + BookmarkMenu::tr("Add bookmark"));
     EXPECT_FALSE(undo().contains(QStringLiteral("bookmark")));
-    // Whoever closed it is not asked again by this run.
+    // After the question is closed, this run does not ask again.
     question()->close();
     EXPECT_TRUE(offer->unanswered().empty());
     speak({});
@@ -208,7 +209,7 @@ TEST_F(SessionTest, WhereNothingCanBeWrittenItIsSaidOnce) {
     EXPECT_NE(keeper.end(), "");
 }
 
-// The program itself: a key, some seconds, kill -9; the next start offers it.
+// The program itself: a key is pressed, and it is killed some seconds later; the next start offers the state.
 TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     const QString file = folder_.filePath(QStringLiteral("small.json"));
     relief::Scenario first = smallScenario();
@@ -230,18 +231,18 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     QProcess process;
     ASSERT_TRUE(start(process, {file}));
     ASSERT_TRUE(QTest::qWaitFor([&] { return sendKey(process.processId(), "Home"); }, kPatienceMs)) << "no window";
-    // Steps are there with the first picture.
+    // The steps exist when the first picture does.
     const auto arrived = [&] {
         sendKey(process.processId(), "Home");
         const auto now = saved();
         return now && now->step == 0;
     };
     ASSERT_TRUE(QTest::qWaitFor(arrived, kPatienceMs)) << "not saved";
-    process.kill();  // -9
+    process.kill();  // SIGKILL
     process.waitForFinished();
     first.step = 0;
     EXPECT_EQ(saved(), first);
-    // The next one takes it, to offer it.
+    // The next process takes over the file in order to offer it.
     ASSERT_TRUE(start(process, {file}));
     const QString lock =
         settingsFolder() + '/' + unfinished().filter(QStringLiteral(".json"))[0].replace(".json", ".lock");
