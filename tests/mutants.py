@@ -3,13 +3,13 @@
 
     tests/mutants.py FOLDER N SEED [RULE]      called by: tests/run --mutants N [--seed S] [--rule RULE]
 
-FOLDER gets a copy of the sources (source/), their build (source/build/) and what was found, a line of JSON a fault, in
-seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there, unless the sources have
-changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; what does
-not compile is drawn anew. Each fault is built by itself and tried with the tests whose files fit it by name, then with
-those of the same folder, until one fails. The undetected ones are then put in together and all tests run, once; the
-suites that fail are run with each fault by itself. A suite that passes with all faults is taken to pass with each:
-where faults mask each other that is wrong, so survivors may be counted that are none.
+FOLDER receives a copy of the sources (source/), their build (source/build/) and the results, one line of JSON per fault,
+in seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): an interrupted run resumes from there, unless the sources have
+changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; one that
+does not compile is replaced by another. Each fault is built separately and tried with the tests whose files match it by
+name, then with those of the same folder, until one fails. The undetected faults are then inserted together and all tests
+are run once; the suites that fail are run again with each fault separately. A suite that passes with all faults is
+assumed to pass with each. If faults mask each other this is wrong, so the number of survivors may be too high.
 """
 
 import filecmp

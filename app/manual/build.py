@@ -3,8 +3,8 @@
 
     build.py SOURCES OUT DOXYGEN RELIEF      writes OUT/html/index.html
 
-Exit status 1 if Doxygen warns. Pages and headers are copied to OUT/pages first, in the form that Doxygen reads: links between
-pages become references, plain comments become its own.
+Exit status 1 if Doxygen warns. Pages and headers are first copied to OUT/pages in the form that Doxygen reads: links between pages
+become references, plain comments become Doxygen comments.
 """
 import json
 import os

@@ -34,7 +34,7 @@ int probe(int* from, unsigned long long* bytes) {
     MPI_Status status;
     // Open MPI's MPI_Iprobe tests its queue before it polls the network, so only a second call finds a message that has
     // just arrived.
-    for (int look = 0; look < 2 && there == 0; ++look) {
+    for (int attempt = 0; attempt < 2 && there == 0; ++attempt) {
         MPI_Iprobe(MPI_ANY_SOURCE, kSize, MPI_COMM_WORLD, &there, &status);
     }
     if (there == 0) return 0;

@@ -199,9 +199,9 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
     BenchOptions options = benchOptions(given);
     const std::vector<std::uint64_t> seeds = chosenSeeds(given);
     const std::vector<int> threadCounts = chosenThreads(given);
-    std::set<std::string> said;  // each note is printed once, not in every cell
+    std::set<std::string> printed;  // each note is printed once, not in every cell
     options.onNote = [&](const Message& message) {
-        if (said.insert(sentence(message)).second) session.note("bench", message);
+        if (printed.insert(sentence(message)).second) session.note("bench", message);
     };
     // Maps that were built while other ranks were working are built again for timing.
     std::shared_ptr<PreparedTracers> counted = nothingPrepared(), timed = nothingPrepared();

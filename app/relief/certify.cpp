@@ -85,11 +85,11 @@ struct Written {
 int runCertify(const CertifyOptions& options, Session& session) {
     options.run.apply(session);
     if (options.output) checkOutput(*options.output, {"json"});
-    CertificateOptions asked;
+    CertificateOptions rayOptions;
     if (options.rays) {
-        asked.rays = static_cast<std::uint64_t>(parseWhole(*options.rays, "--rays", 0, kRaysAtMost));
+        rayOptions.rays = static_cast<std::uint64_t>(parseWhole(*options.rays, "--rays", 0, kRaysAtMost));
     }
-    if (options.seed) asked.seed = parseSeed(*options.seed, "--seed");
+    if (options.seed) rayOptions.seed = parseSeed(*options.seed, "--seed");
     Scenario scenario = options.scenario.scenario();
     scenario.method = withStoredMap(scenario.method);
     Work& work = session.work();
@@ -99,7 +99,7 @@ int runCertify(const CertifyOptions& options, Session& session) {
     MapCache maps;
     options.scenario.useStoredMap(scenario, assets, maps, work, true);
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
-    const Certificate certificate = certify(scenario.method, field, asked, maps, work);
+    const Certificate certificate = certify(scenario.method, field, rayOptions, maps, work);
     const std::string again = Written{options, scenario, assets, maps, work}.lines(certificate);
     session.eraseBar();
     writeStandardOutput(certificate.method + " over " + std::to_string(field.width()) + " x " +
@@ -127,7 +127,7 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
         "or the check could not be carried out.",
         "  relief certify heights.png --tracer cone-dummer -o witness.json\n"
         "  relief certify heights.png --map refined.tif");
-    options->scenario.add(*parser, ScenarioOptions::Look::No);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::None);
     addText(*parser, "--rays", options->rays, "N",
             "against exact; 0: values alone. Default " + std::to_string(CertificateOptions{}.rays), "Rays");
     addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Rays");

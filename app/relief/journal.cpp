@@ -47,7 +47,7 @@ std::int64_t startOf(std::int64_t process) {
     return std::strtoll(field.c_str(), nullptr, 10);
 }
 
-bool lives(const Json& head) {
+bool isAlive(const Json& head) {
     const std::int64_t process = numberIn(head, "process", 0);
     if (process <= 0 || process == getpid()) return false;
     const bool there = kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
@@ -75,7 +75,7 @@ std::pair<std::uint64_t, std::uint64_t> numberOf(const std::string& path) {
     return {info.st_dev, info.st_ino};
 }
 
-[[noreturn]] void refuseBeside(const std::string& path, const Json& head) {
+[[noreturn]] void refuseConcurrent(const std::string& path, const Json& head) {
     throw InputError(path, Message(MessageId::SweepAlive,
                                    {{"process", numberIn(head, "process", 0)}, {"host", textIn(head, "host")}}));
 }
@@ -89,9 +89,9 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
     if (descriptor_ < 0 && errno != EEXIST) failWriting(path_);
     if (descriptor_ < 0) {
         const FileNumber before = numberOf(path_);
-        const std::string text = takenOver(kept, earlier);
-        anything_ = !text.empty();
-        takePlace(before, firstLine(kept) + text);
+        const std::string text = adoptEarlier(kept, earlier);
+        hasResults_ = !text.empty();
+        replaceJournal(before, firstLine(kept) + text);
         return;
     }
     own_ = numberOf(path_);
@@ -106,7 +106,7 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
 
 Journal::~Journal() {
     if (descriptor_ < 0) return;
-    if (anything_)
+    if (hasResults_)
         ::close(descriptor_);
     else
         remove();
@@ -124,19 +124,19 @@ std::string Journal::firstLine(const Json& work) const {
 }
 
 // Whether a process of another host is alive cannot be determined: there the user's --resume is trusted.
-void Journal::refuseTheLiving(const Json& head) {
+void Journal::refuseIfAlive(const Json& head) {
     const std::string host = textIn(head, "host");
-    if (host == hostName() && lives(head)) refuseBeside(path_, head);
+    if (host == hostName() && isAlive(head)) refuseConcurrent(path_, head);
     if (!host.empty() && host != hostName()) otherHost_ = host;
 }
 
 // Reads what an earlier run of the same work has done into earlier_ and returns its lines. Throws InputError if the
 // journal must not be replaced.
-std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
+std::string Journal::adoptEarlier(const Json& work, EarlierRun earlier) {
     std::string kept;
     const std::vector<Json> lines = linesOf(path_);
     const Json head = lines.empty() || !lines.front().is_object() ? Json::object() : lines.front();
-    refuseTheLiving(head);
+    refuseIfAlive(head);
     if (earlier == EarlierRun::Refuse) throw InputError(path_, Message(MessageId::SweepThere));
     if (earlier == EarlierRun::Replace) return kept;
     if (head.value("work", Json()) != work) throw InputError(path_, Message(MessageId::SweepOther));
@@ -157,7 +157,7 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
 
 // Replaces the earlier journal by `text` atomically, so that it is never lost. If another run has replaced it since it
 // was read, that run's journal is put back and this run refuses.
-void Journal::takePlace(const FileNumber& before, const std::string& text) {
+void Journal::replaceJournal(const FileNumber& before, const std::string& text) {
     AtomicFile next(path_);
     const std::string& name = next.temporaryPath();
     const auto exchange = [&] {
@@ -175,18 +175,18 @@ void Journal::takePlace(const FileNumber& before, const std::string& text) {
     if (numberOf(name) == before) return;
     exchange();
     ::close(std::exchange(descriptor_, -1));
-    refuseTheSecond();
+    refuseSecondRun();
 }
 
-void Journal::refuseTheSecond() const {
+void Journal::refuseSecondRun() const {
     const std::vector<Json> lines = linesOf(path_);
-    refuseBeside(path_, lines.empty() ? Json() : lines.front());
+    refuseConcurrent(path_, lines.empty() ? Json() : lines.front());
 }
 
 void Journal::write(const std::string& text) {
     // A run on another host may have taken over, assuming that this one had ended.
     const FileNumber now = numberOf(path_);
-    if (own_ != FileNumber() && now != FileNumber() && now != own_) refuseTheSecond();
+    if (own_ != FileNumber() && now != FileNumber() && now != own_) refuseSecondRun();
     std::size_t written = 0;
     while (written < text.size()) {
         const ssize_t now = ::write(descriptor_, text.data() + written, text.size() - written);
@@ -198,12 +198,12 @@ void Journal::write(const std::string& text) {
 
 void Journal::keep(std::size_t part, const Json& result) {
     write(lineText({{"part", part}, {"result", result}}));
-    anything_ = true;
+    hasResults_ = true;
 }
 
 void Journal::keepCounts(std::size_t part, const Json& counts) {
     write(lineText({{"counted", part}, {"result", counts}}));
-    anything_ = true;
+    hasResults_ = true;
 }
 
 void Journal::finish() {

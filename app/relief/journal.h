@@ -52,16 +52,16 @@ class Journal {
     // Removes the file, once the output is written.
     void finish();
     // Returns true if the journal holds any result, including counts that are not yet timed.
-    bool keepsSome() const { return anything_; }
+    bool hasResults() const { return hasResults_; }
 
   private:
     std::string firstLine(const Json& work) const;
-    void refuseTheLiving(const Json& head);
-    std::string takenOver(const Json& work, EarlierRun earlier);
+    void refuseIfAlive(const Json& head);
+    std::string adoptEarlier(const Json& work, EarlierRun earlier);
     // Device and inode, which identify a file whatever its name.
     using FileNumber = std::pair<std::uint64_t, std::uint64_t>;
-    void takePlace(const FileNumber& before, const std::string& text);
-    [[noreturn]] void refuseTheSecond() const;
+    void replaceJournal(const FileNumber& before, const std::string& text);
+    [[noreturn]] void refuseSecondRun() const;
     void remove();
     void write(const std::string& text);
 
@@ -71,7 +71,7 @@ class Journal {
     FileNumber own_;  // the file that this run writes
     std::size_t parts_;
     Earlier earlier_;
-    bool anything_ = false;  // the file holds at least one result
+    bool hasResults_ = false;  // the file holds at least one result
 };
 
 }  // namespace relief::app

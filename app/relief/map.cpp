@@ -159,7 +159,7 @@ void addMapCommand(CLI::App& program, Commands& commands) {
         "  relief map refined heights.png --at 10,20,0.6");
     addArgument(*parser, "KIND", options->kind,
                 "which map; with options as KIND:OPTION=VALUE, such as refined:layers=16");
-    options->scenario.add(*parser, ScenarioOptions::Look::Heights);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::Heights);
     addOutput(*parser, options->output, "the map: .tif");
     addText(
         *parser, "--at", options->at, "s,t,z",

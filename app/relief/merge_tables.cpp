@@ -100,10 +100,10 @@ struct Table {
 
 // Returns the part's cells and the number of rows of each; throws InputError if the part line does not list them.
 std::vector<std::pair<std::size_t, std::size_t>> announcedCells(const TextPart& part) {
-    const Json told = part.part.more.value("rows", Json());
-    if (!told.is_array()) failLine(part.path, 1);
+    const Json announced = part.part.more.value("rows", Json());
+    if (!announced.is_array()) failLine(part.path, 1);
     std::vector<std::pair<std::size_t, std::size_t>> cells;
-    for (const Json& cell : told) {
+    for (const Json& cell : announced) {
         const bool pair = cell.is_array() && cell.size() == 2;
         if (!pair || !cell[0].is_number_unsigned() || !cell[1].is_number_unsigned()) failLine(part.path, 1);
         cells.emplace_back(cell[0].get<std::size_t>(), cell[1].get<std::size_t>());
@@ -133,19 +133,19 @@ void readTable(const TextPart& part, Table& table) {
         if (fieldsOf(*record).size() != columns) failLine(part.path, 2 + rows.size());
     }
     if (!text.empty()) failLine(part.path, 3 + rows.size());
-    std::size_t told = 0;
+    std::size_t used = 0;
     const auto announced = announcedCells(part);
     for (const auto& [index, count] : announced) {
-        if (count > rows.size() || told > rows.size() - count) {
+        if (count > rows.size() || used > rows.size() - count) {
             throw InputError(part.path,
-                             Message(MessageId::PartRowsWrong, {{"told", told + count}, {"found", rows.size()}}));
+                             Message(MessageId::PartRowsWrong, {{"told", used + count}, {"found", rows.size()}}));
         }
-        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(told);
+        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(used);
         table.cells.push_back({index, {first, first + static_cast<std::ptrdiff_t>(count)}});
-        told += count;
+        used += count;
     }
-    if (told != rows.size()) {
-        throw InputError(part.path, Message(MessageId::PartRowsWrong, {{"told", told}, {"found", rows.size()}}));
+    if (used != rows.size()) {
+        throw InputError(part.path, Message(MessageId::PartRowsWrong, {{"told", used}, {"found", rows.size()}}));
     }
     for (const auto& [key, columns] : {std::pair("words", &table.words), std::pair("reals", &table.reals)}) {
         for (const Json& name : part.part.more.value(key, Json::array())) {
@@ -255,7 +255,7 @@ int mergeRecords(const std::vector<TextPart>& parts, const std::optional<std::st
     }
     for (const RecordReader& reader : readers) reader.expectEnd();
     if (record) record->commit();
-    return tellStress(tally.report(), number("seed"), session);
+    return reportStress(tally.report(), number("seed"), session);
 }
 
 }  // namespace relief::app

@@ -30,6 +30,7 @@ void addArgument(CLI::App& parser, const std::string& name, OptionText& target, 
 // Adds an option that may be repeated.
 CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<std::string>& target,
                       const std::string& kind, const std::string& help, const std::string& group);
+// Adds an option without a value.
 CLI::Option* addFlag(CLI::App& parser, const std::string& names, bool& target, const std::string& help,
                      const std::string& group);
 
@@ -51,6 +52,7 @@ struct SizeText {
     int width;
     int height;
 };
+// largest: of width and height.
 SizeText parseSize(const std::string& text, const std::string& option, int largest);
 // Parses the side of a square in the same spellings.
 int parseSide(const std::string& text, const std::string& option, int largest);
@@ -59,10 +61,13 @@ int parseSide(const std::string& text, const std::string& option, int largest);
 bool isScenarioFile(const std::string& path);
 // Parses "X,Y", integers from 0.
 PixelChoice parsePixel(const std::string& text, const std::string& option);
+// Parses an integer in [low, high].
 std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high);
+// Parses an integer from 0 to 2^64 - 1.
 std::uint64_t parseSeed(const std::string& text, const std::string& option);
 // Parses the value of --relief: "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7".
 void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief");
+// Splits the text at each separator; empty parts are kept.
 std::vector<std::string> splitText(const std::string& text, char separator);
 
 // --threads, --quiet, --verbose
@@ -109,11 +114,12 @@ class ReadingOptions {
 // A scenario and all options that override parts of it.
 class ScenarioOptions {
   public:
-    // The groups of options that a command takes in addition to scenario, height map and method. Yes: the view,
-    // --color, --normal, --filter, --light. View: the view only. No: none of them. Heights: only the height field, and
-    // the options of a method that the command itself chooses. Plain: only the height field.
-    enum class Look { Yes, View, No, Heights, Plain };
-    void add(CLI::App& parser, Look look);
+    // The groups of options that a command takes in addition to scenario, height map and method. All: the view,
+    // --color,
+    // --normal, --filter, --light. View: the view only. None: none of them. Heights: only the height field, and the
+    // options of a method that the command itself chooses. HeightsOnly: only the height field.
+    enum class OptionGroups { All, View, None, Heights, HeightsOnly };
+    void add(CLI::App& parser, OptionGroups groups);
     // Returns the scenario of the file, or the default one, with the options applied and validated. Throws InputError.
     Scenario scenario() const { return scenario(file_); }
     // The same for another file, a scenario or a height map; std::nullopt: for the default scenario.
@@ -134,9 +140,9 @@ class ScenarioOptions {
     std::string mapContent() const;
 
   private:
-    void addPictures(CLI::App& parser, Look look);
-    void addMethod(CLI::App& parser, Look look);
-    void addView(CLI::App& parser, Look look);
+    void addPictures(CLI::App& parser, OptionGroups groups);
+    void addMethod(CLI::App& parser, OptionGroups groups);
+    void addView(CLI::App& parser, OptionGroups groups);
     void applyPictures(Scenario& scenario) const;
     void applyMethod(Scenario& scenario) const;
     void applyTracer(MethodChoice& method) const;

@@ -122,33 +122,33 @@ void applyRecipe(Pictures& pictures, const std::string& text, const std::string&
     if (parts.size() > 2) pictures.seed = parseSeed(parts[2], option);
 }
 
-void ScenarioOptions::add(CLI::App& parser, Look look) {
+void ScenarioOptions::add(CLI::App& parser, OptionGroups groups) {
     addText(parser, "FILE", file_, "",
             "a height map (PNG, JPEG, TIFF, EXR, HDR, ...), or a scenario (.json) as the window saves it or --report "
             "holds it: pictures, method, camera, light. Every option overrides what a scenario says",
             "Arguments");
-    addPictures(parser, look);
+    addPictures(parser, groups);
     reading_.add(parser);
-    addMethod(parser, look);
-    if (look == Look::Yes || look == Look::View) addView(parser, look);
+    addMethod(parser, groups);
+    if (groups == OptionGroups::All || groups == OptionGroups::View) addView(parser, groups);
 }
 
-void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
+void ScenarioOptions::addPictures(CLI::App& parser, OptionGroups groups) {
     const char* group = "Pictures";
     addText(parser, "--height", height_, "FILE", "height map: the same as FILE", group);
     addText(parser, "--relief", recipe_, "NAME[:SIZE[:SEED]]",
             "instead of a file, a procedural relief (relief list reliefs names them), such as bricks:512 or "
             "bricks:512x256:7",
             group);
-    if (look != Look::Yes) return;
+    if (groups != OptionGroups::All) return;
     addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
     addText(parser, "--normal", normal_, "FILE",
             "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
 }
 
-void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
-    const char* group = look == Look::Plain ? "Relief" : "Method";
-    if (look == Look::Yes || look == Look::View || look == Look::No) {
+void ScenarioOptions::addMethod(CLI::App& parser, OptionGroups groups) {
+    const char* group = groups == OptionGroups::HeightsOnly ? "Relief" : "Method";
+    if (groups == OptionGroups::All || groups == OptionGroups::View || groups == OptionGroups::None) {
         addText(parser, "--tracer", tracer_, "NAME[:OPTION=VALUE...]",
                 "how rays meet the relief: " + namesOf(tracerList()) + "; default " + Scenario{}.method.name +
                     "; with options such as layers:layers=64 (relief list NAME shows what there is)",
@@ -158,7 +158,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
                 "options are the map's",
                 group);
     }
-    if (look != Look::Plain) {
+    if (groups != OptionGroups::HeightsOnly) {
         addTexts(parser, "--set", settings_, "NAME=VALUE",
                  "an option of the method, such as layers=64; may be repeated, once for each option", group);
     }
@@ -167,7 +167,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
             "what lies outside the picture: itself again (default), its rim, nothing", group);
     addText(parser, "--surface", surface_, "bilinear|columns",
             "between texels: a smooth surface (default), or each texel a box", group);
-    if (look == Look::Yes) {
+    if (groups == OptionGroups::All) {
         addText(parser, "--filter", filter_, "NAME[:OPTION=VALUE...]",
                 "how colours are sampled: " + namesOf(filterList()) + "; default " + Scenario{}.filter.name +
                     "; with options such as elliptical:weights=uniform:radius=0.6 or supersample:samples=4 (relief "
@@ -190,7 +190,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     }
 }
 
-void ScenarioOptions::addView(CLI::App& parser, Look look) {
+void ScenarioOptions::addView(CLI::App& parser, OptionGroups groups) {
     const char* group = "View";
     addText(parser, "--size", size_, "WxH|N", "size of the picture, pixels, default 800x600; N: N x N", group);
     addText(parser, "--scene", scene_, "floor|wall|cube", "what carries the relief; default floor", group);
@@ -206,7 +206,7 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
                 commaList(mappingNames()) +
                 "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
             group);
-    if (look == Look::View) return;
+    if (groups == OptionGroups::View) return;
     addFlag(parser, "--no-skip", noSkip_,
             "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "
             "spared). What "

@@ -25,6 +25,7 @@ class TextOutput {
     TextOutput(const TextOutput&) = delete;
     TextOutput& operator=(const TextOutput&) = delete;
 
+    // Throws WorkError, OutputClosed, and Cancelled when the stop token is triggered while a reader stalls.
     void write(std::string_view text);
     // Completes the output; without it, an existing file is left unchanged. Throws WorkError.
     void commit();

@@ -16,7 +16,7 @@ namespace relief::app {
 namespace {
 
 constexpr std::int64_t kPermille = 1000;  // steps of the progress bar per part
-constexpr auto kBetweenLooks = std::chrono::milliseconds(1);
+constexpr auto kBetweenPolls = std::chrono::milliseconds(1);
 constexpr int kInterrupted = 130;
 
 Json taskJson(const Task& task) {
@@ -124,15 +124,15 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
     Progress& bar = session.work().progress();
     const std::size_t before = done();
     bar.begin(run.bar, static_cast<std::int64_t>(run.parts - before) * kPermille);
-    std::int64_t told = 0;
-    const auto tell = [&](std::int64_t permille) {
-        if (permille <= told) return;
-        bar.advance(permille - told);
-        told = permille;
+    std::int64_t reported = 0;
+    const auto report = [&](std::int64_t permille) {
+        if (permille <= reported) return;
+        bar.advance(permille - reported);
+        reported = permille;
     };
     while (const std::optional<Task> task = next()) {
         const auto base = static_cast<std::int64_t>(done() - before) * kPermille;
-        tell(base);
+        report(base);
         int threads = run.threads(task->part) > 0 ? run.threads(task->part) : session.threads();
         // Ranks that count at the same time share the processors of their host.
         if (threads == 0 && task->pass != Pass::Times && ranksHere > 1) {
@@ -140,18 +140,18 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
         }
         // Each stage of a part restarts its own progress; the bar never moves backwards.
         Work one(threads, session.stop(), [&](std::string_view, double fraction) {
-            tell(base + static_cast<std::int64_t>(fraction * static_cast<double>(kPermille - 1)));
+            report(base + static_cast<std::int64_t>(fraction * static_cast<double>(kPermille - 1)));
         });
         put(*task, run.measure(*task, one));
     }
-    tell(static_cast<std::int64_t>(done() - before) * kPermille);
+    report(static_cast<std::int64_t>(done() - before) * kPermille);
 }
 
 // Prints that the run was stopped and, if there is a journal, how to resume it.
-void sayStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
+void reportStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
     if (ledger.journal() == nullptr) return session.note(run.bar, Message(MessageId::RunStopped));
-    const MessageId said = ledger.journal()->keepsSome() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
-    session.note(ledger.journal()->path(), Message(said, {{"done", ledger.done()}, {"total", run.parts}}));
+    const MessageId message = ledger.journal()->hasResults() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    session.note(ledger.journal()->path(), Message(message, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 
 PartsDone alone(const PartsRun& run, Session& session) {
@@ -162,7 +162,7 @@ PartsDone alone(const PartsRun& run, Session& session) {
             [&](const Task& task, Json result) { ledger.put(0, task, std::move(result)); },
             [&] { return ledger.done(); });
     } catch (const Cancelled&) {
-        if (ledger.journal() != nullptr) sayStopped(run, ledger, session);
+        if (ledger.journal() != nullptr) reportStopped(run, ledger, session);
         throw;
     }
     session.eraseBar();
@@ -202,7 +202,7 @@ class Coordinator {
             if (stop_.stop_requested()) throw Cancelled();
             if (ledger_.over()) return std::nullopt;
             if (const std::optional<Task> task = ledger_.next(0)) return task;
-            changed_.wait_for(lock, kBetweenLooks);
+            changed_.wait_for(lock, kBetweenPolls);
         }
     }
     void put(const Task& task, Json result) {
@@ -225,12 +225,12 @@ class Coordinator {
         int ended = 1;
         Backoff backoff;
         while (ended < team_.size() && !end.stop_requested()) {
-            while (const std::optional<Team::Letter> letter = team_.look()) {
+            while (const std::optional<Team::Letter> letter = team_.poll()) {
                 backoff.wokenUp();
-                Json said = letterJson(letter->text);
-                if (said.contains("result")) {
+                Json message = letterJson(letter->text);
+                if (message.contains("result")) {
                     const std::lock_guard lock(mutex_);
-                    ledger_.put(letter->from, taskOf(said), std::move(said["result"]));
+                    ledger_.put(letter->from, taskOf(message), std::move(message["result"]));
                 }
                 waiting.push_back(letter->from);
             }
@@ -260,18 +260,18 @@ int ranksOn(const std::string& host, const Team& team) {
     return static_cast<int>(std::count(team.hosts().begin(), team.hosts().end(), host));
 }
 
-void sayWhoDidWhat(const Ledger& ledger, const Team& team, Session& session) {
+void reportRanks(const Ledger& ledger, const Team& team, Session& session) {
     std::string ranks;
     for (int rank = 0; rank < team.size(); ++rank) {
         const std::string& host = team.hosts()[static_cast<std::size_t>(rank)];
         ranks += (rank > 0 ? "; " : "") + sentence(ledger.doneBy(rank, host), session.language());
     }
-    const Message said(MessageId::RanksDone, {{"ranks", ranks}, {"messages", std::to_string(team.letters())}});
-    sayLine(sentence(said, session.language()));
+    const Message message(MessageId::RanksDone, {{"ranks", ranks}, {"messages", std::to_string(team.letters())}});
+    sayLine(sentence(message, session.language()));
 }
 
 // Makes the other ranks, which wait for their first tasks, end regularly with `status`; this rank reports the error.
-void endOthers(Team& team, int status, Session& session) {
+void endOtherRanks(Team& team, int status, Session& session) {
     for (int rank = 1; rank < team.size(); ++rank) {
         const int from = team.wait(session.stop()).from;
         team.send(from, letterText({{"end", status}}));
@@ -284,10 +284,10 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
     try {
         ledger.emplace(run, team.hosts(), session);
     } catch (const WorkError&) {
-        endOthers(team, kFailed, session);
+        endOtherRanks(team, kFailed, session);
         throw;
     } catch (...) {
-        endOthers(team, kBadUsage, session);
+        endOtherRanks(team, kBadUsage, session);
         throw;
     }
     try {
@@ -298,23 +298,23 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
             [&] { return coordinator.done(); });
         coordinator.join();
     } catch (const Cancelled&) {
-        sayStopped(run, *ledger, session);
+        reportStopped(run, *ledger, session);
         throw;
     }
     session.eraseBar();
-    sayWhoDidWhat(*ledger, team, session);
+    reportRanks(*ledger, team, session);
     team.finish();
     return ledger->take();
 }
 
 // Runs a rank other than 0.
 void other(const PartsRun& run, Team& team, Session& session) {
-    Json said{{"want", true}};
+    Json message{{"want", true}};
     const std::string& host = team.hosts()[static_cast<std::size_t>(team.rank())];
     work(
         run, session, ranksOn(host, team),
         [&]() -> std::optional<Task> {
-            team.send(0, letterText(said));
+            team.send(0, letterText(message));
             const Json answer = letterJson(team.wait(session.stop()).text);
             if (!answer.contains("end")) return taskOf(answer);
             if (const int status = answer.at("end").get<int>(); status != 0) {
@@ -324,8 +324,8 @@ void other(const PartsRun& run, Team& team, Session& session) {
             return std::nullopt;
         },
         [&](const Task& task, Json result) {
-            said = taskJson(task);
-            said["result"] = std::move(result);
+            message = taskJson(task);
+            message["result"] = std::move(result);
         },
         [] { return std::size_t{0}; });
     team.finish();
@@ -356,7 +356,7 @@ std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
         other(run, *team, session);
     } catch (const Cancelled&) {
         // Rank 0 is stopped at the same time; this lets it print its message before all ranks are ended.
-        if (team->rank() > 0) std::this_thread::sleep_for(kLastWords);
+        if (team->rank() > 0) std::this_thread::sleep_for(kErrorGracePeriod);
         team->failed(kInterrupted);
         throw;
     } catch (const WorkError& error) {

@@ -175,7 +175,7 @@ bool worksAlone(int count, char** arguments) {
 // When several processes share a run, all may meet the same error; only rank 0 reports it.
 void sayFailure(const std::string& why, Language language, const std::stop_token& stop, bool alone) {
     if (leadsRun(alone)) return sayLine(why);
-    std::this_thread::sleep_for(kLastWords);
+    std::this_thread::sleep_for(kErrorGracePeriod);
     if (stop.stop_requested()) return;
     sayLine(sentence(Message(MessageId::RankFailed, {{"rank", launchedRank()}, {"host", hostName()}, {"why", why}}),
                      language));

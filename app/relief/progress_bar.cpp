@@ -49,14 +49,14 @@ void ProgressBar::update(std::string_view what, double fraction) {
     if (what != what_ || fraction <= 0) {
         what_ = what;
         begun_ = now;
-        said_ = false;
+        lineWritten_ = false;
         return;
     }
     const double spent = secondsBetween(begun_, now);
     if (lines_) {
-        if (spent < kShowAfter || fraction >= 1 || (said_ && secondsBetween(drawn_, now) < kLineEvery)) return;
+        if (spent < kShowAfter || fraction >= 1 || (lineWritten_ && secondsBetween(drawn_, now) < kLineEvery)) return;
         drawn_ = now;
-        said_ = true;
+        lineWritten_ = true;
         writeTerminal("relief: " + progressSentence(what, fraction, spent * (1 - fraction) / fraction, language_) +
                       "\n");
         return;

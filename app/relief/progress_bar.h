@@ -38,7 +38,7 @@ class ProgressBar {
     Clock::time_point begun_;  // start of the running stage
     Clock::time_point drawn_;
     bool visible_ = false;
-    bool said_ = false;  // a line was written for the running stage
+    bool lineWritten_ = false;  // a line was written for the running stage
 };
 
 // Returns "3 s" or "2 min 05 s"; rounded up, at least one second.

@@ -162,7 +162,7 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
         "was time to build every map.",
         "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
         "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
-    options->scenario.add(*parser, ScenarioOptions::Look::Plain);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
     addAsked(*parser, *options);
     addText(*parser, "--seconds", options->seconds, "S", "for all of it, 1 or more, default 20", "Run");
     addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Run");

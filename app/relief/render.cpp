@@ -314,12 +314,12 @@ int runRender(const RenderOptions& options, Session& session) {
     options.run.apply(session, options.part.has_value());
     const std::string& output = needed(options.output, "--output", "render");
     const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
-    const bool shared = launchedProcesses() > 1 && !options.part && !options.many.wanted();
-    if (options.report && (options.part || options.many.wanted() || shared)) {
+    const bool shared = launchedProcesses() > 1 && !options.part && !options.many.requested();
+    if (options.report && (options.part || options.many.requested() || shared)) {
         const char* const other = options.part ? "--part" : shared ? "mpirun" : "--frames";
         throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", other}}));
     }
-    if (options.many.wanted()) {
+    if (options.many.requested()) {
         return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), number, session);
     }
     std::vector<std::string> endings{"png", "tif", "tiff", "exr"};
@@ -351,7 +351,7 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
         "processes.",
         "  relief render heights.png --color color.jpg --scene wall \\\n"
         "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
-    options->scenario.add(*parser, ScenarioOptions::Look::Yes);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
     options->many.add(*parser);
     addOutput(*parser, options->output, "the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
     addText(*parser, "--layers", options->layers, "NAME,...",

@@ -19,7 +19,7 @@ struct ManyFrames {
 
     void add(CLI::App& parser);
     // Returns true if the options request more than one picture, or restart such a run.
-    bool wanted() const { return !more.empty() || frames || to || restart.given(); }
+    bool requested() const { return !more.empty() || frames || to || restart.given(); }
     // Renders the pictures into `folder`, which is created if needed. layers: empty for pictures alone. part: restricts
     // the run to the pictures of that part. Returns the exit status.
     int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,

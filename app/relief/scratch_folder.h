@@ -15,10 +15,12 @@ class ScratchFolder {
   public:
     // Throws WorkError.
     ScratchFolder();
+    // Removes the folder with its content.
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+    // Returns the path of a file in the folder.
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     // Returns the file's bytes, for a message, and removes the file.
     static Json take(const std::string& path);

@@ -21,6 +21,7 @@ class Option;
 
 namespace relief::app {
 
+// Not thread-safe; used by the main thread.
 class Session {
   public:
     Session(Language language, std::stop_token stop) : language_(language), stop_(std::move(stop)) {}
@@ -30,6 +31,7 @@ class Session {
     // Settings; to be called before the first work().
     void setQuiet(bool quiet) { quiet_ = quiet; }
     void setVerbose(bool verbose) { verbose_ = verbose; }
+    // threads: 0 for all processors.
     void setThreads(int threads) { threads_ = threads; }
     int threads() const { return threads_; }
 
@@ -37,6 +39,7 @@ class Session {
     Work& work();
     // Prints "relief: SUBJECT: ..." on standard error, unless --quiet.
     void note(const std::string& subject, const Message& message);
+    // Erases the progress bar, before other output to the terminal.
     void eraseBar() {
         if (bar_) bar_->erase();
     }
@@ -69,6 +72,7 @@ struct Command {
 };
 using Commands = std::vector<Command>;
 
+// Each adds a command to the parser and to the list.
 void addHelpCommand(CLI::App& program, Commands& commands);
 void addInfoCommand(CLI::App& program, Commands& commands);
 void addMakeCommand(CLI::App& program, Commands& commands);

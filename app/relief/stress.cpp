@@ -110,7 +110,7 @@ int runShared(const StressCommandOptions& given, const StressOptions& options, S
         }
     }
     if (record) record->commit();
-    return tellStress(tally.report(), options.seed, session);
+    return reportStress(tally.report(), options.seed, session);
 }
 
 int runStress(const StressCommandOptions& given, Session& session) {
@@ -159,14 +159,14 @@ int runStress(const StressCommandOptions& given, Session& session) {
     if (record && report.interrupted) session.note(*given.record, Message(MessageId::RunStopped));
     if (record && !report.interrupted) record->commit();
     // If the run was interrupted, the results so far are still reported.
-    const int status = tellStress(report, options.seed, session);
+    const int status = reportStress(report, options.seed, session);
     if (status == 0 && report.interrupted) throw Cancelled();
     return status;
 }
 
 }  // namespace
 
-int tellStress(const StressReport& report, std::uint64_t seed, Session& session) {
+int reportStress(const StressReport& report, std::uint64_t seed, Session& session) {
     writeStandardOutput(stressText(report, seed));
     if (report.violationCount == 0) return 0;
     sayLine(sentence(Message(MessageId::StressViolations, {{"count", report.violationCount}}), session.language()));

@@ -8,6 +8,6 @@ namespace relief::app {
 
 // Writes the report to standard output, and the number of violations, if any, to standard error. Returns the exit
 // status: 1 if there are violations.
-int tellStress(const StressReport& report, std::uint64_t seed, Session& session);
+int reportStress(const StressReport& report, std::uint64_t seed, Session& session);
 
 }  // namespace relief::app

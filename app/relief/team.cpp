@@ -93,7 +93,7 @@ void Team::send(int to, const std::string& text) {
     mpi_->send(to, text.data(), text.size());
 }
 
-std::optional<Team::Letter> Team::look() {
+std::optional<Team::Letter> Team::poll() {
     Letter letter;
     unsigned long long bytes = 0;
     if (mpi_->probe(&letter.from, &bytes) == 0) return std::nullopt;
@@ -106,7 +106,7 @@ std::optional<Team::Letter> Team::look() {
 Team::Letter Team::wait(const std::stop_token& stop) {
     Backoff backoff;
     while (true) {
-        if (std::optional<Letter> letter = look()) return *std::move(letter);
+        if (std::optional<Letter> letter = poll()) return *std::move(letter);
         if (stop.stop_requested()) throw Cancelled();
         backoff.sleep();
     }

@@ -13,6 +13,7 @@ struct ReliefMpi;  // mpi/relief_mpi.h
 
 namespace relief::app {
 
+// Returns the name of this machine; empty if it cannot be determined.
 std::string hostName();
 
 // Returns the number of processes according to the launcher's environment variables (Open MPI, PMI, Slurm); 1 if none
@@ -26,7 +27,7 @@ bool leadsRun(bool withoutOthers);
 
 // How long a rank other than 0 waits before it reports an error. If rank 0 has met the same error, it has reported it
 // by then, and the launcher has ended all ranks.
-inline constexpr auto kLastWords = std::chrono::seconds(2);
+inline constexpr auto kErrorGracePeriod = std::chrono::seconds(2);
 
 // Thrown when a rank must end and the reason has been printed.
 struct RunEnded {
@@ -65,9 +66,10 @@ class Team {
         int from = 0;
         std::string text;
     };
+    // Sends a message to a rank; blocks until the text has been taken over.
     void send(int to, const std::string& text);
     // Returns the next message, or std::nullopt if none has arrived.
-    std::optional<Letter> look();
+    std::optional<Letter> poll();
     // Waits for a message, sleeping between polls (Backoff). Throws Cancelled.
     Letter wait(const std::stop_token& stop);
     // Waits for the other ranks to end as well.

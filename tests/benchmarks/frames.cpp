@@ -43,7 +43,7 @@ std::string levelText(const MovingLevel& level) {
 }
 
 // Prints the error of the enlarged coarse picture of this view against the full one that follows it.
-void tellCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
+void printCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
     const ProgressiveRenderer::Picture coarse = renderer.moving(request, work);
     if (coarse.level.number == 0) return;
     const std::shared_ptr<const Frame> full = renderer.settled(request, work).frame;
@@ -96,7 +96,7 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     if (std::isfinite(budget)) {
         for (const auto& [number, level] : levels) std::printf("  %d frames %s\n", level.second, level.first.c_str());
         request.camera.azimuth += kTurn;
-        tellCoarse(renderer, request, work);
+        printCoarse(renderer, request, work);
     }
     std::fflush(stdout);
     peers::PeerRow row{name, "800x600", numberText(request.camera.elevation),

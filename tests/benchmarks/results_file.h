@@ -28,17 +28,16 @@ class Table {
     const std::vector<Row>& rows() const { return rows_; }
     const std::string& path() const { return path_; }
     // Returns the only row with these values.
-    const Row& at(const Row& wanted) const {
+    const Row& at(const Row& key) const {
         const Row* found = nullptr;
         for (const Row& row : rows_) {
-            if (!std::all_of(wanted.begin(), wanted.end(),
-                             [&](const auto& w) { return text(row, w.first) == w.second; })) {
+            if (!std::all_of(key.begin(), key.end(), [&](const auto& w) { return text(row, w.first) == w.second; })) {
                 continue;
             }
-            if (found != nullptr) fail(path_, "two rows " + told(wanted));
+            if (found != nullptr) fail(path_, "two rows " + textOf(key));
             found = &row;
         }
-        if (found == nullptr) fail(path_, "no row " + told(wanted));
+        if (found == nullptr) fail(path_, "no row " + textOf(key));
         return *found;
     }
     const std::string& text(const Row& row, const std::string& column) const {
@@ -57,9 +56,9 @@ class Table {
     }
 
   private:
-    static std::string told(const Row& wanted) {
+    static std::string textOf(const Row& key) {
         std::string out;
-        for (const auto& [name, value] : wanted) out += (out.empty() ? "" : ", ") + name + " = " + value;
+        for (const auto& [name, value] : key) out += (out.empty() ? "" : ", ") + name + " = " + value;
         return out;
     }
 

@@ -37,11 +37,11 @@ std::string rowsSentences(const Table& table) {
         if (table.text(row, "precision") != "float") continue;
         const std::string& variant = table.text(row, "variant");
         const auto rateOf = [&](const std::string& other) {
-            Row wanted{{"width", table.text(row, "width")},
-                       {"elevation", table.text(row, "elevation")},
-                       {"precision", "float"},
-                       {"variant", other}};
-            return table.number(table.at(wanted), "rate");
+            Row key{{"width", table.text(row, "width")},
+                    {"elevation", table.text(row, "elevation")},
+                    {"precision", "float"},
+                    {"variant", other}};
+            return table.number(table.at(key), "rate");
         };
         const bool restarts = table.text(row, "anchor") != "0";
         if (variant == "incremental" && !restarts) drifting.add(table.number(row, "error_max"));
@@ -121,14 +121,14 @@ std::string filterName(const Table& table, const Row& row) {
 }
 
 // Returns the values of one filter at each elevation: "314 / 353 / 409".
-std::string overElevations(const Table& table, const std::string& filter, Row wanted,
+std::string overElevations(const Table& table, const std::string& filter, Row key,
                            const std::function<std::string(const Row&)>& value) {
     std::vector<std::string> parts;
     for (const std::string& elevation : table.values("elevation")) {
-        wanted["elevation"] = elevation;
+        key["elevation"] = elevation;
         for (const Row& row : table.rows()) {
             const bool fits = filterName(table, row) == filter &&
-                              std::all_of(wanted.begin(), wanted.end(),
+                              std::all_of(key.begin(), key.end(),
                                           [&](const auto& w) { return table.text(row, w.first) == w.second; });
             if (!fits) continue;
             parts.push_back(value(row));

@@ -51,7 +51,7 @@ TEST_P(MeasureTest, TablesInFilesAndOnStandardOutput) {
     const auto json = nlohmann::json::parse(read("b.json"));
     ASSERT_EQ(json.size(), csv.size() - 1);
     EXPECT_EQ(json[2]["method"], "layers");
-    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part is left";
+    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part file remains";
 }
 
 TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
@@ -65,7 +65,7 @@ TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
         return scalar;
     };
     EXPECT_EQ(scalarOnes("scalar"), 8U);
-    EXPECT_EQ(scalarOnes("simd"), 2U) << "exact has no other";
+    EXPECT_EQ(scalarOnes("simd"), 2U) << "exact has no other form";
     EXPECT_EQ(scalarOnes("lanes"), 2U) << "as earlier versions named it";
     auto wrong = what;
     wrong.insert(wrong.end(), {"--form", "wide"});
@@ -126,7 +126,7 @@ TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
     EXPECT_EQ(fields(csv[3])[13], "") << "a fill has no error";
     EXPECT_EQ(runFine(with(path("r.json"))), "");
     EXPECT_EQ(nlohmann::json::parse(read("r.json")).size(), 6U);
-    EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part is left";
+    EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part file remains";
     // Rows timed together, in blocks of this size.
     std::vector<std::string> blocks = what;
     blocks.insert(blocks.end(), {"--rows", "1,3"});

@@ -128,7 +128,7 @@ Result CommandTest::run(const std::vector<std::string>& arguments, const RunSetu
         served.variables.insert(served.variables.end(), setup.variables.begin(), setup.variables.end());
         const int status = runByServer(served);
         if (status != -1) return seen(status);
-        ADD_FAILURE() << "the program server is gone";
+        ADD_FAILURE() << "the program server has ended";
         return {};
     }
     int pipeEnds[2] = {-1, -1};

@@ -113,7 +113,7 @@ TEST_P(HelpTest, InfoForPrograms) {
     expectRefusal({"info", path("r.json"), "--channel", "0"}, 2, {"--channel", "r.json"});
 }
 
-TEST_P(HelpTest, InfoSaysWhatAScenarioLooksAt) {
+TEST_P(HelpTest, InfoDescribesAScenario) {
     runFine({"render", "--relief", "bricks", "--eye", "1,2,3", "--target", "0,0,0.5", "--fov", "40", "--size", "32x24",
              "-o", path("p.png"), "--report", path("r.json")});
     auto scenario = nlohmann::json::parse(read("r.json"))["scenario"];

@@ -132,7 +132,7 @@ TEST_F(MergeTablesTest, NumbersKeepEveryDigit) {
     EXPECT_EQ(whole[2].dump(), "{\"n\":-9223372036854775808}");
     EXPECT_EQ(whole[3].dump(), "{\"n\":0}");
     EXPECT_TRUE(whole[4].at("n").is_null());
-    EXPECT_EQ(whole[5].at("n"), "7") << "what is quoted is a word";
+    EXPECT_EQ(whole[5].at("n"), "7") << "a quoted value is a word";
 }
 
 // The type of a column may show in a single part: all parts together determine it.
@@ -240,7 +240,7 @@ TEST(MergeParts, PartsOfOtherRunsAreNamedByWhatDiffers) {
     EXPECT_EQ(with({{"seed", "1"}, {"sizes", {8, 16}}}), other + "rays is null here, 64 there");
     EXPECT_EQ(with({{"rays", 64}, {"seed", "1"}, {"sizes", {8, 16}}, {"more", true}}),
               other + "more is true here, null there");
-    EXPECT_EQ(with({{"sizes", {8, 16}}, {"seed", "1"}, {"rays", 64}}), "") << "the order of members says nothing";
+    EXPECT_EQ(with({{"sizes", {8, 16}}, {"seed", "1"}, {"rays", 64}}), "") << "the order of members does not matter";
     Json cells = runOf();
     cells["cells"] = "ffeeddcc99887766";
     EXPECT_EQ(fault(cells), other + "cells is \"ffeeddcc99887766\" here, \"00112233aabbccdd\" there");

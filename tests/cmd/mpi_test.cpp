@@ -91,7 +91,7 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
     EXPECT_FALSE(std::filesystem::exists(path("c.csv")));
     const std::size_t before = done("c.csv").size();
     ASSERT_GE(before, 3U);
-    EXPECT_NE(read("c.csv.part").find("{\"counted\":"), std::string::npos) << "what was counted is lost";
+    EXPECT_NE(read("c.csv.part").find("{\"counted\":"), std::string::npos) << "the counts are lost";
     const Result last = runRanks(2, sweep("c.csv", {"--resume"}));
     EXPECT_EQ(last.status, 0) << last.err;
     EXPECT_NE(last.err.find(std::to_string(before) + " "), std::string::npos) << last.err;
@@ -100,7 +100,7 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
 }
 
 // One process resumes what an MPI run left, and vice versa.
-TEST_P(MpiTest, AnotherNumberOfProcessesGoesOn) {
+TEST_P(MpiTest, AnotherNumberOfProcessesResumes) {
     runFine(sweep("whole.csv"));
     for (const bool shared : {true, false}) {
         const pid_t child = start(sweep("b.csv"), "/dev/null", shared ? mpirun(2) : std::vector<std::string>{});

@@ -16,7 +16,7 @@ namespace relief::app {
 namespace {
 
 // After resuming, the bar refers to the remaining parts, not to all.
-TEST(PartsBar, BeginsAnewWhereARunGoesOn) {
+TEST(PartsBar, CountsRemainingPartsAfterResuming) {
     constexpr std::size_t kParts = 20, kLeft = 4;
     constexpr std::chrono::milliseconds kPart(400);  // the bar appears after a second, during the third part
     const testing::TemporaryFolder folder;

@@ -105,7 +105,7 @@ TEST_P(RenderManyTest, APathOfTheCamera) {
 }
 
 // Frames of two paths must not be mixed in one folder.
-TEST_P(RenderManyTest, AnotherPathDoesNotGoOn) {
+TEST_P(RenderManyTest, AnotherPathIsNotResumed) {
     auto stopped = pathOf("path", "400");
     RunSetup setup;
     setup.interruptAfterMilliseconds = 60000;
@@ -121,7 +121,7 @@ TEST_P(RenderManyTest, AnotherPathDoesNotGoOn) {
 }
 
 // Runs shared by several processes are tested in MpiTest.
-TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
+TEST_P(RenderManyTest, KilledItResumesToTheSamePictures) {
     runFine(pathOf("whole", "40"));
     auto arguments = pathOf("killed", "40");
     const pid_t child = fork();
@@ -140,7 +140,7 @@ TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it must not have come to its end";
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it must not have finished";
     EXPECT_TRUE(std::filesystem::exists(path("killed/pictures.part")));
     arguments.push_back("--resume");
     const Result last = run(arguments);
@@ -155,14 +155,14 @@ TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
     EXPECT_EQ(run(again).status, 0);
 }
 
-TEST_P(RenderManyTest, OnePictureIsNoRunToGoOnWith) {
+TEST_P(RenderManyTest, OnePictureIsNoRunToResume) {
     for (const char* flag : {"--resume", "--anew"}) {
         expectRefusal({"render", "--relief", "bricks:64x64", "-o", path("f.png"), flag}, 2, {"--frames", "f.png"});
     }
     EXPECT_TRUE(files().empty());
 }
 
-TEST_P(RenderManyTest, AnEarlierRunIsNotThrownAwayUnasked) {
+TEST_P(RenderManyTest, AnEarlierRunIsNotDiscardedUnasked) {
     std::filesystem::create_directory(path("path"));
     write("path/pictures.part", "kept");
     const auto with = [&](const char* flag) {

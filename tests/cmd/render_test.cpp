@@ -53,7 +53,7 @@ TEST_P(RenderTest, SameBytesForAnyNumberOfThreads) {
     }
 }
 
-TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
+TEST_P(RenderTest, TheReportContainsWorkDoneAndSkipped) {
     const std::string height = makeRelief("columns", "h.png", {"--size", "64"});
     runFine({"render", "--height", height, "--scene", "cube", "--size", "120x90", "-o", path("p.png"), "--report",
              path("r.json")});
@@ -89,17 +89,17 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json bent = wall("max-pyramid");
     EXPECT_EQ(bent["mapping"]["name"], "affine");
     EXPECT_GT(bent["mapping"]["off_direct_texels"], 1);
-    EXPECT_FALSE(lit.contains("ellipse")) << "bilinear reads none";
+    EXPECT_FALSE(lit.contains("ellipse")) << "bilinear needs no ellipse";
     const Json rows = Json::parse(runFine({"render", "--height", height, "--size", "40x30", "--filter",
                                            "elliptical:ellipse=cached", "-o", path("p.png"), "--report", "-"}));
     EXPECT_EQ(rows["ellipse"]["name"], "cached");
     EXPECT_GT(rows["ellipse"]["off_direct"], 0);
     EXPECT_LT(rows["ellipse"]["off_direct"], 1e-4);
-    EXPECT_FALSE(wall("displacement").contains("mapping")) << "triangles take no rows";
+    EXPECT_FALSE(wall("displacement").contains("mapping")) << "triangles are not mapped row by row";
 }
 
 // For work skipped within an error bound the report contains the measured error.
-TEST_P(RenderTest, TheReportTellsTheErrorOfWhatIsBounded) {
+TEST_P(RenderTest, TheReportContainsTheErrorOfBoundedWork) {
     const Json report =
         Json::parse(runFine({"render", "--relief", "hills", "--scene", "floor", "--size", "96x64", "--bounded", "0.5",
                              "--relief-depth", "0.02", "-o", path("p.png"), "--report", "-"}));

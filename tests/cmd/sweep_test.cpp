@@ -7,7 +7,7 @@ namespace relief::test {
 
 INSTANTIATE_TEST_SUITE_P(Places, SweepTest, testing::ValuesIn(places()), placeName);
 
-TEST_P(SweepTest, KilledTenTimesGoesOnToTheSameTable) {
+TEST_P(SweepTest, KilledTenTimesItResumesToTheSameTable) {
     runFine(sweep("whole.csv"));
     const auto whole = withoutTimings(read("whole.csv"));
     ASSERT_EQ(whole.size(), 1 + 2 * kCells);
@@ -18,9 +18,9 @@ TEST_P(SweepTest, KilledTenTimesGoesOnToTheSameTable) {
         ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2 * kills; })) << kills;
         std::this_thread::sleep_for(std::chrono::microseconds(700 * kills));
         kill(child, SIGKILL);
-        ASSERT_EQ(statusOf(child), 128 + SIGKILL) << "it must not have come to its end";
+        ASSERT_EQ(statusOf(child), 128 + SIGKILL) << "it must not have finished";
         const std::size_t now = done("b.csv").size();
-        EXPECT_GE(now, std::max(before, 2 * kills)) << "nothing that was done is lost";
+        EXPECT_GE(now, std::max(before, 2 * kills)) << "no finished work is lost";
         before = now;
     }
     EXPECT_FALSE(std::filesystem::exists(path("b.csv")));
@@ -31,7 +31,7 @@ TEST_P(SweepTest, KilledTenTimesGoesOnToTheSameTable) {
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "whole.csv"}));
 }
 
-TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
+TEST_P(SweepTest, FinishedCellsAreKeptAndTruncatedLinesAreNot) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 3; }));
     kill(child, SIGKILL);
@@ -50,20 +50,20 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
         text += kept[l] + "\n";
     }
     ASSERT_GT(marked, 0U);
-    ASSERT_LT(marked + 1, kept.size()) << "the line that is cut is another";
+    ASSERT_LT(marked + 1, kept.size()) << "another line must be truncated";
     // A line without its result, one of a part that does not exist, and one without rows are ignored.
     write("b.csv.part", text.substr(0, text.size() - 9) +
                             "\n{\"part\": 23}\n{\"part\": 99, \"result\": []}\n{\"part\": 22, \"result\": 7}\n");
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
     const std::string csv = read("b.csv");
-    EXPECT_NE(csv.find(",987654,"), std::string::npos) << "measured again";
+    EXPECT_NE(csv.find(",987654,"), std::string::npos) << "the cell was measured again";
     EXPECT_EQ(lines(csv).size(), 1 + 2 * kCells);
     write("b.csv.part", text);
     runFine(sweep("b.csv", {"--anew"}));
     EXPECT_EQ(read("b.csv").find(",987654,"), std::string::npos);
 }
 
-TEST_P(SweepTest, StoppedItSaysHowToGoOnAndNothingIsThrownAwayUnasked) {
+TEST_P(SweepTest, StoppedItPrintsHowToResumeAndDiscardsNothingUnasked) {
     for (const int number : {SIGINT, SIGTERM}) {
         std::filesystem::remove(path("b.csv.part"));  // else the first run's parts are taken for the second's
         const pid_t child = start(sweep("b.csv"), path("said"));
@@ -119,7 +119,7 @@ TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {
 
 // Both read the journal before either has replaced it: many lines without meaning make reading slow. The sweep takes
 // hours, so that neither process ends.
-TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
+TEST_P(SweepTest, OfTwoThatResumeAtTheSameTimeOneIsRefused) {
     constexpr int kIdleLines = 300'000;
     const auto hours = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = sweep("b.csv", more);
@@ -151,7 +151,7 @@ TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
 }
 
 // Neither a process on another host can be checked, nor does another process with the same id count.
-TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsBelieved) {
+TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsResumed) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2; }));
     kill(child, SIGKILL);
@@ -171,7 +171,7 @@ TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsBelieved) {
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
 }
 
-TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
+TEST_P(SweepTest, AnotherSweepIsNotResumed) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return !done("b.csv").empty(); }));
     kill(child, SIGKILL);
@@ -193,7 +193,7 @@ TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
 }
 
 // The journal of version 1 contains the first two of four cells; see the README in its folder.
-TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
+TEST_P(SweepTest, ASweepOfAnOlderProgramIsResumed) {
     std::filesystem::copy_file(RELIEF_FILES "/v1/tables/sweep.journal", path("b.csv.part"));
     const auto parts = done("b.csv");
     ASSERT_EQ(parts.size(), 2U);
@@ -209,13 +209,13 @@ TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
         for (const auto& kept : part["result"]) {
             EXPECT_EQ(fields(csv[row]).size(), fields(csv[0]).size());
             EXPECT_EQ(fields(csv[row]).at(6), fields(csv[row]).at(5) == "exact" ? "scalar" : "simd");
-            EXPECT_EQ(std::stod(fields(csv[row]).at(11)), kept["rate"].get<double>()) << "measured again";
+            EXPECT_EQ(std::stod(fields(csv[row]).at(11)), kept["rate"].get<double>()) << "the cell was measured again";
             ++row;
         }
     }
 }
 
-TEST_P(SweepTest, RowsAndFiltersGoOnToo) {
+TEST_P(SweepTest, RowsAndFiltersAreResumedToo) {
     const std::vector<std::vector<std::string>> sweeps{
         {"bench", "rows", "--widths", "100,200,300,400", "--elevations", "60,25,8", "--variants", "direct,streams",
          "--pixels", "4000000", "--rounds", "5", "--threads", "1"},

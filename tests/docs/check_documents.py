@@ -4,9 +4,9 @@
     check_documents.py SOURCES BIN [PAGE...]
 
 Every relative link must lead to a file (and heading), every file named in backticks must exist, and every command line that begins
-with relief or reliefscope is run in a scratch folder, in the order of the page. A comment after the command says what to expect:
-"# status 1" the exit status (else 0); one with "minute" or "hour" that it is long: then it is stopped after some seconds, and must
-only not be refused. Exit status 1 if anything is wrong, each fault named with its page and line.
+with relief or reliefscope is run in a temporary folder, in the order of the page. A comment after a command states what to expect:
+"# status 1" is the exit status (default 0); a comment with "minute" or "hour" marks a long command, which is stopped after some
+seconds and only must not be refused. Exit status 1 if there is any fault; each is reported with its page and line.
 """
 import os
 import re

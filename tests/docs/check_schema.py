@@ -3,8 +3,8 @@
 
     check_schema.py SOURCES BIN
 
-All stored and shipped scenarios are valid, and so is what the program writes; what the program refuses is invalid. Exit status 77
-where python3-jsonschema is not installed.
+All stored and shipped scenarios, and those that the program writes, must be valid; scenarios that the program refuses must be
+invalid. Exit status 77 if python3-jsonschema is not installed.
 """
 import copy
 import glob

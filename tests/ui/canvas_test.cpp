@@ -94,7 +94,7 @@ TEST_F(WindowTest, CyrillicLettersAreDrawnByVtk) {
     };
     EXPECT_EQ(ink(" "), 0);
     EXPECT_GT(ink("H"), 20);
-    EXPECT_NEAR(ink("Н"), ink("H"), 12) << "the Cyrillic letter looks as the Latin one";
+    EXPECT_NEAR(ink("Н"), ink("H"), 12) << "the Cyrillic letter looks like the Latin one";
     EXPECT_GT(ink("рівень"), 3 * ink("H"));
 }
 

@@ -91,7 +91,7 @@ TEST(ChartsDrawing, LongTitlesStandInTwoLines) {
     EXPECT_GT(narrow.plot.y0, wide.plot.y0 + 5) << "room for the second line";
 }
 
-TEST(Charts, TheFrontIsWhatNobodyBeats) {
+TEST(Charts, TheFrontIsNotDominated) {
     const ParetoSource source = sourceOf(madeUp());
     EXPECT_EQ(frontOf(source), (std::set<std::string>{"offset", "layers-secant", "cone", "exact"}));
     // A method with fewer wrong outcomes is not dominated, either.

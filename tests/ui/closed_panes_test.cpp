@@ -36,7 +36,8 @@ class ClosedPanes : public WindowTest {
     void close(const QString& name) const {
         dock(name)->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-close"))->click();
         ASSERT_TRUE(dock(name)->isHidden());
-        EXPECT_TRUE(QTest::qWaitFor([&] { return viewOf(name)->image(100).isNull(); }, kPatienceMs)) << "held on to";
+        EXPECT_TRUE(QTest::qWaitFor([&] { return viewOf(name)->image(100).isNull(); }, kPatienceMs))
+            << "resources were not freed";
     }
 };
 

@@ -89,7 +89,7 @@ TEST(ColorRange, EndsAreWhatTheRangeSays) {
     EXPECT_EQ(colorScale({}, spread, ends).high, 4100);
     const ColorScale most = colorScale(rangeWith(RangeEnds::Percentile, 0, 99.9), spread, ends);
     EXPECT_EQ(most.low, 0);
-    EXPECT_LE(most.high, 31) << "one stray ray does not decide the colours of all others";
+    EXPECT_LE(most.high, 31) << "a single outlier does not determine the colours of all others";
     EXPECT_LE(static_cast<double>(spread.above(most.high)), 0.001 * static_cast<double>(spread.count()) + 1);
     const ColorScale own = colorScale(rangeWith(RangeEnds::Own, 5, 9), spread, ends);
     EXPECT_EQ(own.low, 5);

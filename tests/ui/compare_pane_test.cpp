@@ -71,10 +71,10 @@ class ComparePane : public WindowTest {
         });
     }
     void compare(relief::CompareSubject subject, std::vector<relief::MethodChoice> others) {
-        relief::Scenario wanted = scenario();
-        wanted.comparison.subject = subject;
-        relief::othersOf(wanted.comparison) = std::move(others);
-        workspace_->change(wanted, QStringLiteral("test"));
+        relief::Scenario changed = scenario();
+        changed.comparison.subject = subject;
+        relief::othersOf(changed.comparison) = std::move(others);
+        workspace_->change(changed, QStringLiteral("test"));
         settle();
     }
     QColor colorAt(std::size_t n, relief::PixelChoice pixel) {
@@ -208,9 +208,9 @@ TEST_F(ComparePane, NothingIsSetAgainstItself) {
     EXPECT_FALSE(relief::sameVariation(relief::CompareSubject::Methods, other, own));
     // If A becomes equal to B, by whatever control, B becomes what A was.
     pane()->setChoice(1, QStringLiteral("layers"));
-    relief::Scenario wanted = scenario();
-    wanted.method = {"layers", {}};
-    workspace_->change(wanted, QStringLiteral("test"));
+    relief::Scenario changed = scenario();
+    changed.method = {"layers", {}};
+    workspace_->change(changed, QStringLiteral("test"));
     EXPECT_EQ(scenario().method.name, "layers");
     EXPECT_EQ(scenario().comparison.others[0], own);
     // If there is no other variant, the change is refused with a message.
@@ -230,7 +230,7 @@ TEST_F(ComparePane, NothingIsSetAgainstItself) {
 }
 
 // Its rate and steps, too, are measured on the level that the view selects.
-TEST_F(ComparePane, ALevelLeftToTheViewIsTimedAsItIsDrawn) {
+TEST_F(ComparePane, ALevelChosenByTheViewIsTimedAsItIsDrawn) {
     openPane({{"max-pyramid", {{"base", "auto"}}}});
     ASSERT_EQ(pane()->view()->pictures.size(), 2u);
     ASSERT_FALSE(method(1).problem);
@@ -267,7 +267,7 @@ TEST_F(ComparePane, AClickChoosesThePixelAndThePointerReadsAllMethods) {
     EXPECT_EQ(snapshot()->trace.pixel, *scenario().pixel) << "all panes answer for it";
     const ComparedView* const before = pane()->view();
     settle();
-    EXPECT_EQ(pane()->view(), before) << "another pixel is no reason to render anew";
+    EXPECT_EQ(pane()->view(), before) << "another pixel does not require rendering";
     QTest::mouseMove(pictures(), pictures()->pixelIn(0, pixel)->toPoint() + QPoint(3, 0));
     QTest::mouseMove(pictures(), pictures()->pixelIn(0, pixel)->toPoint());
     QTest::qWait(50);
@@ -356,7 +356,7 @@ TEST_F(ComparePane, DifferencesHaveTheirRange) {
     EXPECT_EQ(pane()->view()->scaleOf(relief::CompareMeasure::L1).range, all);
     EXPECT_NE(method(1).l1Picture, before);
     EXPECT_FALSE(says("beyond:") || says("percentile")) << "nothing is clipped";
-    ASSERT_TRUE(method(1).rate) << "what was measured stays";
+    ASSERT_TRUE(method(1).rate) << "the measurement is kept";
     workspace_->undo();
     settle();
     EXPECT_EQ(method(1).l1Picture, before);
@@ -455,9 +455,9 @@ TEST_F(ComparePane, ItIsExportedAsItIsShown) {
 // pane.
 TEST_F(ComparePane, ExportedTilesHaveThePixelsThatWereRendered) {
     openPane({{"layers", {{"layers", "8"}}}});
-    relief::Scenario wanted = scenario();
-    wanted.pixel.reset();
-    workspace_->change(wanted, QStringLiteral("test"));
+    relief::Scenario changed = scenario();
+    changed.pixel.reset();
+    workspace_->change(changed, QStringLiteral("test"));
     settle();
     constexpr int kWidth = 811;
     const QImage page = pane()->image(kWidth);

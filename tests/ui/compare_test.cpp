@@ -121,7 +121,7 @@ TEST(Compare, NumbersAndLegendAreWholeInBothLanguages) {
         ASSERT_EQ(numbers.size(), 5u);
         EXPECT_EQ(numbers[0], "RMSE 0.0123");
         EXPECT_NE(compareNumbers(source.tiles[2], language)[1].find("∞"), std::string::npos);
-        EXPECT_EQ(compareNumbers(source.tiles[1], language).size(), 3u) << "equal says it in one";
+        EXPECT_EQ(compareNumbers(source.tiles[1], language).size(), 3u) << "equality is reported in one word";
         for (const double width : {150.0, 400.0, 1500.0}) {
             const Drawing legend = compareLegend(source, width, language);
             EXPECT_LE(legend.bounds.width(), std::max(width, 300.0));

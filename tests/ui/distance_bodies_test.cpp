@@ -143,9 +143,9 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
 }
 
 // A distance must not be shown as a height, neither in the sentence nor in the 3-D trace.
-TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
+TEST_F(DistanceTest, StepsAreDescribedByTheirDistances) {
     openPane(walled("distance-conservative"));
-    std::set<relief::Decision> told;
+    std::set<relief::Decision> described;
     for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
         const relief::Step& step = snapshot()->trace.steps[k];
         workspace_->chooseStep(static_cast<int>(k));
@@ -157,9 +157,9 @@ TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
         if (step.decision == relief::Decision::Test) {
             EXPECT_FALSE(sentence.contains(QStringLiteral("-1"))) << sentence.toStdString();
         }
-        told.insert(step.decision);
+        described.insert(step.decision);
     }
-    EXPECT_TRUE(told.contains(relief::Decision::Advance));
+    EXPECT_TRUE(described.contains(relief::Decision::Advance));
 }
 
 }  // namespace

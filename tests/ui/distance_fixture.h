@@ -40,8 +40,8 @@ class DistanceTest : public WindowTest {
         relief::MapCache cache;
         DistanceOptions options;
         options.kind = kind;
-        const MapOptions wanted = mapOptions(options, *snapshot()).front();
-        return relief::buildMap(kind, wanted.options, snapshot()->request->field, cache, work);
+        const MapOptions parsed = mapOptions(options, *snapshot()).front();
+        return relief::buildMap(kind, parsed.options, snapshot()->request->field, cache, work);
     }
 };
 

@@ -147,7 +147,7 @@ TEST_F(DistanceTest, AMapDiffersFromItselfNowhereAndRefinedIsNeverBelow) {
         EXPECT_GE(value, -kRounding);
         most = std::max(most, value);
     }
-    EXPECT_GT(most, 0.01F) << "between houses a refined distance is larger somewhere";
+    EXPECT_GT(most, 0.01F) << "between houses the refined distance is larger at some voxel";
     EXPECT_EQ(view()->shown()->slice.low, -view()->shown()->slice.high);
 }
 
@@ -164,7 +164,7 @@ TEST_F(DistanceTest, DistancesAndSlopesAreNotCompared) {
     EXPECT_TRUE(view()->problem().isEmpty());
 }
 
-TEST_F(DistanceTest, WhatCannotBeBuiltIsSaid) {
+TEST_F(DistanceTest, AFailedBuildIsReported) {
     relief::Scenario scenario = walled("exact");
     scenario.address = relief::Address::Clamp;
     openPane(scenario);
@@ -180,7 +180,7 @@ TEST_F(DistanceTest, WhatCannotBeBuiltIsSaid) {
     EXPECT_FALSE(control<QWidget>("distance-waiting")->isVisible());
 }
 
-TEST_F(DistanceTest, ABuildIsCancelledAndAskedForAgain) {
+TEST_F(DistanceTest, ABuildIsCancelledAndRequestedAgain) {
     relief::Scenario scenario = walled("exact");
     scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = 512;
     openPane(scenario);

@@ -118,10 +118,10 @@ class DrawnPane : public WindowTest {
     }
     // Checks that the tracers use the drawn heights.
     void expectFollowed() {
-        const relief::FloatImage wanted = relief::drawnHeights(drawn());
-        EXPECT_TRUE(std::ranges::equal(snapshot()->request->field.heights().pixels(), wanted.pixels()));
+        const relief::FloatImage expected = relief::drawnHeights(drawn());
+        EXPECT_TRUE(std::ranges::equal(snapshot()->request->field.heights().pixels(), expected.pixels()));
         float highest = 0;
-        for (const float h : wanted.pixels()) highest = std::max(highest, h);
+        for (const float h : expected.pixels()) highest = std::max(highest, h);
         const relief::Pyramid& maxima = snapshot()->maxima->pyramid;
         EXPECT_EQ(maxima.level(maxima.levels() - 1)(0, 0), highest);
         EXPECT_EQ(snapshot()->scenario.pictures.drawn, drawn());

@@ -45,7 +45,7 @@ class DuelTest : public WindowTest {
     }
 };
 
-TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
+TEST_F(DuelTest, MethodsAreComparedOnTheRay) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
@@ -76,14 +76,14 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     EXPECT_EQ(window_->pane<DuelView>()->duel()->runs[0].name, "layers:layers=4");
 }
 
-TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
+TEST_F(DuelTest, TheFirstDivergenceIsShownAndNamed) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
     choose(0, QStringLiteral("max-pyramid"));
     DuelView* const view = window_->pane<DuelView>();
     const Duel* duel = view->duel();
-    ASSERT_TRUE(duel->firstMoment()) << "four layers and yet exact: nothing is tested";
+    ASSERT_TRUE(duel->firstMoment()) << "four layers give the exact hit: nothing is tested";
     view->first();
     EXPECT_EQ(this->scenario().step, 0);
     QTest::keyClick(window_.get(), Qt::Key_D, Qt::ControlModifier);

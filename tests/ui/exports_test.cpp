@@ -126,12 +126,12 @@ TEST_P(EveryExport, needsNoDisplay) {
     }
     const QByteArray pdf = contents(run(QStringLiteral(".pdf")));
     EXPECT_TRUE(pdf.startsWith("%PDF"));
-    EXPECT_TRUE(pdf.contains("/FontFile2")) << "words are words, in a font of the file's own";
+    EXPECT_TRUE(pdf.contains("/FontFile2")) << "text is text, in an embedded font";
 }
 
 // What each kind of method samples: nodes, voxels and spheres, round cones and square ones; from outside and in a
 // cross-section.
-TEST(Exports, whatMethodsLookAtIsAsStored) {
+TEST(Exports, sampledDataOfMethodsIsDrawnAsStored) {
     struct Shown {
         const char* name;
         relief::MethodChoice method;
@@ -320,10 +320,10 @@ TEST(Exports, theCommandChoosesWhatIsShown) {
     const QImage shown(
         exportedFigure(file, QStringLiteral("result"), folder.filePath(QStringLiteral("result.png")), size));
     relief::Work work;
-    relief::Scenario wanted = scenario;
-    wanted.width = 320;
-    wanted.height = 240;
-    EXPECT_EQ(shown.convertToFormat(QImage::Format_RGB32), SnapshotMaker().make({wanted}, work)->picture);
+    relief::Scenario expected = scenario;
+    expected.width = 320;
+    expected.height = 240;
+    EXPECT_EQ(shown.convertToFormat(QImage::Format_RGB32), SnapshotMaker().make({expected}, work)->picture);
     const QByteArray pdf =
         contents(exportedFigure(file, QStringLiteral("result"), folder.filePath(QStringLiteral("result.pdf")), size));
     EXPECT_TRUE(pdf.contains("/Width 320"));
@@ -452,7 +452,7 @@ TEST_F(WindowTest, AnExportIsCancelled) {
     ASSERT_EQ(notices.size(), 1);
     EXPECT_TRUE(notices[0][0].toString().contains(path));
     EXPECT_EQ(contents(path), "of before");
-    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "nothing is left beside it";
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "no other file remains";
 }
 
 // Messages refer to the window's controls, not to options of the command line.

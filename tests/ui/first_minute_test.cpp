@@ -40,7 +40,7 @@ class FirstMinute : public WindowTest {
     }
 };
 
-TEST_F(FirstMinute, AWelcomeIsSaidOnce) {
+TEST_F(FirstMinute, AWelcomeIsShownOnce) {
     QSettings().remove(QStringLiteral("welcomed"));
     openWindow(smallScenario());
     EXPECT_FALSE(messages()->isVisible());
@@ -220,7 +220,7 @@ TEST_F(FirstMinute, HoverDoesNotLookLikeChecked) {
     const QColor on = drawn(QStyle::State_On);
     EXPECT_EQ(hover, plain) << "only its edge is drawn";
     EXPECT_NE(on, plain);
-    EXPECT_EQ(drawn(QStyle::State_On | QStyle::State_MouseOver), on) << "it is still seen to be on";
+    EXPECT_EQ(drawn(QStyle::State_On | QStyle::State_MouseOver), on) << "it still looks checked";
 }
 
 TEST_F(FirstMinute, DialogsOpenInTheLastFolderOfTheirKind) {
@@ -232,7 +232,7 @@ TEST_F(FirstMinute, DialogsOpenInTheLastFolderOfTheirKind) {
     EXPECT_EQ(lastFolder(QStringLiteral("test-figures")), figures.path());
     EXPECT_EQ(lastFolder(QStringLiteral("test-none"), QStringLiteral("/x")), QStringLiteral("/x"));
     keepFolder(QStringLiteral("test-maps"), {});
-    EXPECT_EQ(lastFolder(QStringLiteral("test-maps")), maps.path()) << "a dialog that was called off changes nothing";
+    EXPECT_EQ(lastFolder(QStringLiteral("test-maps")), maps.path()) << "a cancelled dialog changes nothing";
     QDir(maps.path()).removeRecursively();
     EXPECT_EQ(lastFolder(QStringLiteral("test-maps"), QStringLiteral("/x")), QStringLiteral("/x"));
 }

@@ -54,15 +54,15 @@ class FootprintTest : public WindowTest {
     FootprintView* view() { return window_->pane<FootprintView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
     // Chooses a pixel whose footprint satisfies the condition. Returns false if there is none.
-    template <class Wanted>
-    bool choose(const Wanted& wanted) {
+    template <class Condition>
+    bool choose(const Condition& satisfies) {
         FilteredPicture picture;
         relief::Work work;
         const Snapshot& now = *snapshot();
         for (int y = 0; y < now.frame->height; y += 3) {
             for (int x = 0; x < now.frame->width; x += 3) {
                 const auto footprint = pixelFootprint(*now.frame, *now.request, *now.tracer, x, y, 1, picture, work);
-                if (!footprint || !wanted(*footprint)) continue;
+                if (!footprint || !satisfies(*footprint)) continue;
                 workspace_->choosePixel(x, y);
                 waitForFull();
                 QTest::qWait(50);
@@ -335,7 +335,7 @@ TEST_F(FootprintTest, RaysOfSupersampleAreShownWhereTheyHit) {
         double share = 0;
         for (const RayHit& ray : f.rays) share += ray.share;
         EXPECT_NEAR(share, 1, kRounding);
-        EXPECT_NEAR(f.weightSum, 1, kRounding) << "all texels that the rays read";
+        EXPECT_NEAR(f.weightSum, 1, kRounding) << "all texels that the rays sampled";
         if (samples == 1) {
             EXPECT_NEAR(f.rays[0].at.x, f.centre().x, kRounding);
             EXPECT_NEAR(f.rays[0].at.y, f.centre().y, kRounding);

@@ -202,7 +202,7 @@ class KeyboardTest : public WindowTest {
 TEST_F(KeyboardTest, EveryShortcutDoesWhatItSays) {
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     openKeys();
-    EXPECT_TRUE(window_->findChildren<QShortcut*>().isEmpty()) << "shortcuts are actions: they stand in a menu";
+    EXPECT_TRUE(window_->findChildren<QShortcut*>().isEmpty()) << "shortcuts must be actions, which appear in a menu";
     int tried = 0;
     for (QAction* const action : withKeys()) {
         const QString key = shown(action->shortcut());
@@ -311,7 +311,7 @@ TEST_F(KeyboardTest, DividersAreMovedByKeys) {
 }
 
 // For a small relief the picture is rendered with packed cones, which give the hits of max-pyramid.
-TEST_F(WindowTest, AnotherWalkThatDrewThePictureIsNamedAndItsStepsAreAClickAway) {
+TEST_F(WindowTest, AnotherTracerOfThePictureIsNamedAndItsStepsAreAClickAway) {
     relief::Scenario shown = smallScenario();
     shown.method = {"exact", {}};
     openWindow(shown);

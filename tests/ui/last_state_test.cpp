@@ -76,7 +76,7 @@ TEST_F(LastStateTest, WhatCannotBeReadIsNoReasonNotToStart) {
     gone.pictures = {};
     gone.pictures.height = "/nowhere/height.png";
     keepState(gone);
-    EXPECT_FALSE(lastState(store, stateReaders())) << "its picture is not there";
+    EXPECT_FALSE(lastState(store, stateReaders())) << "its picture does not exist";
 }
 
 TEST_F(LastStateTest, StartingAnewIsUndone) {

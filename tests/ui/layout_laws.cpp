@@ -68,12 +68,11 @@ int needed(const QWidget& widget, int* room) {
 
 void checkText(const QWidget& widget, Faults& faults) {
     int room = 0;
-    const int wanted = needed(widget, &room);
-    if (wanted > room) {
-        faults.add(widget, QStringLiteral("%1 pixels of text in %2: %3")
-                               .arg(wanted)
-                               .arg(room)
-                               .arg(widget.property("text").toString()));
+    const int width = needed(widget, &room);
+    if (width > room) {
+        faults.add(
+            widget,
+            QStringLiteral("%1 pixels of text in %2: %3").arg(width).arg(room).arg(widget.property("text").toString()));
     }
     const auto* const label = qobject_cast<const QLabel*>(&widget);
     if (label == nullptr || !label->wordWrap()) return;
@@ -92,8 +91,8 @@ void checkText(const QWidget& widget, Faults& faults) {
 
 void checkTabs(const QTabBar& bar, Faults& faults) {
     for (int n = 0; n < bar.count(); ++n) {
-        const int wanted = bar.fontMetrics().horizontalAdvance(bar.tabText(n));
-        if (wanted > bar.tabRect(n).width()) faults.add(bar, QStringLiteral("the tab %1 is cut").arg(bar.tabText(n)));
+        const int width = bar.fontMetrics().horizontalAdvance(bar.tabText(n));
+        if (width > bar.tabRect(n).width()) faults.add(bar, QStringLiteral("the tab %1 is cut").arg(bar.tabText(n)));
         // The front tab is a pixel higher than its bar, so only the horizontal extent is checked.
         if (bar.tabRect(n).left() < 0 || bar.tabRect(n).right() >= bar.width()) {
             faults.add(bar, QStringLiteral("the tab %1 is out of the bar").arg(bar.tabText(n)));

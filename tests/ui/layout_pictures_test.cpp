@@ -63,7 +63,7 @@ class LayoutPictures : public WindowTest {
             if (next == now) return now;
             now = next;
         }
-        ADD_FAILURE() << "the window does not come to rest";
+        ADD_FAILURE() << "the window keeps changing";
         return now;
     }
     QString saved() const {
@@ -145,7 +145,7 @@ TEST_F(LayoutPictures, WhatIsElsewhereIsSeen) {
     window_->resetLayout();
     EXPECT_FALSE(differs());
     window_->addDockWidget(Qt::RightDockWidgetArea, dock("scene-pane"));
-    EXPECT_TRUE(differs()) << "a dock is elsewhere";
+    EXPECT_TRUE(differs()) << "a dock has moved";
 }
 
 }  // namespace

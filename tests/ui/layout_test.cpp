@@ -154,7 +154,7 @@ TEST_F(LayoutTest, TheWindowIsAsItWasAfterTheProjector) {
         QTest::qWait(kLayoutMs);
         window_->setProjector(false);
         QTest::qWait(kLayoutMs);
-        EXPECT_EQ(window_->teaching(), teaching) << "the mode is another matter";
+        EXPECT_EQ(window_->teaching(), teaching) << "the mode is unaffected";
         window_->setTeaching(false);
         QTest::qWait(kLayoutMs);
         EXPECT_EQ(window_->size(), size);

@@ -8,7 +8,7 @@
 namespace reliefui {
 namespace {
 
-TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
+TEST_F(WindowTest, CoordinatesAreChosenShownAndUndone) {
     relief::Scenario start = smallScenario();
     start.scene = relief::SceneKind::Wall;
     start.camera.azimuth = 55;
@@ -36,7 +36,7 @@ TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
 
 // The error of ellipses along rows is displayed; options that they do not support are refused with a message, and the
 // state is kept.
-TEST_F(WindowTest, EllipsesAlongRowsAreSaidAndRefusedForShapedPixels) {
+TEST_F(WindowTest, EllipsesAlongRowsAreShownAndRefusedForShapedPixels) {
     relief::Scenario start = smallScenario();
     start.filter = {"elliptical", {{"ellipse", "cached"}}};
     openWindow(start);

@@ -77,7 +77,7 @@ TEST_F(WindowTest, EveryMethodIsOfferedAndShown) {
     }
 }
 
-TEST_F(WindowTest, TheOptionsOfAMethodAreTurnedAndDrawn) {
+TEST_F(WindowTest, TheOptionsOfAMethodAreChangedAndDrawn) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {}};
     openWindow(scenario);
@@ -146,7 +146,7 @@ TEST(Samples, sheetsAreFewAndTheChosenOneIsDrawnByItself) {
 }
 
 // The value of a step is the surface's height at the position where it was sampled.
-TEST(Samples, heightsStandWhereTheyWereRead) {
+TEST(Samples, heightsAreShownWhereTheyWereSampled) {
     constexpr double kRounding = 1e-6;  // heights are float
     const relief::HeightField relief = field(64, 48);
     for (const char* const method : {"offset", "offset-limited", "layers", "layers-secant", "layers-bisection"}) {

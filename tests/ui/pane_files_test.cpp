@@ -160,7 +160,7 @@ TEST(PaneFiles, aCommandCarriesWhatItDoesNotKnow) {
         R"({"reliefscope": 1, "panes": {"charts": {"maps": true}}, "ui": {"charts": {"live": false}}})";
     const auto charts = stateOf<ChartsPane>(parsed(both));
     EXPECT_EQ(charts, stateOf<ChartsPane>(relief::parseScenario(both, "s.json")))
-        << "commands and the window take the same one";
+        << "commands and the window read the same object";
     EXPECT_FALSE(charts.maps);
     EXPECT_FALSE(charts.live);
 }

@@ -167,9 +167,9 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
                 const QPointF at = view->stack()->toWidget(0, level, texel);
                 Point drawing;
                 if (!shown.valid(at.toPoint()) || !view->stack()->drawingAt(at, drawing)) continue;
-                const Point wanted = view->blocks()[static_cast<std::size_t>(level)].toDrawing(texel);
+                const Point expected = view->blocks()[static_cast<std::size_t>(level)].toDrawing(texel);
                 // Hidden by a slab above it.
-                if (std::abs(wanted.x - drawing.x) > 1 || std::abs(wanted.y - drawing.y) > 1) continue;
+                if (std::abs(expected.x - drawing.x) > 1 || std::abs(expected.y - drawing.y) > 1) continue;
                 const Rgba color =
                     workspace_->style().cell(ColorMap::Height, static_cast<double>(image(i, j)), view->heights().scale);
                 const QColor seen = shown.pixelColor(at.toPoint());
@@ -201,11 +201,11 @@ TEST_F(PaneChoices, AClickOnASlabChoosesTheStep) {
         const Box seen = box.cut(block.domain);
         if (seen.empty()) continue;
         const QPointF at = view->stack()->toWidget(0, step.level, seen.center());
-        const Point wanted = block.toDrawing(seen.center());
+        const Point expected = block.toDrawing(seen.center());
         Point drawing;
         if (!view->stack()->drawingAt(at, drawing)) continue;
         // Hidden by a slab above it.
-        if (std::abs(wanted.x - drawing.x) > 1 || std::abs(wanted.y - drawing.y) > 1) continue;
+        if (std::abs(expected.x - drawing.x) > 1 || std::abs(expected.y - drawing.y) > 1) continue;
         workspace_->chooseStep(static_cast<int>(k == 0 ? 1 : 0));
         QTest::mouseClick(view->stack()->focusProxy(), Qt::LeftButton, {}, at.toPoint());
         const relief::Step& now = steps[static_cast<std::size_t>(scenario().step)];

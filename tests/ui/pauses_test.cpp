@@ -67,7 +67,7 @@ TEST_F(WindowTest, EventsInARowAreOnePause) {
     EXPECT_GE(log.longestGap().ms, named(QStringLiteral("first")).ms + named(QStringLiteral("second")).ms - 1e-6);
 }
 
-TEST_F(WindowTest, DrawingIsToldApart) {
+TEST_F(WindowTest, PaintingIsCountedSeparately) {
     QObject receiver;
     QTest::qWait(1);
     PauseLog::instance().clear();

@@ -21,9 +21,9 @@ std::optional<QueryPoint> pointIn(const relief::Scenario& scenario) {
     return stateOf<PointState>(scenario).point;
 }
 
-relief::Scenario walls(bool asked = true) {
+relief::Scenario walls(bool withPoint = true) {
     relief::Scenario scenario = lessonScenario(QStringLiteral("paper_walls"));
-    if (!asked) {
+    if (!withPoint) {
         setState(scenario, PointState{});
     }
     return scenario;
@@ -81,7 +81,7 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
     EXPECT_NE(text.find("4.000 texels; V2, the ray 4.000,4.500,0.000,0.000, decides it"), std::string::npos) << text;
 }
 
-TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
+TEST_F(DistanceTest, CtrlClickChoosesAPointAndASecondOneRemovesIt) {
     openPane(walls(false));
     EXPECT_EQ(view()->point(), nullptr);
     const QImage without = view()->image(500);
@@ -110,7 +110,7 @@ TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
     EXPECT_TRUE(pointIn(scenario()));
 }
 
-TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
+TEST_F(DistanceTest, ASecondClickRemovesItInAnotherCopyAndAtThePlotsEdgeToo) {
     openPane(walled("distance-conservative"));
     const DistanceFrame frame = view()->shown()->frame;
     const relief::HeightField& field = snapshot()->request->field;
@@ -164,7 +164,7 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     }
 }
 
-TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
+TEST_F(WindowTest, TheProfileShowsThePointAndChoosesAnother) {
     openWindow(walls());
     QTest::keyClick(window_.get(), Qt::Key_6);
     ProfileView* const view = window_->pane<ProfileView>();

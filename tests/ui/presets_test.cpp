@@ -17,9 +17,9 @@ TEST_F(PresetsTest, EveryViewShowsTheReliefOfEveryScene) {
     ASSERT_NE(box, nullptr);
     ASSERT_EQ(box->count(), static_cast<int>(viewPresets().size()) + 1);
     for (const relief::SceneKind scene : {relief::SceneKind::Floor, relief::SceneKind::Wall, relief::SceneKind::Cube}) {
-        relief::Scenario wanted = scenario();
-        wanted.scene = scene;
-        workspace_->change(wanted, QStringLiteral("scene"));
+        relief::Scenario changed = scenario();
+        changed.scene = scene;
+        workspace_->change(changed, QStringLiteral("scene"));
         waitForFull();
         for (int item = 1; item < box->count(); ++item) {
             const relief::Scenario before = scenario();

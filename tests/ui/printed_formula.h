@@ -71,7 +71,7 @@ class PrintedFormula {
                 all = times(all, factor());
             } else if (take("/")) {
                 const Range by = factor();
-                EXPECT_GT(by.low * by.high, 0) << "divided by what may be nothing";
+                EXPECT_GT(by.low * by.high, 0) << "division by a value that may be zero";
                 all = times(all, hull({1 / by.low, 1 / by.high}));
             } else {
                 return all;

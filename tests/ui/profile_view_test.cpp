@@ -75,7 +75,7 @@ TEST_F(ProfileTest, BehindAnotherTabItCatchesUp) {
     const double run = view()->frame().run;
     workspace_->choosePixel(60, 50);
     waitForFull();
-    EXPECT_EQ(view()->frame().run, run) << "not drawn where nobody sees it";
+    EXPECT_EQ(view()->frame().run, run) << "a hidden pane is not drawn";
     QTest::keyClick(window_.get(), Qt::Key_6);
     // A busy machine needs some time to paint.
     EXPECT_TRUE(QTest::qWaitFor([&] { return view()->frame().run != run; }, 5000));

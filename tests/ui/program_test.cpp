@@ -79,7 +79,7 @@ TEST(Program, BadUsage) {
     }
 }
 
-TEST_F(WindowTest, BadInputIsSaidBeforeAWindowOpens) {
+TEST_F(WindowTest, BadInputIsReportedBeforeAWindowOpens) {
     const QTemporaryDir folder;
     const QString broken = folder.filePath(QString::fromUtf8("не картинка.png"));
     std::ofstream(broken.toStdString()) << "no";
@@ -183,7 +183,7 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
 
 // Starts a display of this size that does not report its resolution. Returns true if the program would draw everything
 // twice as large.
-bool wantedTwiceOn(const QString& screen) {
+bool isDoubledOn(const QString& screen) {
     QProcess server;
     server.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                           QStringLiteral("0"), screen});
@@ -192,20 +192,20 @@ bool wantedTwiceOn(const QString& screen) {
     EXPECT_TRUE(number.endsWith('\n')) << "no display of " << screen.toStdString();
     const QByteArray before = qgetenv("DISPLAY");
     qputenv("DISPLAY", ":" + number.trimmed());
-    const bool wanted = wantsTwiceTheSize();
+    const bool doubled = wantsTwiceTheSize();
     qputenv("QT_SCALE_FACTOR", "1");
-    EXPECT_FALSE(wantsTwiceTheSize()) << "the user has said how large";
+    EXPECT_FALSE(wantsTwiceTheSize()) << "the user has set the scale";
     qunsetenv("QT_SCALE_FACTOR");
     qputenv("DISPLAY", before);
     server.terminate();
     server.waitForFinished(5000);
-    return wanted;
+    return doubled;
 }
 
-TEST_F(WindowTest, AFineScreenThatSaysNothingIsDrawnTwiceAsLarge) {
-    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "somebody has chosen a size";
-    EXPECT_TRUE(wantedTwiceOn(QStringLiteral("3840x2160x24")));
-    EXPECT_FALSE(wantedTwiceOn(QStringLiteral("1920x1080x24")));
+TEST_F(WindowTest, AFineScreenOfUnknownResolutionIsDrawnTwiceAsLarge) {
+    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "a scale factor is set";
+    EXPECT_TRUE(isDoubledOn(QStringLiteral("3840x2160x24")));
+    EXPECT_FALSE(isDoubledOn(QStringLiteral("1920x1080x24")));
 }
 
 }  // namespace

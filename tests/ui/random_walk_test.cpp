@@ -130,7 +130,7 @@ class Walk {
         if (std::getenv("RELIEF_WALK") != nullptr) std::fprintf(stderr, "%s\n", qPrintable(text));
         if (story_.size() > kRemembered) story_.pop_front();
     }
-    static QString told(const QWidget* widget) {
+    static QString describe(const QWidget* widget) {
         return QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName() +
                QLatin1Char(' ') + widget->accessibleName();
     }
@@ -195,11 +195,11 @@ class Walk {
         const QPoint from = place();
         switch (below(4)) {
             case 0:
-                note(QStringLiteral("click ") + told(pane));
+                note(QStringLiteral("click ") + describe(pane));
                 QTest::mouseClick(pane, button, modifiers, from);
                 break;
             case 1: {
-                note(QStringLiteral("drag ") + told(pane));
+                note(QStringLiteral("drag ") + describe(pane));
                 const QPoint to = place();
                 QTest::mousePress(pane, Qt::LeftButton, modifiers, from);
                 for (int i = 1; i <= 3; ++i) QTest::mouseMove(pane, from + (to - from) * i / 3);
@@ -207,14 +207,14 @@ class Walk {
                 break;
             }
             case 2: {
-                note(QStringLiteral("wheel ") + told(pane));
+                note(QStringLiteral("wheel ") + describe(pane));
                 QWheelEvent event(from, pane->mapToGlobal(from), {}, {0, below(2) == 0 ? 120 : -120}, Qt::NoButton,
                                   modifiers, Qt::NoScrollPhase, false);
                 QApplication::sendEvent(pane, &event);
                 break;
             }
             default:
-                note(QStringLiteral("hover ") + told(pane));
+                note(QStringLiteral("hover ") + describe(pane));
                 QTest::mouseMove(pane, from);
         }
     }
@@ -230,7 +230,7 @@ class Walk {
         }
         if (all.empty()) return;
         QWidget* const chosen = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
-        note(QStringLiteral("use ") + told(chosen));
+        note(QStringLiteral("use ") + describe(chosen));
         if (auto* const button = qobject_cast<QAbstractButton*>(chosen)) {
             QTest::mouseClick(button, Qt::LeftButton);
         } else if (auto* const tabs = qobject_cast<QTabBar*>(chosen)) {
@@ -285,8 +285,8 @@ class RandomWalk : public WindowTest {
 };
 
 TEST_F(RandomWalk, overAllControls) {
-    const char* const wanted = std::getenv("RELIEF_SEED");
-    const std::uint64_t seed = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeed;
+    const char* const given = std::getenv("RELIEF_SEED");
+    const std::uint64_t seed = given != nullptr ? std::strtoull(given, nullptr, 10) : kSeed;
     const bool isLong = std::getenv("RELIEF_LONG") != nullptr;
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
     complaints().clear();

@@ -38,9 +38,9 @@ class RangeChoice : public WindowTest {
             for (int x = 0; x < layer.image.width(); x += 5) {
                 const auto value = static_cast<double>((*layer.values)(x, y));
                 if (std::isnan(value) || layer.error) continue;
-                const Rgba wanted = style.cell(colorMapOf(layer.layer), value, layer.scale);
+                const Rgba expected = style.cell(colorMapOf(layer.layer), value, layer.scale);
                 const QColor seen = layer.image.pixelColor(x, y);
-                EXPECT_LE(std::abs(seen.red() - wanted.r) + std::abs(seen.green() - wanted.g), 3) << x << "," << y;
+                EXPECT_LE(std::abs(seen.red() - expected.r) + std::abs(seen.green() - expected.g), 3) << x << "," << y;
             }
         }
     }

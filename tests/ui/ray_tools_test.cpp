@@ -32,7 +32,7 @@ relief::Scenario coarseLayers() {
     return scenario;
 }
 
-TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
+TEST_F(WindowTest, PixelsWorthSeeingAreVisitedOneByOne) {
     openWindow(coarseLayers());
     QSignalSpy said(window_->finder(), &PixelFinder::said);
     const auto press = [&](Qt::Key key) {
@@ -167,7 +167,7 @@ TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
     EXPECT_EQ(snapshot()->trace.hit.lambda, hit.lambda);
     ASSERT_TRUE(profile->options().guess);
     const double texel = profile->frame().run > 0 ? 1 / profile->frame().run : 0.01;
-    EXPECT_NEAR(*profile->options().guess, guess, texel) << "within what a pixel of the screen is";
+    EXPECT_NEAR(*profile->options().guess, guess, texel) << "within one pixel of the screen";
     // For another ray there is no guess.
     workspace_->choosePixel(30, 100);
     waitForFull();

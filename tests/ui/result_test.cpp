@@ -124,7 +124,7 @@ TEST_F(WindowTest, DraggingDrawsCoarseThenFull) {
     const std::size_t during = coarse.size();
     QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, from + QPoint(120, 0));
     waitForFull();
-    EXPECT_GE(during, kAsSlowAsItIs ? 0U : 3U) << "the drag is seen while it goes on";
+    EXPECT_GE(during, kAsSlowAsItIs ? 0U : 3U) << "pictures are shown during the drag";
     ASSERT_GT(coarse.size(), during);
     EXPECT_TRUE(
         std::all_of(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(during), [](bool c) { return c; }));
@@ -262,9 +262,9 @@ TEST_F(WindowTest, RShowsTheWholePictureAgain) {
 }
 
 TEST_F(WindowTest, TheErrorLayerIsTheCores) {
-    relief::Scenario wanted = smallScenario();
-    wanted.method = {"layers", {{"layers", "6"}}};
-    openWindow(wanted);
+    relief::Scenario layers = smallScenario();
+    layers.method = {"layers", {{"layers", "6"}}};
+    openWindow(layers);
     workspace_->setLayer(Layer::Error);
     waitForFull();
     const LayerPicture& layer = snapshot()->layer;

@@ -168,7 +168,7 @@ TEST(Rows, CountsAreThePapers) {
     }
 }
 
-TEST(Rows, TheVariantsAreToldInUkrainian) {
+TEST(Rows, TheVariantsAreDescribedInUkrainian) {
     QTranslator translator;
     ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
     for (const relief::RowMethodDescription& method : relief::rowMethodList()) {

@@ -82,7 +82,7 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
                loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString(), stateReaders()) == scenario();
     };
     EXPECT_TRUE(QTest::qWaitFor(saved, kPatienceMs));
-    EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the panes are part of it";
+    EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the layout is saved, too";
     // A window that starts now does not take it.
     EXPECT_TRUE(SessionFiles::leftBehind().empty());
     EXPECT_TRUE(saved());
@@ -102,11 +102,12 @@ TEST_F(SessionTest, WhatWasLeftIsOfferedAndRestored) {
     open(smallScenario());
     new RestoreOffer(window_.get(), workspace_.get(), keeper_.get(), std::move(found));
     EXPECT_TRUE(question()->isVisible());
-    EXPECT_TRUE(scenario().bookmarks.empty()) << "nothing unasked";
+    EXPECT_TRUE(scenario().bookmarks.empty()) << "nothing is restored without confirmation";
     answer("restore");
     EXPECT_TRUE(QTest::qWaitFor([&] { return scenario() == left && !workspace_->busy(); }, kPatienceMs));
     EXPECT_FALSE(question()->isVisible());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(file); }, kPatienceMs)) << "saved as this one's state";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(file); }, kPatienceMs))
+        << "it was saved as this window's state";
     EXPECT_EQ(unfinished().filter(QStringLiteral(".json")).size(), 1);
     workspace_->undo();
     EXPECT_TRUE(QTest::qWaitFor([&] { return scenario().bookmarks.empty(); }, kPatienceMs));
@@ -127,11 +128,11 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
         const auto both = [] { return unfinished().filter(QStringLiteral(".json")).size() == 2; };
         EXPECT_TRUE(QTest::qWaitFor(both, kPatienceMs));
         QTest::qWait(100);
-        EXPECT_TRUE(QFileInfo::exists(lost)) << "saved is not shown";
+        EXPECT_TRUE(QFileInfo::exists(lost)) << "it was saved but not yet shown";
         EXPECT_EQ(keeper_->end(), "");
         keeper_.reset();
     }
-    EXPECT_TRUE(QFileInfo::exists(lost)) << "its picture may come back";
+    EXPECT_TRUE(QFileInfo::exists(lost)) << "its picture may exist again later";
     auto found = SessionFiles::leftBehind();
     ASSERT_EQ(found.size(), 1U);
     const RestoreOffer offer(window_.get(), workspace_.get(), nullptr, std::move(found));
@@ -143,7 +144,7 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
 }
 
 // When the language changes, the window is created again and asks in that language; names of undo steps change as well.
-TEST_F(SessionTest, AnotherLanguageAsksAnew) {
+TEST_F(SessionTest, AnotherLanguageAsksAgain) {
     leave(smallScenario());
     open(smallScenario());
     workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}},
@@ -193,7 +194,7 @@ TEST_F(SessionTest, AStateThatEndedTheStartIsNotTriedAgain) {
     EXPECT_FALSE(SessionFiles::leftBehind().at(0).failedToStart()) << "said once";
 }
 
-TEST_F(SessionTest, WhereNothingCanBeWrittenItIsSaidOnce) {
+TEST_F(SessionTest, WhereNothingCanBeWrittenThereIsOneMessage) {
     const QString file = folder_.filePath(QStringLiteral("file"));
     std::ofstream(file.toStdString()) << "no folder";
     useFolder(file);
@@ -257,7 +258,7 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     process.kill();
     process.waitForFinished();
     const auto left = SessionFiles::leftBehind();
-    ASSERT_EQ(left.size(), 1U) << "nothing of the second";
+    ASSERT_EQ(left.size(), 1U) << "the second process left no file";
     EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString(), stateReaders()), first);
 }
 

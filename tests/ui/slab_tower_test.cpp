@@ -65,7 +65,7 @@ void expectSlabs(const SlabTower& tower, const PyramidParts& parts) {
     EXPECT_LE(tower.factor(), 1);
 }
 
-TEST(SlabTower, withoutAWalkAllSlabsOfEachLevelCoverTheGround) {
+TEST(SlabTower, withoutATraversalAllSlabsOfEachLevelCoverTheGround) {
     const auto snapshot = snapshotOf(walked());
     for (const relief::PyramidKind kind : {relief::PyramidKind::Mean, relief::PyramidKind::Min}) {
         for (const bool nearRay : {false, true}) {
@@ -81,7 +81,7 @@ TEST(SlabTower, withoutAWalkAllSlabsOfEachLevelCoverTheGround) {
 
 // For a traversal of the maxima: level 0 is complete; above it there are the texels that the ray visited and those with
 // the same parent.
-TEST(SlabTower, aWalkShowsWhatItLookedAtAndTheNeighboursUnderTheSameParent) {
+TEST(SlabTower, aTraversalShowsVisitedTexelsAndTheirSiblings) {
     const auto snapshot = snapshotOf(walked());
     const auto& steps = snapshot->trace.steps;
     for (const bool nearRay : {false, true}) {

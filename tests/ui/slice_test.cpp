@@ -103,7 +103,7 @@ TEST(Slice, thinningKeepsHighestAndLowest) {
 }
 
 // Conservative cones belong to cells between texel centres, published ones to the texels.
-TEST(SlicedMap, conesAreReadWhereTheyStand) {
+TEST(SlicedMap, conesAreSampledAtTheirPositions) {
     relief::FloatImage heights(9, 7);
     std::mt19937 random(4);
     for (float& h : heights.pixels()) h = static_cast<float>(random() % 1000) / 1000;

@@ -52,10 +52,10 @@ TEST_F(WindowTest, BreakpointsStopRunningAndPlaying) {
     auto* const speed = window_->time()->bar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
     speed->setValue(30);
     window_->time()->bar()->togglePlay();
-    const int wanted = static_cast<int>(first);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario().step == wanted; }, 5000));
+    const int expected = static_cast<int>(first);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario().step == expected; }, 5000));
     QTest::qWait(300);
-    EXPECT_EQ(scenario().step, wanted) << "it went on";
+    EXPECT_EQ(scenario().step, expected) << "it went on";
     // With the breakpoint disabled the ray runs to its end.
     QTest::mouseClick(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-0")), Qt::LeftButton);
     EXPECT_FALSE(scenario().breakpoints[0].on);
@@ -95,7 +95,7 @@ TEST_F(WindowTest, BreakpointsAreUndoneSavedAndOpenedAgain) {
     EXPECT_TRUE(scenario().breakpoints.empty());
     EXPECT_EQ(snapshot()->picture, picture);
     workspace_->open(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000)) << "what was saved comes back";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000)) << "the saved state is restored";
     waitForFull();
     EXPECT_EQ(snapshot()->picture, picture);
     EXPECT_NE(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-1")), nullptr);

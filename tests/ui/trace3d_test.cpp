@@ -90,7 +90,7 @@ QPoint onStretch(MainWindow& window, const Snapshot& snapshot, const relief::Ste
     return {pixel[0], canvasOf(window)->height() - 1 - pixel[1]};
 }
 
-TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
+TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseWithALegend) {
     relief::Scenario scenario = smallScenario();
     for (const relief::MethodChoice& method :
          {relief::MethodChoice{"max-pyramid-paper", {}}, relief::MethodChoice{"layers-bisection", {{"layers", "8"}}}}) {
@@ -171,7 +171,7 @@ TEST_F(WindowTest, TheTraceOfTheSkySaysSo) {
     ASSERT_FALSE(snapshot()->trace.onRelief);
     const QImage shown = grab(canvas);
     EXPECT_EQ(pixelsLike(shown, toColor(workspace_->style().color(Role::Ray))), 0);
-    EXPECT_GT(colorsIn(shown), 2) << "words that say what to do";
+    EXPECT_GT(colorsIn(shown), 2) << "a text says what to do";
 }
 
 TEST_F(WindowTest, EveryModelAndAddressingIsShown) {

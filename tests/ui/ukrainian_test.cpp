@@ -129,7 +129,7 @@ bool isUkrainian(const QString& text) {
 
 // Names in the undo history, and of logged pauses, must be translated again after a change of language
 // (workspace/change_name.h).
-TEST(Ukrainian, NamesOfChangesAndPartsAreSaidAgain) {
+TEST(Ukrainian, NamesOfChangesAndPartsAreTranslatedAgain) {
     const QRegularExpression changes(
         QStringLiteral("\\b(?:workspace_?(?:\\(\\))?(?:->|\\.)(?:change|show|setBreakpoints|setBookmarks))"
                        "\\(([^;]*);"));
@@ -208,7 +208,7 @@ TEST(Ukrainian, ATermHasOneTranslation) {
 }
 
 // Words that the papers do not use for these concepts, misspellings, typewriter apostrophes, % without a space.
-TEST(Ukrainian, NoOtherWordsForTheSame) {
+TEST(Ukrainian, TermsAreUsedConsistently) {
     const QRegularExpression wrong(
         QString::fromUtf8(
             "картинк|малюнк|влуча|клітин|обережн|тексели|істин|схова|здогад|вгада|піксел(?![іюяье])|проекц|"

@@ -63,7 +63,7 @@ const std::vector<Key>& viewingKeys() {
 }
 
 // Removes what viewing keys may change: pixel, step, breakpoints and bookmarks.
-relief::Scenario whatStays(relief::Scenario scenario) {
+relief::Scenario unchangedPart(relief::Scenario scenario) {
     scenario.pixel.reset();
     scenario.step = 0;
     scenario.breakpoints.clear();
@@ -151,10 +151,10 @@ TEST_F(ViewingKeys, afterAMethodIsChosenWithTheMouse) {
     EXPECT_EQ(QApplication::focusWidget(), window_->result());
     // Also at once, while the list still has the focus.
     method->setFocus(Qt::MouseFocusReason);
-    const relief::Scenario before = whatStays(scenario());
+    const relief::Scenario before = unchangedPart(scenario());
     expectSteps();
     for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Space, Qt::Key_C, Qt::Key_Down}) press(key);
-    EXPECT_EQ(whatStays(scenario()), before);
+    EXPECT_EQ(unchangedPart(scenario()), before);
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << "Space plays";
     // A check box does not handle Space.
     QTest::mouseClick(control<QCheckBox>("shadows"), Qt::LeftButton);
@@ -173,17 +173,17 @@ TEST_F(ViewingKeys, afterAPaneFillsTheWindow) {
             QWidget* const focus = QApplication::focusWidget();
             ASSERT_NE(focus, nullptr);
             EXPECT_TRUE(dock(pane)->isAncestorOf(focus)) << pane << ": " << focus->metaObject()->className();
-            const relief::Scenario before = whatStays(scenario());
+            const relief::Scenario before = unchangedPart(scenario());
             expectSteps();
-            EXPECT_EQ(whatStays(scenario()), before);
+            EXPECT_EQ(unchangedPart(scenario()), before);
         }
     }
 }
 
 // A digit once reached an option behind another pane's tab.
-TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
+TEST_F(ViewingKeys, noHiddenControlHasTheFocus) {
     open();
-    const relief::Scenario before = whatStays(scenario());
+    const relief::Scenario before = unchangedPart(scenario());
     press(Qt::Key_2, Qt::AltModifier);
     press(Qt::Key_F11);
     idle();
@@ -195,7 +195,7 @@ TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
     press(Qt::Key_6);
     idle();
     EXPECT_EQ(QApplication::focusWidget(), window_->pane<ProfileView>()->canvas());
-    EXPECT_EQ(whatStays(scenario()), before);
+    EXPECT_EQ(unchangedPart(scenario()), before);
     // The pane that contains the edited box is hidden behind another.
     press(Qt::Key_5);
     idle();
@@ -207,7 +207,7 @@ TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
     QTest::qWait(50);
     EXPECT_NE(QApplication::focusWidget(), base->box());
     press(Qt::Key_7);
-    EXPECT_EQ(whatStays(scenario()), before);
+    EXPECT_EQ(unchangedPart(scenario()), before);
 }
 
 TEST_F(ViewingKeys, digitsAreTypedWhereSomebodyTypes) {
@@ -252,7 +252,7 @@ TEST_F(ViewingKeys, everythingIsReachedByTab) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !list->isVisible(); }, 2000));
     EXPECT_EQ(scenario().method.name, method->itemData(1).toString().toStdString());
     activate();
-    EXPECT_EQ(QApplication::focusWidget(), method) << "who uses the keyboard goes on from here";
+    EXPECT_EQ(QApplication::focusWidget(), method) << "the keyboard's user continues from here";
     press(Qt::Key_3);
     EXPECT_EQ(QApplication::focusWidget(), window_->pane<PyramidView>()->canvas());
     ASSERT_NO_FATAL_FAILURE(tabTo(control<QCheckBox>("shadows")));
@@ -332,8 +332,8 @@ TEST_F(ViewingKeys, digitsByHandAreTheTexelsHeight) {
 // Random actions with the mouse, each followed by random viewing keys.
 TEST_F(ViewingKeys, changeNothingAfterAnything) {
     open();
-    const char* const wanted = std::getenv("RELIEF_SEED");
-    const std::uint64_t seed = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeed;
+    const char* const given = std::getenv("RELIEF_SEED");
+    const std::uint64_t seed = given != nullptr ? std::strtoull(given, nullptr, 10) : kSeed;
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
     std::mt19937_64 random(seed);
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -384,7 +384,7 @@ TEST_F(ViewingKeys, changeNothingAfterAnything) {
     for (const auto& [name, act] : actions) {
         ASSERT_NO_FATAL_FAILURE(act());
         waitForFull();
-        const relief::Scenario before = whatStays(scenario());
+        const relief::Scenario before = unchangedPart(scenario());
         QString story = QString::fromLatin1(name);
         for (int n = 0; n < kKeysARound; ++n) {
             const Key& key = viewingKeys()[below(viewingKeys().size())];
@@ -394,11 +394,11 @@ TEST_F(ViewingKeys, changeNothingAfterAnything) {
             QTest::keyClick(focus != nullptr ? focus : window_.get(), key.key, key.modifiers);
             if (below(3) == 0) idle();
             ASSERT_EQ(QApplication::activePopupWidget(), nullptr) << story.toStdString();
-            ASSERT_EQ(whatStays(scenario()), before) << story.toStdString();
+            ASSERT_EQ(unchangedPart(scenario()), before) << story.toStdString();
         }
         // A number that was typed would take effect when the focus moves.
         window_->result()->setFocus();
-        ASSERT_EQ(whatStays(scenario()), before) << story.toStdString();
+        ASSERT_EQ(unchangedPart(scenario()), before) << story.toStdString();
     }
 }
 

@@ -72,7 +72,7 @@ TEST_F(WindowTest, UndoAndRedoGiveTheSameBits) {
     EXPECT_FALSE(workspace_->canRedo());
 }
 
-TEST_F(WindowTest, ABadFileIsSaidAndEverythingStays) {
+TEST_F(WindowTest, ABadFileIsReportedAndNothingChanges) {
     openWindow(smallScenario());
     const relief::Scenario before = scenario();
     const auto shown = snapshot();

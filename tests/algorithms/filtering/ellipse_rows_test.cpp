@@ -35,9 +35,9 @@ FrameRequest request(SceneKind scene, double elevation) {
 }
 
 // A rendered frame and the filter queries of all its hits, row by row.
-struct Asked {
-    explicit Asked(const FrameRequest& wanted) : Asked(wanted, 1) {}
-    Asked(const FrameRequest& wanted, int threads) : request(wanted) {
+struct FrameQueries {
+    explicit FrameQueries(const FrameRequest& wanted) : FrameQueries(wanted, 1) {}
+    FrameQueries(const FrameRequest& wanted, int threads) : request(wanted) {
         Work work(threads);
         frame = FrameRenderer(std::make_shared<MapCache>()).render(request, work);
         visible = frame->visible(request);
@@ -131,9 +131,9 @@ void expectNearDirect(const FilterBlock& block) {
 TEST(EllipseRows, SemiAxesAreWithinTheirRoundingOfDirect) {
     for (const FrameRequest& request : views()) {
         SCOPED_TRACE("elevation " + std::to_string(request.camera.elevation));
-        const Asked asked(request);
-        ASSERT_GT(asked.block.size(), 50U);
-        expectNearDirect(asked.block);
+        const FrameQueries queries(request);
+        ASSERT_GT(queries.block.size(), 50U);
+        expectNearDirect(queries.block);
     }
 }
 
@@ -162,13 +162,14 @@ TEST(EllipseRows, AndUpToTheHorizon) {
 // The whole ellipse agrees, not only the lengths of its axes: the quadratic forms are compared.
 TEST(EllipseRows, DirectionsAreThoseOfDirect) {
     for (const FrameRequest& request : views()) {
-        const Asked asked(request);
+        const FrameQueries queries(request);
         for (const EllipseForm form : kForms) {
             FilterBlock rows;
-            ellipseRows(form, asked.block, rows);
+            ellipseRows(form, queries.block, rows);
             for (std::size_t i = 0; i < rows.size(); ++i) {
-                const Ellipse is = ellipseOf(rows[i].jacobian), direct = ellipseOf(asked.block[i].jacobian);
-                const Tolerance most = toleranceOf(form, *asked.block.view[i], asked.block.x[i], asked.block.y[i]);
+                const Ellipse is = ellipseOf(rows[i].jacobian), direct = ellipseOf(queries.block[i].jacobian);
+                const Tolerance most =
+                    toleranceOf(form, *queries.block.view[i], queries.block.x[i], queries.block.y[i]);
                 const double apart = std::hypot(is.a - direct.a, (is.b - direct.b) / 2, is.c - direct.c);
                 ASSERT_LE(apart, 4 * most.major * (direct.a + direct.c)) << nameOf(form) << ' ' << i;
             }
@@ -178,40 +179,40 @@ TEST(EllipseRows, DirectionsAreThoseOfDirect) {
 
 TEST(EllipseRows, DirectIsTheKernelWithItsUsualOptions) {
     for (const char* implementation : {"lanes", "scalar"}) {
-        const Asked asked(request(SceneKind::Cube, 20));
+        const FrameQueries queries(request(SceneKind::Cube, 20));
         EllipticalOptions usual;
         usual.implementation = implementation;
         Work work(1);
-        FilterTools tools{asked.request.color, std::make_shared<const ColorLevels>(asked.request.color, work),
-                          asked.request.field};
-        std::vector<Color> expected(asked.block.size());
+        FilterTools tools{queries.request.color, std::make_shared<const ColorLevels>(queries.request.color, work),
+                          queries.request.field};
+        std::vector<Color> expected(queries.block.size());
         FootprintCounts counts;
-        ellipticalKernel(usual, tools, work).filter(asked.block, tools.pictureScale(), expected, counts);
+        ellipticalKernel(usual, tools, work).filter(queries.block, tools.pictureScale(), expected, counts);
         for (const OptionValues& options : {OptionValues{}, OptionValues{{"ellipse", "direct"}}}) {
             OptionValues all = options;
             all["implementation"] = implementation;
-            MadeFilter made = filterOf(asked.request, all);
-            EXPECT_EQ(colorsOf(*made.filter, asked.block, made.counts), expected);
-            for (std::size_t i = 0; i < expected.size(); i += 7) ASSERT_EQ(made.at(asked.block[i]), expected[i]);
+            MadeFilter made = filterOf(queries.request, all);
+            EXPECT_EQ(colorsOf(*made.filter, queries.block, made.counts), expected);
+            for (std::size_t i = 0; i < expected.size(); i += 7) ASSERT_EQ(made.at(queries.block[i]), expected[i]);
         }
     }
 }
 
 // Blocks of any size, in any order, and single pixels.
 TEST(EllipseRows, ColoursDependOnNoNeighbour) {
-    const Asked asked(request(SceneKind::Cube, 20));
-    const std::size_t count = asked.block.size();
+    const FrameQueries queries(request(SceneKind::Cube, 20));
+    const std::size_t count = queries.block.size();
     for (const EllipseForm form : kForms) {
-        MadeFilter made = filterOf(asked.request, {{"ellipse", nameOf(form)}});
-        const auto expected = colorsOf(*made.filter, asked.block, made.counts);
-        EXPECT_NE(expected, colorsOf(*filterOf(asked.request, {}).filter, asked.block, made.counts));
+        MadeFilter made = filterOf(queries.request, {{"ellipse", nameOf(form)}});
+        const auto expected = colorsOf(*made.filter, queries.block, made.counts);
+        EXPECT_NE(expected, colorsOf(*filterOf(queries.request, {}).filter, queries.block, made.counts));
         std::vector<std::size_t> order(count);
         for (std::size_t i = 0; i < count; ++i) order[i] = i;
         Random random(kSeed);
         for (const std::size_t size : {count, std::size_t{211}, std::size_t{16}, std::size_t{1}}) {
             for (std::size_t first = 0; first < count; first += size) {
                 FilterBlock part;
-                for (std::size_t i = first; i < std::min(first + size, count); ++i) part.push(asked.block[order[i]]);
+                for (std::size_t i = first; i < std::min(first + size, count); ++i) part.push(queries.block[order[i]]);
                 const auto colors = colorsOf(*made.filter, part, made.counts);
                 for (std::size_t i = 0; i < part.size(); ++i) ASSERT_EQ(colors[i], expected[order[first + i]]) << size;
             }
@@ -219,7 +220,7 @@ TEST(EllipseRows, ColoursDependOnNoNeighbour) {
                 std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
             }
         }
-        for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(made.at(asked.block[i]), expected[i]) << i;
+        for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(made.at(queries.block[i]), expected[i]) << i;
     }
 }
 
@@ -230,7 +231,7 @@ TEST(EllipseRows, PicturesAreTheirPixels) {
         FrameRequest rows = request(SceneKind::Cube, 20);
         const FrameRequest direct = rows;
         rows.filter.options["ellipse"] = nameOf(form);
-        const Asked one(rows, 1), two(rows, 2);
+        const FrameQueries one(rows, 1), two(rows, 2);
         EXPECT_EQ(one.frame->color->color, two.frame->color->color);
         Work work(1);
         FilterBlock own;

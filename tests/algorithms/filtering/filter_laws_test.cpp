@@ -89,11 +89,11 @@ TEST(FilterLaws, aRampIsReproduced) {
         for (int n = 0; n < kFootprints; ++n) {
             const Jacobian j = randomJacobian(random, 6);
             const glm::dvec2 place{random.between(80, 176), random.between(80, 176)};
-            const double wanted = 0.001 * place.x + 0.002 * place.y;
+            const double expected = 0.001 * place.x + 0.002 * place.y;
             FootprintLog log;
             const Color color = filter.at(place, j, &log);
             const double texel = std::ldexp(1.0, log.footprint.level) * 0.003;
-            EXPECT_NEAR(color.r, wanted, kLattice * texel + kRounding) << text;
+            EXPECT_NEAR(color.r, expected, kLattice * texel + kRounding) << text;
         }
     }
 }
@@ -186,7 +186,7 @@ TEST(FilterLaws, nothingAtTheHorizonOrEdgeOnIsNotANumber) {
 }
 
 // One whole period further the colour is the same, also if the size is not a power of two.
-TEST(FilterLaws, repeatKnowsNoSeam) {
+TEST(FilterLaws, repeatHasNoSeam) {
     const Picture picture = randomPicture(37, 26, 9);
     Random random(6);
     for (const FilterChoice& choice : allFilters()) {

@@ -130,9 +130,9 @@ TEST(FilterTruth, SecondMomentsAreThePixelsOnEveryLevel) {
                 }
                 const Moments truth = meant(j, settings, level);
                 const Truth allowed = kMoments * (truth.xx + truth.yy);
-                const auto near = [&](Truth found, Truth wanted, const char* what) {
-                    worst = std::max(worst, std::abs(found - wanted) / (truth.xx + truth.yy));
-                    EXPECT_NEAR(static_cast<double>(found), static_cast<double>(wanted), static_cast<double>(allowed))
+                const auto near = [&](Truth found, Truth expected, const char* what) {
+                    worst = std::max(worst, std::abs(found - expected) / (truth.xx + truth.yy));
+                    EXPECT_NEAR(static_cast<double>(found), static_cast<double>(expected), static_cast<double>(allowed))
                         << what << ", level " << level << ", axes " << major << " " << minor << ", angle " << angle;
                 };
                 near(seen.xx, truth.xx, "xx");

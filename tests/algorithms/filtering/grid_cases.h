@@ -36,14 +36,14 @@ inline Picture faintPicture(int width, int height, float contrast) {
 }
 
 // A rendered frame and the filter queries of its pixels, in scan order.
-struct Asked {
+struct FrameQueries {
     Work work{1};
     FrameRequest request;
     std::shared_ptr<const Frame> frame;
     VisiblePolygons visible;
     FilterBlock block;
 
-    explicit Asked(const FrameRequest& frameRequest, int threads = 1) : work(threads), request(frameRequest) {
+    explicit FrameQueries(const FrameRequest& frameRequest, int threads = 1) : work(threads), request(frameRequest) {
         FrameRenderer renderer(std::make_shared<MapCache>());
         frame = renderer.render(request, work);
         visible = frame->visible(request);

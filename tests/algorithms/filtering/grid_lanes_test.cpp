@@ -70,7 +70,7 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
 }
 
 // The same bend counts as planar and smooth if hits are close to each other, but not with smaller bounds.
-TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
+TEST(GridLanes, surroundingsDependOnTheDistanceOfHitsAndOnTheBounds) {
     constexpr int kSide = 5;
     constexpr auto kMiddle = static_cast<std::size_t>(kSide * kSide / 2);
     const auto middle = [&](float texels, float fold, float bounds) {
@@ -102,16 +102,16 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
 }
 
 // Rays and footprints of sample points against the code for single pixels.
-TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
+TEST(GridLanes, raysAndFootprintsEqualThoseOfSinglePixels) {
     constexpr double kRelative = 1e-7;  // rounding to float
     for (const Address address : {Address::Repeat, Address::Border}) {
         const HeightField field = reliefOf("city", address);
-        const Asked asked(requestOf(field, randomPicture(64, 48, kSeed), grid()));
-        const std::size_t count = asked.block.size();
-        const PixelView& view = *asked.block.view[0];
+        const FrameQueries queries(requestOf(field, randomPicture(64, 48, kSeed), grid()));
+        const std::size_t count = queries.block.size();
+        const PixelView& view = *queries.block.view[0];
         std::vector<double> x, y;
         for (std::size_t i = 0; i < count; ++i) {
-            x.push_back(asked.block.x[i] + 0.5), y.push_back(asked.block.y[i] + 0.5);
+            x.push_back(queries.block.x[i] + 0.5), y.push_back(queries.block.y[i] + 0.5);
         }
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
@@ -120,22 +120,22 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
             PointBlock points;
             const SlopeScene slopes(field);
             const PointBlur blur{0.5, 0.125, 0.25};
-            layFootprints(view, &slopes, blur, {2, 3}, {x, y, asked.block.lambda, asked.block.s, asked.block.t},
+            layFootprints(view, &slopes, blur, {2, 3}, {x, y, queries.block.lambda, queries.block.s, queries.block.t},
                           points);
             for (std::size_t i = 0; i < count; ++i) {
-                ASSERT_EQ(rays[i], asked.block.rays[i]) << i;
-                const Jacobian pixel = asked.block[i].jacobian;
+                ASSERT_EQ(rays[i], queries.block.rays[i]) << i;
+                const Jacobian pixel = queries.block[i].jacobian;
                 // The x component of the pixel's blurred footprint.
                 const Jacobian j{blur.xx * pixel.ux + blur.xy * pixel.uy, blur.xx * pixel.vx + blur.xy * pixel.vy, 0,
                                  0};
-                const auto [slopeS, slopeT] = field.slope(asked.block.s[i], asked.block.t[i]);
+                const auto [slopeS, slopeT] = field.slope(queries.block.s[i], queries.block.t[i]);
                 const double facing = std::max(1.0, 1 + rays.a[i] * slopeS + rays.b[i] * slopeT);
                 const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
                 const double size = std::abs(pixel.ux) + std::abs(pixel.vx) + std::abs(pixel.uy) + std::abs(pixel.vy) +
                                     std::abs(rays.a[i] * alongX);
                 ASSERT_NEAR(points.ux[i], 2 * (j.ux - rays.a[i] * alongX), kRelative * size) << i;
                 ASSERT_NEAR(points.vx[i], 3 * (j.vx - rays.b[i] * alongX), 2 * kRelative * size) << i;
-                ASSERT_EQ(points.t[i], 3 * asked.block.t[i]);
+                ASSERT_EQ(points.t[i], 3 * queries.block.t[i]);
             }
         }
     }
@@ -158,7 +158,7 @@ TEST(GridLanes, raysOnTheEdgeStayInsideByRounding) {
     });
 }
 
-TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
+TEST(GridLanes, uniformColorsAreThoseOfFourCorners) {
     constexpr std::size_t kRow = 21, kCells = 7 * kRow, kCount = kCells - kRow - 1;
     Random random(kSeed);
     std::array<std::vector<float>, 3> channel;
@@ -193,9 +193,9 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
 TEST(GridLanes, centresAreSplitIntoColumns) {
     constexpr std::size_t kCells = 37, kPoints = 3;
     std::vector<PointColor> colors((kCells + kCellSlack) * kPoints);
-    std::vector<std::uint16_t> asked(kCells + kCellSlack);
+    std::vector<std::uint16_t> queries(kCells + kCellSlack);
     for (std::size_t c = 0; c < kCells; ++c) {
-        asked[c] = static_cast<std::uint16_t>(c % 3 == 0 ? 6 : 1);
+        queries[c] = static_cast<std::uint16_t>(c % 3 == 0 ? 6 : 1);
         const auto value = static_cast<float>(c);
         colors[c * kPoints] = {{value, value + 0.25F, value + 0.5F, c % 5 == 0 ? 0.0F : 1.0F}};
     }
@@ -203,7 +203,7 @@ TEST(GridLanes, centresAreSplitIntoColumns) {
         const ForcedTarget forced(target);
         std::array<std::vector<float>, 3> out;
         for (auto& column : out) column.resize(kCells + kCellSlack);
-        splitCentres(colors.data(), kPoints, asked.data(), kCells, {out[0].data(), out[1].data(), out[2].data()});
+        splitCentres(colors.data(), kPoints, queries.data(), kCells, {out[0].data(), out[1].data(), out[2].data()});
         for (std::size_t c = 0; c < kCells; ++c) {
             for (std::size_t n = 0; n < 3; ++n) {
                 const float known = colors[c * kPoints].channel[n];
@@ -219,16 +219,16 @@ TEST(GridLanes, pointsFollowFromCentres) {
     Random random(kSeed);
     std::vector<double> s(kCells + kCellSlack), t(s);
     for (std::size_t c = 0; c < kCells; ++c) s[c] = random.between(-1, 1), t[c] = random.between(-1, 1);
-    std::vector<std::uint16_t> asked(kCells + kCellSlack), follows(asked);
+    std::vector<std::uint16_t> queries(kCells + kCellSlack), follows(queries);
     for (std::size_t c = kFirst; c < kLast; ++c) {
-        asked[c] = static_cast<std::uint16_t>(random.between(0, 8));
+        queries[c] = static_cast<std::uint16_t>(random.between(0, 8));
         follows[c] = static_cast<std::uint16_t>(random.between(0, 8));
     }
     const std::array<double, 4> shares{0.5, 0.125, 0.25, 0.0625};
     const PointBlur blur{0.5, 0.125, 0.25};
     for (const std::size_t point : {std::size_t{0}, std::size_t{2}}) {
         const std::size_t square = point == 0 ? 0 : kRow + 1;
-        const FollowJob job{s.data(), t.data(), kRow,   kFirst, kLast, asked.data(), follows.data(),
+        const FollowJob job{s.data(), t.data(), kRow,   kFirst, kLast, queries.data(), follows.data(),
                             point,    3,        square, shares, blur,  {2, 3}};
         // The value of a column at cell c, and its differences across and down.
         const auto expected = [&](const std::vector<double>& column, std::size_t c) -> std::array<double, 3> {
@@ -248,7 +248,7 @@ TEST(GridLanes, pointsFollowFromCentres) {
             followPoints(job, points, slots);
             std::size_t n = 1;
             for (std::size_t c = kFirst; c < kLast; ++c) {
-                if ((asked[c] & follows[c] & (1U << point)) == 0) continue;
+                if ((queries[c] & follows[c] & (1U << point)) == 0) continue;
                 ASSERT_LT(n, points.size());
                 const auto [atS, acrossS, downS] = expected(s, c);
                 const auto [atT, acrossT, downT] = expected(t, c);

@@ -18,7 +18,7 @@ constexpr double kTapRounding = 1e-4;
 // Levels and numbers of taps are chosen by comparisons: the share of points for which rounding may choose differently.
 constexpr double kOtherSide = 2e-3;
 
-TEST(Grid, latticesAreEvenAndKeepTheMean) {
+TEST(Grid, latticesAreUniformAndKeepTheMean) {
     for (const int points : {2, 3, 4, 5, 7, 10, 16}) {
         const PointLattice lattice = PointLattice::of(points);
         ASSERT_EQ(lattice.places.size(), static_cast<std::size_t>(points));
@@ -47,13 +47,13 @@ TEST(Grid, latticesAreEvenAndKeepTheMean) {
 
 TEST(Grid, isTheDefault) {
     const Picture picture = randomPicture(64, 48, kSeed);
-    const Asked plain(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {}}));
-    const Asked named(requestOf(reliefOf("bricks"), picture, grid()));
+    const FrameQueries plain(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {}}));
+    const FrameQueries named(requestOf(reliefOf("bricks"), picture, grid()));
     EXPECT_TRUE(plain.frame->color->color == named.frame->color->color);
     // Points cannot represent weights with a shape of their own: the visible surface is summed instead.
-    const Asked shaped(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {{"weights", "box"}}}));
-    const Asked summed(requestOf(reliefOf("bricks"), picture,
-                                 {"elliptical-visible", {{"weights", "box"}, {"form", "position-area"}}}));
+    const FrameQueries shaped(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {{"weights", "box"}}}));
+    const FrameQueries summed(requestOf(reliefOf("bricks"), picture,
+                                        {"elliptical-visible", {{"weights", "box"}, {"form", "position-area"}}}));
     EXPECT_TRUE(shaped.frame->color->color == summed.frame->color->color);
 }
 
@@ -63,10 +63,11 @@ TEST(Grid, aConstantPictureStaysConstant) {
     for (const char* name : {"bricks", "city"}) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
-                const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
-                ASSERT_GT(asked.block.size(), 1000U);
-                for (std::size_t i = 0; i < asked.block.size(); ++i) {
-                    for (int c = 0; c < 3; ++c) ASSERT_NEAR(asked.color(i)[c], color[c], kRounding) << name << ' ' << i;
+                const FrameQueries queries(requestOf(reliefOf(name, address, surface), picture, grid()));
+                ASSERT_GT(queries.block.size(), 1000U);
+                for (std::size_t i = 0; i < queries.block.size(); ++i) {
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_NEAR(queries.color(i)[c], color[c], kRounding) << name << ' ' << i;
                 }
             }
         }
@@ -83,12 +84,12 @@ TEST(Grid, colorsStayWithinThePictures) {
     for (const char* name : {"bricks", "city"}) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
-                const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
-                EXPECT_GT(asked.frame->counters.at(MessageId::CountTexelsTraced), 1000);
-                for (std::size_t i = 0; i < asked.block.size(); ++i) {
+                const FrameQueries queries(requestOf(reliefOf(name, address, surface), picture, grid()));
+                EXPECT_GT(queries.frame->counters.at(MessageId::CountTexelsTraced), 1000);
+                for (std::size_t i = 0; i < queries.block.size(); ++i) {
                     for (int c = 0; c < 3; ++c) {
-                        ASSERT_GE(asked.color(i)[c], dark[c] - kRounding) << name << ' ' << i;
-                        ASSERT_LE(asked.color(i)[c], bright[c] + kRounding) << name << ' ' << i;
+                        ASSERT_GE(queries.color(i)[c], dark[c] - kRounding) << name << ' ' << i;
+                        ASSERT_LE(queries.color(i)[c], bright[c] + kRounding) << name << ' ' << i;
                     }
                 }
             }
@@ -97,11 +98,13 @@ TEST(Grid, colorsStayWithinThePictures) {
 }
 
 // Uniform colours save rays at almost no change of the picture.
-TEST(Grid, evenColorsAreNotTraced) {
+TEST(Grid, uniformColorsAreNotTraced) {
     const HeightField field = reliefOf("bricks");
-    const Asked even(requestOf(field, faintPicture(128, 96, 0.9F * kEvenColors), grid()));
-    const Asked uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
-    const auto rays = [](const Asked& asked) { return asked.frame->counters.at(MessageId::CountTexelsTraced); };
+    const FrameQueries even(requestOf(field, faintPicture(128, 96, 0.9F * kEvenColors), grid()));
+    const FrameQueries uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
+    const auto rays = [](const FrameQueries& queries) {
+        return queries.frame->counters.at(MessageId::CountTexelsTraced);
+    };
     // The remaining rays: centres beyond the picture's rim, and points around centres without a hit.
     EXPECT_LT(rays(even), rays(uneven) / 3);
     EXPECT_GT(rays(uneven), 1000);
@@ -112,38 +115,39 @@ TEST(Grid, levelGroundIsPlainFiltering) {
     const Picture picture = randomPicture(64, 64, kSeed);
     for (const float height : {0.0F, 0.4F, 1.0F}) {
         const HeightField field = fieldFor(*picture, Address::Repeat, height);
-        const Asked seen(requestOf(field, picture, grid())), plain(requestOf(field, picture, {"elliptical", {}}));
+        const FrameQueries seen(requestOf(field, picture, grid())),
+            plain(requestOf(field, picture, {"elliptical", {}}));
         ASSERT_GT(seen.block.size(), 2000U);
         EXPECT_TRUE(seen.frame->color->color == plain.frame->color->color) << height;
     }
 }
 
 // Single pixels, rows, and the frame's tiles give the same bits; so does logging.
-TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
+TEST(Grid, bitsDependOnNeitherNeighboursNorTarget) {
     // In the faint picture some points are interpolated from centres.
     for (const std::string name : {"bricks", "hills", "faint bricks", "bricks with an edge"}) {
         const bool faint = name == "faint bricks";
         const Picture picture = faintPicture(100, 96, faint ? 3 * kEvenColors : 1);
         const HeightField field = reliefOf(name == "hills" ? "hills" : "bricks",
                                            name == "bricks with an edge" ? Address::Border : Address::Repeat);
-        const Asked asked(requestOf(field, picture, grid("5")));
+        const FrameQueries queries(requestOf(field, picture, grid("5")));
         MadeFilter made(grid("5"), picture, field);
-        std::vector<Color> rows(asked.block.size());
+        std::vector<Color> rows(queries.block.size());
         FootprintCounts counts;
-        made.filter->colors(asked.block, rows, counts, made.work);
+        made.filter->colors(queries.block, rows, counts, made.work);
         EXPECT_GT(counts.flat, 20) << name;
         EXPECT_GT(counts.footprints, counts.flat + 100) << name;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            ASSERT_EQ(rows[i], asked.color(i)) << name << ' ' << i;
+            ASSERT_EQ(rows[i], queries.color(i)) << name << ' ' << i;
             if (i % 17 != 0) continue;
             FootprintLog log;
-            ASSERT_EQ(made.at(asked.block[i]), rows[i]) << name << ' ' << i;
-            ASSERT_EQ(made.at(asked.block[i], &log), rows[i]) << name << ' ' << i;
+            ASSERT_EQ(made.at(queries.block[i]), rows[i]) << name << ' ' << i;
+            ASSERT_EQ(made.at(queries.block[i], &log), rows[i]) << name << ' ' << i;
         }
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
             std::vector<Color> again(rows.size());
-            made.filter->colors(asked.block, again, counts, made.work);
+            made.filter->colors(queries.block, again, counts, made.work);
             EXPECT_EQ(again, rows) << laneTargetName(target);
         }
     }
@@ -154,9 +158,9 @@ TEST(Grid, framesAreTheSameForAnyNumberOfThreadsAndWithoutSkipping) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Cube}) {
         request.scene = scene;
         request.skip = true;
-        const Asked first(request), other(request, 3);
+        const FrameQueries first(request), other(request, 3);
         request.skip = false;
-        const Asked all(request);
+        const FrameQueries all(request);
         EXPECT_TRUE(first.frame->color->color == other.frame->color->color);
         EXPECT_TRUE(first.frame->color->color == all.frame->color->color);
     }
@@ -166,9 +170,9 @@ TEST(Grid, framesAreTheSameForAnyNumberOfThreadsAndWithoutSkipping) {
 TEST(Grid, withoutExactHitsItIsRays) {
     FrameRequest request = requestOf(reliefOf("bricks"), randomPicture(128, 96, kSeed), grid());
     request.method = {"layers", {}};
-    const Asked seen(request);
+    const FrameQueries seen(request);
     request.filter = {"elliptical-visible", {{"form", "rays"}}};
-    const Asked rays(request);
+    const FrameQueries rays(request);
     EXPECT_TRUE(seen.frame->color->color == rays.frame->color->color);
 }
 
@@ -193,13 +197,13 @@ TEST(Grid, behindBricksTheErrorIsAThirdOfPlain) {
 
 void logSumsUp(const Picture& picture) {
     const HeightField field = reliefOf("bricks");
-    const Asked asked(requestOf(field, picture, grid()));
+    const FrameQueries queries(requestOf(field, picture, grid()));
     MadeFilter made(grid(), picture, field);
     const ColorLevels levels(picture, made.work);
     int planes = 0, summed = 0, apart = 0;
-    for (std::size_t i = 0; i < asked.block.size(); i += 5) {
+    for (std::size_t i = 0; i < queries.block.size(); i += 5) {
         FootprintLog log;
-        const Color color = made.at(asked.block[i], &log);
+        const Color color = made.at(queries.block[i], &log);
         ASSERT_EQ(color, log.color);
         (log.skipped ? planes : summed) += 1;
         if (log.texels.empty()) continue;
@@ -230,19 +234,19 @@ TEST(Grid, thePictureAndSmoothGroundSaveRays) {
         const HeightField field(std::make_shared<const FloatImage>(makeRelief(name, 256, 192, kSeed)));
         FrameRequest request = requestOf(field, picture, grid());
         request.camera.elevation = 60;
-        Asked asked(request);
+        FrameQueries queries(request);
         MadeFilter made(grid(), picture, field);
-        std::vector<Color> alone(asked.block.size()), together(asked.block.size());
+        std::vector<Color> alone(queries.block.size()), together(queries.block.size());
         FootprintCounts traced, saved;
-        made.filter->colors(asked.block, alone, traced, made.work);
-        const PictureHits hits{asked.frame->width, asked.frame->height, asked.frame->rays->polygon.data(),
-                               &asked.frame->rays->rays, &asked.frame->hits->hits};
-        asked.block.picture = &hits;
-        made.filter->colors(asked.block, together, saved, made.work);
+        made.filter->colors(queries.block, alone, traced, made.work);
+        const PictureHits hits{queries.frame->width, queries.frame->height, queries.frame->rays->polygon.data(),
+                               &queries.frame->rays->rays, &queries.frame->hits->hits};
+        queries.block.picture = &hits;
+        made.filter->colors(queries.block, together, saved, made.work);
         EXPECT_EQ(alone, together) << name;
         EXPECT_LT(saved.tested, traced.tested) << name;
         // Counts of the whole frame, whose tiles share points; two of three points are not centres.
-        const auto count = [&](MessageId of) { return asked.frame->counters.at(of); };
+        const auto count = [&](MessageId of) { return queries.frame->counters.at(of); };
         const double edges = count(MessageId::CountFootprints) - count(MessageId::CountFootprintsClear);
         ASSERT_GT(edges, 500) << name;
         // Includes points requested beyond those of the edges. With bricks 2.34 was measured first, and 2.90 without

@@ -91,7 +91,7 @@ TEST(EllipticalLanes, NearTheReference) {
     }
 }
 
-TEST(EllipticalLanes, SameBitsOnEveryInstructionSetAndInAnyCompany) {
+TEST(EllipticalLanes, BitsDependOnNeitherInstructionSetNorNeighbours) {
     Random random(kSeed + 1);
     ASSERT_FALSE(laneTargets().empty());
     for (const OptionValues& options : kSettings) {

@@ -91,7 +91,7 @@ struct View {
 };
 
 // Filter queries of the pixels of a frame: the view's rays and their hits on the relief.
-std::vector<FilterQuery> askedBy(const HeightField& field, const View& view) {
+std::vector<FilterQuery> queriesOf(const HeightField& field, const View& view) {
     FrameRequest request(field);
     request.width = 40;
     request.height = 30;
@@ -147,7 +147,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
     options["implementation"] = "scalar";
     MadeFilter made({"elliptical-visible", options}, picture, field, false);
     for (const View& view : views) {
-        for (const FilterQuery& query : askedBy(field, view)) {
+        for (const FilterQuery& query : queriesOf(field, view)) {
             const glm::dvec2 scale(static_cast<double>(1 / toFieldX), static_cast<double>(1 / toFieldY));
             const Jacobian j{query.jacobian.ux * scale.x, query.jacobian.vx * scale.y, query.jacobian.uy * scale.x,
                              query.jacobian.vy * scale.y};
@@ -178,7 +178,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 bool hidden;
                 Rgb color;
             };
-            std::map<std::pair<long, long>, Seen> wanted, beyond;  // keyed by position in 1/1024 texels
+            std::map<std::pair<long, long>, Seen> expected, beyond;  // keyed by position in 1/1024 texels
             const auto key = [](Truth u, Truth v) { return std::pair(std::lround(1024 * u), std::lround(1024 * v)); };
             Rgb sum{};
             Truth total = 0;
@@ -209,7 +209,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 const Truth rise = outside ? 0 : ground.rise(s, t, h, a, b, kSurelyHidden);
                 unsure = unsure || (rise > kSurelyFree && rise < kSurelyHidden);
                 const Seen seen{weigh(square) * share, rise >= kSurelyHidden, levels.texel(f.level, texel.i, texel.j)};
-                (outside ? beyond : wanted)[key(offset.x, offset.y)] = seen;
+                (outside ? beyond : expected)[key(offset.x, offset.y)] = seen;
                 hides = hides || seen.hidden;
             });
             if (unsure) {
@@ -217,15 +217,15 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 continue;
             }
             // Nothing is hidden beyond the border: the texels of the rim are repeated, as in plain filtering.
-            if (!hides || form == Form::Plane) wanted.merge(beyond);
-            for (const auto& [where, seen] : wanted) {
+            if (!hides || form == Form::Plane) expected.merge(beyond);
+            for (const auto& [where, seen] : expected) {
                 if (seen.hidden) continue;
                 for (std::size_t k = 0; k < 3; ++k) sum[k] += seen.weight * seen.color[k];
                 total += seen.weight;
             }
             ++tally.levels[f.level];
             ASSERT_EQ(log.footprint.level, f.level);
-            ASSERT_EQ(log.texels.size(), wanted.size());
+            ASSERT_EQ(log.texels.size(), expected.size());
             const bool none = !(total > 0);
             ASSERT_EQ(log.allHidden, none);
             tally.nothingSeen += none ? 1 : 0;
@@ -234,8 +234,8 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 logged += texel.hidden ? 0 : static_cast<Truth>(texel.weight.x);
             }
             for (const FootprintTexel& texel : log.texels) {
-                const auto at = wanted.find(key(texel.u - log.footprint.centre.x, texel.v - log.footprint.centre.y));
-                ASSERT_NE(at, wanted.end()) << texel.u << " " << texel.v;
+                const auto at = expected.find(key(texel.u - log.footprint.centre.x, texel.v - log.footprint.centre.y));
+                ASSERT_NE(at, expected.end()) << texel.u << " " << texel.v;
                 ASSERT_EQ(texel.hidden, at->second.hidden) << nameOf(form) << " " << texel.u << " " << texel.v;
                 (texel.hidden ? tally.hidden : tally.seen) += 1;
                 if (none) continue;
@@ -320,7 +320,7 @@ TEST(VisibleTruth, WhatIsNotHiddenHasThePlainFiltersBits) {
     MadeFilter visible({"elliptical-visible", {{"form", "plane"}}}, picture, field, false);
     int free = 0, hidden = 0;
     for (const View& view : kTurned) {
-        for (const FilterQuery& query : askedBy(field, view)) {
+        for (const FilterQuery& query : queriesOf(field, view)) {
             FootprintLog log;
             const FootprintCounts before = visible.counts;
             const Color color = visible.at(query, &log);

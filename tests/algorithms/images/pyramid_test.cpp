@@ -117,14 +117,14 @@ TEST(Pyramid, CountsItsBytesAndLevels) {
     EXPECT_EQ(Pyramid::levelCount(65537, 1), 18);
 }
 
-TEST(Pyramid, StopsWhenNobodyWantsItAnyMore) {
+TEST(Pyramid, CanBeCancelled) {
     std::stop_source stop;
     stop.request_stop();
     Work work(2, stop.get_token());
     EXPECT_THROW(Pyramid(PyramidKind::Mean, FloatImage(64, 64), work), Cancelled);
 }
 
-TEST(Pyramid, TellsProgressOfLargeMapsToTheEnd) {
+TEST(Pyramid, ReportsProgressOfLargeMapsToTheEnd) {
     double last = -1;
     std::mutex mutex;
     const auto listener = [&](std::string_view, double fraction) {

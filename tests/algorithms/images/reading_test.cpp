@@ -259,7 +259,7 @@ TEST(Reading, WrongExtensionAndCyrillicNameWithSpaces) {
     EXPECT_EQ(heights(folder / "насправді png.jpg").info.format, "png");
 }
 
-TEST(Reading, StopsWhenNobodyWantsItAnyMore) {
+TEST(Reading, CanBeCancelled) {
     std::stop_source stop;
     stop.request_stop();
     Work work(2, stop.get_token());

@@ -96,13 +96,13 @@ Heights part(const FloatImage& whole, int width, int height) {
 // 10^6 rays over six procedural and three real maps, both surfaces, three addressings (10^7 with RELIEF_LONG).
 TEST(Exactness, millionRaysGiveIdenticalBitsInEveryExactTracer) {
     const bool longRun = std::getenv("RELIEF_LONG") != nullptr;
-    const std::size_t wanted = longRun ? 10'000'000 : 1'000'000;
+    const std::size_t rayCount = longRun ? 10'000'000 : 1'000'000;
     auto maps = proceduralMaps();
     for (auto& real : realMaps()) {
         maps.push_back(real);
         maps.emplace_back(real.first + ", a part", part(*real.second, 200, 168));
     }
-    const std::size_t perField = wanted / (maps.size() * 6) + 1;
+    const std::size_t perField = rayCount / (maps.size() * 6) + 1;
     MapCache cache;
     Work work;
     const std::vector<MethodChoice> exactChoices = choicesThatPromise(Guarantee::Exact);

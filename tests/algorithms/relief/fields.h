@@ -57,13 +57,13 @@ inline std::vector<MethodChoice> allChoices() {
     return all;
 }
 // Returns the choices with the given guarantee.
-inline std::vector<MethodChoice> choicesThatPromise(Guarantee wanted) {
+inline std::vector<MethodChoice> choicesThatPromise(Guarantee guarantee) {
     MapCache cache;
     Work work(1);
     const HeightField field(constantHeights(4, 4, 0.5F));
     std::vector<MethodChoice> some;
     for (const MethodChoice& choice : allChoices()) {
-        if (makeTracer(choice, field, cache, work)->guarantee() == wanted) some.push_back(choice);
+        if (makeTracer(choice, field, cache, work)->guarantee() == guarantee) some.push_back(choice);
     }
     return some;
 }

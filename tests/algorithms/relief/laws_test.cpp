@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-15;
 constexpr double kHeightRounding = 1e-12;
 
 // Returns all choices; or, while a method is being developed, only those of the method named in the environment.
-std::vector<MethodChoice> wantedOf(std::vector<MethodChoice> choices) {
+std::vector<MethodChoice> chosenOf(std::vector<MethodChoice> choices) {
     if (const char* const only = std::getenv("RELIEF_TRACER")) {
         const std::string name = findTracer(only).name;
         std::erase_if(choices, [&](const MethodChoice& choice) { return choice.name != name; });
@@ -31,9 +31,9 @@ class Laws : public testing::Test {
     template <class Body>
     void forEach(const std::vector<MethodChoice>& choices, const Body& body) {
         ASSERT_FALSE(choices.empty());
-        const std::vector<MethodChoice> wanted = wantedOf(choices);
-        if (wanted.empty()) GTEST_SKIP() << "the method that RELIEF_TRACER names promises no exact hit";
-        for (const MethodChoice& choice : wanted) {
+        const std::vector<MethodChoice> chosen = chosenOf(choices);
+        if (chosen.empty()) GTEST_SKIP() << "the method named by RELIEF_TRACER is not exact";
+        for (const MethodChoice& choice : chosen) {
             SCOPED_TRACE(describe(choice));
             for (const Surface surface : allSurfaces()) {
                 for (const Address address : allAddresses()) {
@@ -109,7 +109,7 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
         for (int x = 0; x < 13; ++x) shifted((x + 4) % 13, (y + 7) % 9) = (*heights)(x, y);
     }
     const Heights image = share(std::move(shifted));
-    for (const MethodChoice& choice : wantedOf(allChoices())) {
+    for (const MethodChoice& choice : chosenOf(allChoices())) {
         SCOPED_TRACE(describe(choice));
         for (const Surface surface : allSurfaces()) {
             const auto one = make(choice, HeightField(heights, surface));
@@ -136,7 +136,7 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
 // At whole periods' distance the fraction of a texel keeps its value, so the results must be the same.
 TEST_F(Laws, wholePeriodsChangeNothing) {
     const Heights heights = randomHeights(13, 9, 5);
-    for (const MethodChoice& choice : wantedOf(allChoices())) {
+    for (const MethodChoice& choice : chosenOf(allChoices())) {
         SCOPED_TRACE(describe(choice));
         for (const Surface surface : allSurfaces()) {
             const auto tracer = make(choice, HeightField(heights, surface));

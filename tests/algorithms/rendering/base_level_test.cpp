@@ -38,7 +38,7 @@ TEST(BaseLevel, isThatOfTheNarrowestPixel) {
 }
 
 // A picture so small that every pixel is examined, seen at an angle: the narrowest pixel lies in a corner.
-TEST(BaseLevel, looksAtThePixelsThemselves) {
+TEST(BaseLevel, examinesThePixelsThemselves) {
     FrameRequest view = request(0.3, 256);
     view.width = 24;
     view.height = 20;
@@ -80,8 +80,8 @@ TEST(BaseLevel, scenariosCarryBothAndRequestsTheNumber) {
     AssetStore store;
     Work work;
     const Assets assets = store.load(scenario.pictures, work);
-    const std::string asked = frameRequest(scenario, assets).method.options.at("base");
-    EXPECT_NE(asked, "auto");
+    const std::string base = frameRequest(scenario, assets).method.options.at("base");
+    EXPECT_NE(base, "auto");
 }
 
 TEST(BaseLevel, errorAndRateAreMeasured) {

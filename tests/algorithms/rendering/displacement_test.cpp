@@ -57,7 +57,7 @@ struct Agreement {
 
 // Compares every pixel's rasterised hit with the traced ray of that pixel. Pixels whose traced hit is outside the
 // polygon (under repeat and clamp tracing continues there) must be empty.
-Agreement heldAgainstTheWalk(const FrameRequest& request) {
+Agreement comparedWithTracing(const FrameRequest& request) {
     const auto frame = rendered(request);
     MapCache cache;
     Work work;
@@ -101,14 +101,14 @@ TEST(Displacement, eachSurfaceHasAMeshOfItsOwn) {
     EXPECT_EQ(meshHeights({heights, Surface::Bilinear, Address::Repeat, 0.7}, 50, cache, work), bilinear);
 }
 
-TEST(Displacement, rasterisedHitsAreTheWalksHits) {
+TEST(Displacement, rasterisedHitsAreTheTracedHits) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
         for (const Address address : allAddresses()) {
             for (const int density : {1, 7, 64, 150}) {
                 FrameRequest request = meshRequest(scene, address, density);
                 for (const double elevation : {70.0, 20.0}) {
                     request.camera.elevation = elevation;
-                    const Agreement agreement = heldAgainstTheWalk(request);
+                    const Agreement agreement = comparedWithTracing(request);
                     SCOPED_TRACE(std::string(sceneName(scene)) + " " + std::string(addressName(address)) + " density " +
                                  std::to_string(density) + " elevation " + numberText(elevation));
                     EXPECT_GT(agreement.pixels, 1000U);
@@ -127,7 +127,7 @@ TEST(Displacement, nearTrianglesAreCut) {
     request.camera.kind = Camera::Kind::Free;
     request.camera.eye = {0.02, 0.03, 0.1};
     request.camera.target = {0, -0.02, -0.3};
-    const Agreement agreement = heldAgainstTheWalk(request);
+    const Agreement agreement = comparedWithTracing(request);
     EXPECT_GT(agreement.pixels, 1000U);
     EXPECT_LE(static_cast<double>(agreement.different), 1 + kSilhouetteShare * static_cast<double>(agreement.pixels));
 }
@@ -254,7 +254,7 @@ TEST(Displacement, flatMeshesAreTheClosedForm) {
 
 // A traced hit lies on the mesh, nothing of the mesh is above the ray before it, and under repeat and clamp no ray
 // misses; checked by dense sampling of an independent height function.
-TEST(Displacement, theWalkFindsTheFirstPointOfTheMesh) {
+TEST(Displacement, tracingFindsTheFirstPointOfTheMesh) {
     constexpr int kLooks = 400;
     MapCache cache;
     Work work;

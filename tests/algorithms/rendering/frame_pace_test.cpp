@@ -69,7 +69,7 @@ TEST(FramePace, findsTheLevelAndKeepsIt) {
 
 // The level is also found if costs differ from the nominal ones (a filter that is slower or faster, or a part of each
 // frame that does not depend on the picture's size); levels that are too slow are tried more and more rarely.
-TEST(FramePace, findsTheLevelWhereCostsAreOthers) {
+TEST(FramePace, findsTheLevelIfCostsAreNotNominal) {
     Random random(11);
     for (int n = 0; n < 300; ++n) {
         std::vector<double> costs = kNominal;
@@ -162,7 +162,7 @@ TEST(FramePace, keepsTheBudgetAfterTwoFrames) {
 }
 
 // Frame times vary by a third, but the level hardly ever changes.
-TEST(FramePace, doesNotWaver) {
+TEST(FramePace, doesNotOscillate) {
     Random random(7);
     for (double speed = 0.02; speed < 4; speed *= 1.3) {
         FramePace pace = started();
@@ -192,7 +192,7 @@ TEST(FramePace, whatWasGivenUpIsCoarserAtOnce) {
 }
 
 // The time of a full picture at rest is used if it is fast, and if it is far too slow.
-TEST(FramePace, theFullPictureTells) {
+TEST(FramePace, theTimeOfAFullPictureIsUsed) {
     FramePace pace = started();
     EXPECT_GT(pace.level(), 0);
     pace.rested(0.5 * kBudget);

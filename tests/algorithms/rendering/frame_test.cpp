@@ -67,7 +67,7 @@ TEST(Frame, changingTheDepthKeepsTheMaxPyramid) {
     EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3);
 }
 
-TEST(Frame, aPixelAskedAloneGetsTheFramesRay) {
+TEST(Frame, aSinglePixelGetsTheFramesRay) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
         const FrameRequest request = brickRequest(scene);
         const auto frame = renderFresh(request, 1);
@@ -154,11 +154,11 @@ TEST(Frame, aPlateauNeedsNoTracing) {
     const auto frame = renderFresh(request, 1);
     EXPECT_EQ(frame->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_EQ(frame->counters.at(MessageId::CountRaysFlat), frame->counters.at(MessageId::CountRays));
-    EXPECT_EQ(frame->counters.at(MessageId::CountRaysHighest), 0) << "each ray counts once";
+    EXPECT_EQ(frame->counters.at(MessageId::CountRaysHighest), 0) << "each ray is counted once";
 }
 
 // Counting traces a second time: the same hits, with the counts that each ray's own log has.
-TEST(Frame, countsComeWhenAskedForAndChangeNothing) {
+TEST(Frame, countsAreMadeOnRequestAndChangeNothing) {
     FrameRequest request = brickRequest();
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());

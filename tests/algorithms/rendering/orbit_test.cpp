@@ -74,7 +74,7 @@ bool sameFrame(const Frame& a, const Frame& b) {
 }
 
 // Buffers are reused, but never while somebody still holds them.
-TEST(Orbit, buffersAreWrittenAgainOnlyWhenNobodyHoldsThem) {
+TEST(Orbit, buffersAreReusedOnlyWhenNobodyHoldsThem) {
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = orbitRequest();
@@ -93,9 +93,9 @@ TEST(Orbit, buffersAreWrittenAgainOnlyWhenNobodyHoldsThem) {
         EXPECT_TRUE(sameFrame(*frame, *alone.render(request, work))) << n;
     }
     EXPECT_GT(again, 3);
-    for (const auto& [asked, frame] : held) {
+    for (const auto& [request, frame] : held) {
         FrameRenderer alone(std::make_shared<MapCache>());
-        EXPECT_TRUE(sameFrame(*frame, *alone.render(asked, work)));
+        EXPECT_TRUE(sameFrame(*frame, *alone.render(request, work)));
     }
 }
 

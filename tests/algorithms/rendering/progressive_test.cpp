@@ -266,7 +266,7 @@ TEST(Progressive, ofAnotherReliefNothingIsKept) {
 }
 
 // While the filter's results are displayed, pictures become smaller but keep the filter.
-TEST(Progressive, theFilterIsKeptWhereItIsLookedAt) {
+TEST(Progressive, theFilterIsKeptWhileItIsDisplayed) {
     const FrameRequest request = requestFor(kFilters[0]);
     ProgressiveRenderer renderer(std::make_shared<MapCache>(), 0);
     renderer.keepFilter(true);

@@ -141,9 +141,9 @@ TEST(Shading, normalsAndLightAreThoseOfTheWorld) {
         }
     }
     // The elevation is measured from the ground towards y, the azimuth from z to x.
-    const auto near = [&](double azimuth, double elevation, glm::dvec3 wanted) {
+    const auto near = [&](double azimuth, double elevation, glm::dvec3 expected) {
         const glm::dvec3 found = lightDirection({.azimuth = azimuth, .elevation = elevation});
-        EXPECT_LT(glm::length(found - wanted), kRounding) << azimuth << " " << elevation;
+        EXPECT_LT(glm::length(found - expected), kRounding) << azimuth << " " << elevation;
     };
     near(0, 0, {0, 0, 1});
     near(90, 0, {1, 0, 0});
@@ -221,7 +221,7 @@ TEST(Shading, bumpSeesTheSlopesEvenWhereThereIsANormalPicture) {
         EXPECT_EQ(normal, glm::vec3(reliefNormal(quad, slope, frame->slabTexels)));
         steepest = std::max(steepest, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), quad.normal))));
     });
-    EXPECT_GT(steepest, 0.2) << "a relief whose normals all stand upright tells nothing";
+    EXPECT_GT(steepest, 0.2) << "a relief with only vertical normals tests nothing";
 }
 
 TEST(Shading, normalMapIsThePictureOrBaked) {

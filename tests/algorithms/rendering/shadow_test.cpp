@@ -46,7 +46,7 @@ double highestOver(const FrameRequest& request, const TexturedQuad& quad, const 
     return highest;
 }
 
-TEST(Shadows, agreeWithADenseWalkToTheLight) {
+TEST(Shadows, agreeWithDenseSamplingTowardsTheLight) {
     int allDark = 0;
     for (const char* relief : {"bricks", "hills", "city"}) {
         for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall}) {
@@ -119,7 +119,7 @@ TEST(Shadows, onlyTheLightIsDoneAgain) {
     request.light.ambient = 0.5;
     request.sky = Color(0, 1, 0);
     const auto stronger = renderer.render(request, work);
-    EXPECT_EQ(stronger->shadows, moved->shadows) << "the light's strength casts no other shadows";
+    EXPECT_EQ(stronger->shadows, moved->shadows) << "the light's intensity does not change shadows";
     EXPECT_TRUE(stronger->light->color == rendered(request)->light->color);
     request.color = std::make_shared<ColorImage>(2, 2, Color(1, 0, 0));
     EXPECT_EQ(renderer.render(request, work)->shadows, moved->shadows);

@@ -328,7 +328,7 @@ TEST(Skip, whatDidNotChangeIsNotComputedAgain) {
     renderer.render(request, work);
     request.light.azimuth += 20;
     EXPECT_GT(renderer.render(request, work)->counters.at(MessageId::CountRaysTraced), 0)
-        << "without skipping nothing is kept";
+        << "without skipping no data are reused";
 }
 
 TEST(Skip, aScenarioKeepsIt) {

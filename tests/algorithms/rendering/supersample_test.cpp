@@ -89,13 +89,13 @@ TEST(Supersample, samplesOfAPixelAreTheHitsOfItsParts) {
     request = supersampledRequest(request, kSamples);
     int hits = 0;
     for (const auto& [x, y] : std::vector<std::pair<int, int>>{{48, 40}, {40, 33}, {58, 38}, {48, 0}, {30, 36}}) {
-        std::vector<std::pair<double, double>> wanted, found;
+        std::vector<std::pair<double, double>> expected, found;
         for (int part = 0; part < kSamples * kSamples; ++part) {
             const int px = kSamples * x + part % kSamples, py = kSamples * y + part / kSamples;
             const std::size_t i = fine->index(px, py);
             if (!fine->ray(px, py) || fine->hits->hits.outcome[i] != Outcome::Hit) continue;
             const glm::dvec2 place = lookUpPoint(request.field, *fine->ray(px, py), fine->hits->hits[i]);
-            wanted.emplace_back(place.x, place.y);
+            expected.emplace_back(place.x, place.y);
         }
         for (const PixelSample& sample : pixelSamples(request, *tracer, x, y, work)) {
             found.emplace_back(sample.place.x, sample.place.y);
@@ -103,13 +103,13 @@ TEST(Supersample, samplesOfAPixelAreTheHitsOfItsParts) {
                 EXPECT_NEAR(sample.share[channel], 1.0 / (kSamples * kSamples), kFloatRounding);
             }
         }
-        std::sort(wanted.begin(), wanted.end());
+        std::sort(expected.begin(), expected.end());
         std::sort(found.begin(), found.end());
-        ASSERT_EQ(found.size(), wanted.size()) << x << ' ' << y;
+        ASSERT_EQ(found.size(), expected.size()) << x << ' ' << y;
         for (std::size_t k = 0; k < found.size(); ++k) {
             // Cameras of both sizes round differently, most of all far away.
-            EXPECT_NEAR(found[k].first, wanted[k].first, 1e-6 * (1 + std::abs(wanted[k].first)));
-            EXPECT_NEAR(found[k].second, wanted[k].second, 1e-6 * (1 + std::abs(wanted[k].second)));
+            EXPECT_NEAR(found[k].first, expected[k].first, 1e-6 * (1 + std::abs(expected[k].first)));
+            EXPECT_NEAR(found[k].second, expected[k].second, 1e-6 * (1 + std::abs(expected[k].second)));
         }
         hits += static_cast<int>(found.size());
     }
@@ -264,7 +264,7 @@ TEST(Supersample, gaussianWeightsSumToOne) {
 
 // Every part occurs once; after the first k passes, for any k, the samples are well distributed: the largest empty
 // square shrinks as 1 / sqrt k.
-TEST(Supersample, passesComeInAnEvenOrder) {
+TEST(Supersample, passesAreWellDistributed) {
     for (int samples = 1; samples <= kMaxSamples; ++samples) {
         const auto order = sampleOrder(samples);
         ASSERT_EQ(order.size(), static_cast<std::size_t>(samples * samples));
@@ -309,13 +309,13 @@ TEST(Supersample, estimatesComeNearerAndACancelledPictureIsNone) {
     const auto plain = renderer.render(request, work);
     request = supersampledRequest(request, 16);
     std::vector<ColorImage> estimates;
-    std::vector<int> told;
+    std::vector<int> reported;
     const auto frame = renderer.render(request, work, [&](const ColorImage& estimate, int done, int total) {
         EXPECT_EQ(total, 256);
-        told.push_back(done);
+        reported.push_back(done);
         estimates.push_back(estimate);
     });
-    EXPECT_EQ(told, (std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128, 192}));
+    EXPECT_EQ(reported, (std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128, 192}));
     EXPECT_EQ(frame->hits, plain->hits) << "pixel centres keep their rays";
     EXPECT_EQ(frame->counters.at(MessageId::CountSamples), 256);
     const auto apart = [&](const ColorImage& a) {
@@ -335,7 +335,7 @@ TEST(Supersample, estimatesComeNearerAndACancelledPictureIsNone) {
                                      if (done == 4) stop.request_stop();
                                  }),
                  Cancelled);
-    EXPECT_EQ(renderer.render(request, work)->light, frame->light) << "nothing half-made was kept";
+    EXPECT_EQ(renderer.render(request, work)->light, frame->light) << "no incomplete data were kept";
     request.filter.samples = 65;
     EXPECT_THROW(renderer.render(request, work), InputError);
 }

@@ -211,7 +211,7 @@ TEST(StepSentence, tellsTheKindsOfHitApart) {
 }
 
 // The text presents a map's promise as a promise; if the surface violates it, the text says so.
-TEST(StepSentence, answersAreSetAgainstTheFirstHit) {
+TEST(StepSentence, resultsAreComparedWithTheFirstHit) {
     const ViewRay ray{0, 0, 3, 4};
     const Hit hit = Hit::at(ray, 0.5);
     const Hit off = Hit::at(ray, 0.7);
@@ -236,7 +236,7 @@ TEST(StepSentence, answersAreSetAgainstTheFirstHit) {
     EXPECT_EQ(titles.size(), kDecisionNames.size());
 }
 
-TEST(StepSentence, aBrokenPromiseIsSaid) {
+TEST(StepSentence, aBrokenPromiseIsMentioned) {
     Step s = step(Decision::Advance);
     s.phase = Phase::Search;
     s.lambdaIn = s.lambdaOut = 0.1;

@@ -108,7 +108,7 @@ TEST(Variation, AChangeToWhatIsThereSwaps) {
     EXPECT_EQ(keptApart(before, after), after);
 }
 
-TEST(Variation, RivalsAreWorthIt) {
+TEST(Variation, OpponentsAreSuitable) {
     const auto exact = [](const MethodChoice& method) {
         return findTracer(method.name).guarantee == Guarantee::Exact && !method.options.contains("base");
     };

@@ -71,7 +71,7 @@ TEST(RowErrors, ExactPixelsAreExact) {
     }
 }
 
-TEST(RowErrors, StreamsAreTold) {
+TEST(RowErrors, StreamsAreReported) {
     const Homography map = test::rowOfRatio(100, 0.5, 64, 0, 1, false);
     RowOptions streams{RowVariant::Streams};
     streams.streams = 3;

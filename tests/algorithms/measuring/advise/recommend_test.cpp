@@ -16,7 +16,7 @@ namespace {
 constexpr double kAmpleSeconds = 3600;
 constexpr int kSide = 64;
 
-AdviceOptions asked(const std::string& relief, Form form = Form::Scalar, int side = kSide) {
+AdviceOptions optionsFor(const std::string& relief, Form form = Form::Scalar, int side = kSide) {
     AdviceOptions options(HeightField(std::make_shared<FloatImage>(makeRelief(relief, side, side, 1))));
     options.name = relief;
     options.form = form;
@@ -58,7 +58,7 @@ double shareBeyond(const AdviceOptions& options, const MethodChoice& method) {
 }
 
 TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
-    const AdviceOptions options = asked("bricks");
+    const AdviceOptions options = optionsFor("bricks");
     const std::vector<MethodChoice> forms = adviceForms(options.field, 10);
     for (const MeasuredMethod& method : defaultMethods()) {
         EXPECT_NE(std::find(forms.begin(), forms.end(), method.choice), forms.end()) << method.choice.name;
@@ -80,7 +80,7 @@ TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
     std::vector<double> regrets;
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         AdviceOptions options =
-            asked(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
+            optionsFor(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
         options.views = parseViews("random", "--views");
         // Unsafe maps are rejected by their errors in every case; here they would only take time.
         options.forms = adviceForms(options.field, 10);
@@ -103,7 +103,7 @@ TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
 
 // The full table, too, contains only forms within the step budget; without any such form there is no regret.
 TEST(Recommend, IsCheckedWithinTheBudgetOfSteps) {
-    AdviceOptions options = asked("bricks", Form::Scalar, kSide);
+    AdviceOptions options = optionsFor("bricks", Form::Scalar, kSide);
     options.forms = choices({"exact", "cone", "layers:layers=16"});
     options.error = 1e5;
     Work work;
@@ -116,11 +116,11 @@ TEST(Recommend, IsCheckedWithinTheBudgetOfSteps) {
     options.maxSteps = 2;
     const AdviceRegret none = adviceRegret(options, work);
     EXPECT_FALSE(none.anyIsValid());
-    EXPECT_TRUE(none.keepsBound) << "the advice says so itself";
+    EXPECT_TRUE(none.keepsBound) << "the advice itself reports this";
 }
 
 TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
-    AdviceOptions options = asked("hills");
+    AdviceOptions options = optionsFor("hills");
     options.views = parseViews("40,80", "--views");
     options.forms = choices({"exact", "offset", "layers:layers=16", "layers-secant:layers=128", "max-pyramid"});
     Work work;
@@ -140,8 +140,8 @@ TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
     EXPECT_LT(loose.best().cost, strict.best().cost);
 }
 
-TEST(Recommend, CostsAreTheStatedOnesAndHangOnTheSeedAlone) {
-    AdviceOptions options = asked("city");
+TEST(Recommend, CostsAreTheStatedOnesAndDependOnTheSeedAlone) {
+    AdviceOptions options = optionsFor("city");
     options.forms = choices({"exact", "max-pyramid", "cone", "distance-refined"});
     options.stepCost = 5;
     Work one(1);
@@ -160,7 +160,7 @@ TEST(Recommend, CostsAreTheStatedOnesAndHangOnTheSeedAlone) {
 }
 
 TEST(Recommend, KeepsTheMemory) {
-    AdviceOptions options = asked("fractal", Form::Scalar, 256);
+    AdviceOptions options = optionsFor("fractal", Form::Scalar, 256);
     options.forms = choices({"exact", "cone:precision=u8", "distance-conservative", "cone"});
     Work work;
     for (const std::int64_t memory : {std::int64_t{0}, std::int64_t{140000}, std::int64_t{64} << 20}) {
@@ -180,7 +180,7 @@ TEST(Recommend, KeepsTheMemory) {
 }
 
 TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
-    AdviceOptions options = asked("hills", Form::Simd);
+    AdviceOptions options = optionsFor("hills", Form::Simd);
     options.forms = choices({"exact", "max-pyramid", "layers:layers=8192", "cone"});
     Work work;
     const Advice advice = recommend(options, work);
@@ -212,11 +212,11 @@ TEST(Recommend, FlatMapsAreNamedAndNeedNoMap) {
             EXPECT_EQ(sentence(note).find("inf"), std::string::npos) << sentence(note);
         }
     }
-    EXPECT_FALSE(reliefFigures(asked("hills").field).flat);
+    EXPECT_FALSE(reliefFigures(optionsFor("hills").field).flat);
 }
 
 TEST(Recommend, KeepsTheStepBudget) {
-    AdviceOptions options = asked("hills");
+    AdviceOptions options = optionsFor("hills");
     options.maxSteps = 20;
     options.outliers = 0.01;
     options.error = 4;
@@ -244,8 +244,8 @@ TEST(Recommend, KeepsTheStepBudget) {
 }
 
 // Methods that violate a bound are listed with their errors, and no factor is printed as thousands of percent.
-TEST(Recommend, ApproximateMethodsStandBesideTheSafeOnes) {
-    AdviceOptions options = asked("columns");
+TEST(Recommend, ApproximateMethodsAreListedWithTheirErrors) {
+    AdviceOptions options = optionsFor("columns");
     options.forms = choices({"exact", "max-pyramid", "cone", "offset", "layers", "relaxed-cone"});
     Work work;
     const Advice advice = recommend(options, work);
@@ -302,7 +302,7 @@ TEST(Recommend, FiguresOfTheRelief) {
 }
 
 TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
-    AdviceOptions options = asked("hills");
+    AdviceOptions options = optionsFor("hills");
     options.views = parseViews("30", "--views");
     Work work;
     const FilterAdvice advice = recommendFilter(options, 1, work);
@@ -323,7 +323,7 @@ TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
 }
 
 TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {
-    AdviceOptions options = asked("bricks");
+    AdviceOptions options = optionsFor("bricks");
     options.forms = choices({"exact", "max-pyramid", "cone", "offset"});
     Work work;
     const Advice advice = recommend(options, work);

@@ -23,10 +23,10 @@ TEST(WorthSeeing, TheLargestComeFirstAndApart) {
     values[1 * 20 + 15] = 4;
     values[9] = -1;
     const auto found = largestApart(values, 20, 3, 10);
-    const std::vector<PixelWorth> wanted{{15, 8, kEndless}, {4, 3, 5}, {15, 1, 4}};
-    EXPECT_EQ(found, wanted);
+    const std::vector<PixelWorth> expected{{15, 8, kEndless}, {4, 3, 5}, {15, 1, 4}};
+    EXPECT_EQ(found, expected);
     EXPECT_EQ(largestApart(values, 20, 3, 1).size(), 1U);
-    EXPECT_EQ(largestApart(values, 20, 1, 10).size(), 4U) << "neighbours count where nothing is to lie apart";
+    EXPECT_EQ(largestApart(values, 20, 1, 10).size(), 4U) << "neighbours count if no distance is required";
 }
 
 struct Rendered : RenderedView {

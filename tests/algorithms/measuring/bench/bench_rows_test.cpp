@@ -42,12 +42,12 @@ TEST(BenchRows, TheWallFillsTheRowAndFadesAsStated) {
 TEST(BenchRows, MeasuresEveryVariantWithItsCountsAndError) {
     const RowBenchOptions options = smallOptions();
     Work work;
-    std::size_t told = 0;
-    RowBenchOptions telling = options;
-    telling.onRow = [&](const RowBenchRow&) { ++told; };
-    const auto rows = benchRows(telling, work);
+    std::size_t reported = 0;
+    RowBenchOptions reporting = options;
+    reporting.onRow = [&](const RowBenchRow&) { ++reported; };
+    const auto rows = benchRows(reporting, work);
     ASSERT_EQ(rows.size(), 2 * 2 * 2 * options.methods.size());
-    EXPECT_EQ(told, rows.size());
+    EXPECT_EQ(reported, rows.size());
     for (const RowBenchRow& row : rows) {
         SCOPED_TRACE(rowBenchCsvLine(row));
         EXPECT_GT(row.rate, 0);

@@ -216,7 +216,7 @@ TEST(BenchTracers, ExactMethodsHaveNoErrorAndLayersHave) {
 
 // With address border: a tracer that finds nothing in the left half has wrong outcomes exactly there.
 TEST(BenchTracers, WrongOutcomesUnderBorder) {
-    const auto blind = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) {
+    const auto blind = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
         if (ray.s0 < 2) hit = Hit::none(Outcome::Miss);
     };
     BenchOptions options = small({altered({"exact", {}}, blind)});
@@ -310,15 +310,15 @@ TEST(BenchTracers, RaysOfAViewComeFromItsElevation) {
     EXPECT_EQ(std::set<double>(random.a.begin(), random.a.end()).size(), 100U);
 }
 
-TEST(BenchTracers, SlowReferencesGetFewerRaysAndSaySo) {
+TEST(BenchTracers, SlowReferencesGetFewerRaysWithANote) {
     BenchOptions options = small({measuredMethod({"offset", {}})});
     options.elevations = {2.0};
     options.referenceCells = 20000;
     std::vector<std::string> notes;
     options.onNote = [&](const Message& message) { notes.push_back(sentence(message)); };
     std::int64_t rays = 0;
-    options.methods = {altered({"exact", {}}, [&](const ViewRay&, Hit&, std::uint32_t&, Asking asking) {
-        if (asking == Asking::Counting) ++rays;
+    options.methods = {altered({"exact", {}}, [&](const ViewRay&, Hit&, std::uint32_t&, Overload overload) {
+        if (overload == Overload::Counting) ++rays;
     })};
     Work work(1);
     benchTracers(options, work);

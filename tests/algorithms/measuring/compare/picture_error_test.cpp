@@ -134,12 +134,12 @@ TEST(Flip, UniformPairsAreTheirColourTerm) {
     bool below = false, above = false;
     for (const auto& [a, b] : pairs) {
         const Truth share = distance(a, b) / largest;
-        const Truth wanted = share < 0.4L ? share * 0.95L / 0.4L : 0.95L + (share - 0.4L) / 0.6L * 0.05L;
+        const Truth expected = share < 0.4L ? share * 0.95L / 0.4L : 0.95L + (share - 0.4L) / 0.6L * 0.05L;
         (share < 0.4L ? below : above) = true;
         for (const double pixelsPerDegree : {5.0, 67.0}) {
             const FloatImage errors = flipErrors(ColorImage(7, 4, a), ColorImage(7, 4, b), pixelsPerDegree, work);
             for (const float error : errors.pixels()) {
-                EXPECT_NEAR(error, static_cast<double>(wanted), kFloat) << a.x << " " << b.x;
+                EXPECT_NEAR(error, static_cast<double>(expected), kFloat) << a.x << " " << b.x;
             }
         }
     }

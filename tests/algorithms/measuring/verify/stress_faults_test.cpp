@@ -67,7 +67,7 @@ class StressFaultsTest : public ::testing::Test {
 
 class AlteredQuery final : public AnyHitQuery {
   public:
-    using Alter = std::function<void(SightBlock&, Asking)>;
+    using Alter = std::function<void(SightBlock&, Overload)>;
     using AlterLog = std::function<void(StepLog&)>;
 
     AlteredQuery(std::unique_ptr<AnyHitQuery> inner, Alter alter, AlterLog alterLog)
@@ -78,15 +78,15 @@ class AlteredQuery final : public AnyHitQuery {
     double stepBound(const AnyRay& ray) const override { return inner_->stepBound(ray); }
     void look(const AnyRayBlock& rays, SightBlock& sights, NullSink& sink, Work& work) const override {
         inner_->look(rays, sights, sink, work);
-        alter_(sights, Asking::Plain);
+        alter_(sights, Overload::Plain);
     }
     void look(const AnyRayBlock& rays, SightBlock& sights, BlockCounts& sink, Work& work) const override {
         inner_->look(rays, sights, sink, work);
-        alter_(sights, Asking::Counting);
+        alter_(sights, Overload::Counting);
     }
     void look(const AnyRayBlock& rays, SightBlock& sights, StepLog& sink, Work& work) const override {
         inner_->look(rays, sights, sink, work);
-        alter_(sights, Asking::Logging);
+        alter_(sights, Overload::Logging);
         if (alterLog_) alterLog_(sink);
     }
 
@@ -110,9 +110,9 @@ TEST_F(StressFaultsTest, FaultyQueriesAreReported) {
         return checksOf(run(StressPart::AnyHit, withQuery(alter, alterLog)));
     };
     const auto change = [](Sight from, Sight to) {
-        return [=](SightBlock& sights, Asking) { std::replace(sights.sight.begin(), sights.sight.end(), from, to); };
+        return [=](SightBlock& sights, Overload) { std::replace(sights.sight.begin(), sights.sight.end(), from, to); };
     };
-    const AlteredQuery::Alter none = [](SightBlock&, Asking) {};
+    const AlteredQuery::Alter none = [](SightBlock&, Overload) {};
     EXPECT_EQ(checks(none), Checks{});
     EXPECT_EQ(checks(change(Sight::Blocked, Sight::Clear)), Checks{"any-hit"});
     EXPECT_EQ(checks(change(Sight::Blocked, Sight::Limit)), Checks{"limit"});
@@ -121,13 +121,13 @@ TEST_F(StressFaultsTest, FaultyQueriesAreReported) {
                          if (!log.steps.empty()) log.steps.back().lambdaOut = -1;
                      }),
               Checks{"any-hit"})
-        << "in the way before the surface begins";
-    EXPECT_EQ(checks([](SightBlock& sights, Asking) {
+        << "blocked before the surface begins";
+    EXPECT_EQ(checks([](SightBlock& sights, Overload) {
                   std::fill(sights.steps.begin(), sights.steps.end(), std::numeric_limits<std::uint32_t>::max());
               }),
               Checks{"steps"});
-    EXPECT_EQ(checks([](SightBlock& sights, Asking asking) {
-                  if (asking != Asking::Plain) return;
+    EXPECT_EQ(checks([](SightBlock& sights, Overload overload) {
+                  if (overload != Overload::Plain) return;
                   for (Sight& sight : sights.sight) sight = sight == Sight::Clear ? Sight::Blocked : Sight::Clear;
               }),
               Checks{"sinks"});
@@ -274,7 +274,7 @@ TEST_F(StressFaultsTest, EveryNumberOfAFrameMustBeOne) {
                   hits.lambda[kPixel] = nan;
               })),
               "")
-        << "a miss has no place";
+        << "a miss has no position";
 }
 
 // The bound applies only to pixels that both frames hit, to s and t alike.
@@ -332,7 +332,7 @@ TEST_F(StressFaultsTest, FaultyMapsAreReported) {
 }
 
 // A fault in one of the four derivatives is reported for that one.
-TEST_F(StressFaultsTest, EachDerivativeIsHeldAgainstDifferences) {
+TEST_F(StressFaultsTest, EachDerivativeIsComparedWithDifferences) {
     Camera camera;
     camera.azimuth = 35;
     const TexturedPlane plane = makeScene(SceneKind::Floor, 64, 48).front().plane;
@@ -488,7 +488,7 @@ class StressAnswerTest : public ::testing::Test {
     std::string check(Guarantee guarantee, const Hit& hit, const Hit& reference, Address address = Address::Repeat,
                       const ViewRay& ray = kRay, Steps steps = Steps::AtBound) {
         const HeightField field(std::make_shared<FloatImage>(FloatImage(16, 12, 0.5F)), Surface::Bilinear, address);
-        const auto nothing = [](const ViewRay&, Hit&, std::uint32_t&, Asking) {};
+        const auto nothing = [](const ViewRay&, Hit&, std::uint32_t&, Overload) {};
         const AlteredTracer tracer(makeTracer({"exact", {}}, field, maps_, work_), nothing, guarantee);
         const double most = std::floor(tracer.stepBound(ray));
         const auto count = static_cast<std::uint32_t>(steps == Steps::AtBound ? most : most + 1);
@@ -576,7 +576,7 @@ TEST_F(StressAnswerTest, BeyondTheDomainOnlyWhatHoldsThere) {
 
 // --- Endless loops
 
-TEST_F(StressFaultsTest, AFrameAndAQueryThatHangAreNamed) {
+TEST_F(StressFaultsTest, AFrameAndAQueryThatHangAreReported) {
     constexpr int kMostWaits = 10'000;  // milliseconds: a hundred polls of the watchdog
     for (const StressPart part : {StressPart::Frames, StressPart::AnyHit}) {
         std::atomic<bool> named = false;
@@ -586,7 +586,7 @@ TEST_F(StressFaultsTest, AFrameAndAQueryThatHangAreNamed) {
             // Limited, so that the test fails if the ray is never reported.
             for (int n = 0; n < kMostWaits && !named; ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         };
-        StressSubjects subjects = part == StressPart::AnyHit ? withQuery([&](SightBlock&, Asking) { hang(); })
+        StressSubjects subjects = part == StressPart::AnyHit ? withQuery([&](SightBlock&, Overload) { hang(); })
                                                              : withFrame(
                                                                    [&](const FrameRequest&, int) {
                                                                        hang();

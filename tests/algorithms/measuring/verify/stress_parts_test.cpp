@@ -93,7 +93,7 @@ TEST_F(StressPartsTest, HomographiesAndRowsKeepToTheirBounds) {
     EXPECT_TRUE(report.methods.empty());
 }
 
-TEST_F(StressPartsTest, PartsHangOnTheSeedAlone) {
+TEST_F(StressPartsTest, PartsDependOnTheSeedAlone) {
     const std::set<StressPart> parts{StressPart::AnyHit, StressPart::Homographies, StressPart::Rows};
     const StressReport one = run(parts, 1);
     const StressReport two = run(parts, 2);
@@ -118,7 +118,7 @@ TEST_F(StressPartsTest, OneCaseIsTheSameAlone) {
     EXPECT_EQ(report.sizes.size(), 1U);
 }
 
-TEST_F(StressPartsTest, AWrongSightIsFound) {
+TEST_F(StressPartsTest, AWrongVisibilityIsFound) {
     const HeightField field(std::make_shared<FloatImage>(FloatImage(16, 16, 0.5F)));
     MapCache maps;
     Work work(1);

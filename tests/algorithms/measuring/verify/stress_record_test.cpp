@@ -107,14 +107,14 @@ TEST(StressRecord, ACaseIsReadBackFromItsLine) {
     EXPECT_EQ(read->parts.at("rows").refused, 2U);
     ASSERT_EQ(read->violations.size(), 2U);
     for (std::size_t n = 0; n < 2; ++n) {
-        const StressViolation &found = read->violations[n], &wanted = one.violations[n];
-        EXPECT_EQ(found.fault.check, wanted.fault.check);
-        EXPECT_EQ(found.fault.detail, wanted.fault.detail);
-        EXPECT_EQ(found.method, wanted.method);
-        EXPECT_EQ(found.rays, wanted.rays);
-        EXPECT_EQ(found.map, wanted.map);
-        EXPECT_EQ(found.command, wanted.command);
-        EXPECT_EQ(found.kind, wanted.kind);
+        const StressViolation &found = read->violations[n], &expected = one.violations[n];
+        EXPECT_EQ(found.fault.check, expected.fault.check);
+        EXPECT_EQ(found.fault.detail, expected.fault.detail);
+        EXPECT_EQ(found.method, expected.method);
+        EXPECT_EQ(found.rays, expected.rays);
+        EXPECT_EQ(found.map, expected.map);
+        EXPECT_EQ(found.command, expected.command);
+        EXPECT_EQ(found.kind, expected.kind);
     }
     EXPECT_EQ(stressCaseLine(*read), line);
 }

@@ -132,7 +132,7 @@ TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
     }
 }
 
-TEST_F(StressTest, CasesHangOnTheSeedAlone) {
+TEST_F(StressTest, CasesDependOnTheSeedAlone) {
     const StressReport one = run({}, 1);
     const StressReport two = run({}, 2);
     ASSERT_EQ(one.cases, two.cases);
@@ -146,7 +146,7 @@ TEST_F(StressTest, CasesHangOnTheSeedAlone) {
 }
 
 TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {
-    const auto later = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) {
+    const auto later = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
         if (hit.outcome == Outcome::Hit && hit.lambda > 0.25 && hit.lambda < 1) {
             hit = Hit::at(ray, std::nextafter(hit.lambda, 2));
         }
@@ -165,11 +165,11 @@ TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {
     const StressReport late = run({altered({"max-pyramid", {}}, later, Guarantee::Conservative)});
     EXPECT_NE(find(late, "overshoot"), nullptr);
     const StressReport vague = run({altered({"max-pyramid", {}}, later, Guarantee::Approximate)});
-    EXPECT_EQ(vague.violationCount, 0U) << "approximate methods promise nothing of the kind";
+    EXPECT_EQ(vague.violationCount, 0U) << "approximate methods have no such guarantee";
 }
 
 TEST_F(StressTest, EarlierIsConservative) {
-    const auto earlier = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) {
+    const auto earlier = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
         if (hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda * 0.5);
     };
     EXPECT_EQ(run({altered({"exact", {}}, earlier, Guarantee::Conservative)}).violationCount, 0U);
@@ -180,20 +180,20 @@ TEST_F(StressTest, EveryKindOfFaultIsFound) {
         const StressReport report = run({altered({"exact", {}}, alter)});
         EXPECT_NE(find(report, name), nullptr) << name << "\n" << stressText(report, 7);
     };
-    check("not-finite", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit.s = std::nan(""); });
-    check("not-finite", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) { hit = Hit::at(ray, 1.5); });
-    check("inconsistent", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit.t += 1; });
-    check("miss", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit = Hit::none(Outcome::Miss); });
-    check("limit", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit = Hit::none(Outcome::Limit); });
-    check("steps", [](const ViewRay&, Hit&, std::uint32_t& steps, Asking) { steps = 1U << 31U; });
-    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking asking) {
-        if (asking == Asking::Plain && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
+    check("not-finite", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit.s = std::nan(""); });
+    check("not-finite", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) { hit = Hit::at(ray, 1.5); });
+    check("inconsistent", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit.t += 1; });
+    check("miss", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit = Hit::none(Outcome::Miss); });
+    check("limit", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit = Hit::none(Outcome::Limit); });
+    check("steps", [](const ViewRay&, Hit&, std::uint32_t& steps, Overload) { steps = 1U << 31U; });
+    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload overload) {
+        if (overload == Overload::Plain && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
     });
-    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking asking) {
-        if (asking == Asking::Logging && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
+    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload overload) {
+        if (overload == Overload::Logging && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
     });
-    check("sinks", [](const ViewRay&, Hit&, std::uint32_t& steps, Asking asking) {
-        if (asking == Asking::Counting && steps > 0) --steps;
+    check("sinks", [](const ViewRay&, Hit&, std::uint32_t& steps, Overload overload) {
+        if (overload == Overload::Counting && steps > 0) --steps;
     });
 }
 
@@ -216,11 +216,11 @@ TEST_F(StressTest, LogsMustEndWithTheirOutcome) {
 }
 
 // A tracer in an endless loop cannot be stopped, but its ray must be reported.
-TEST_F(StressTest, ARayThatHangsIsNamed) {
+TEST_F(StressTest, ARayThatHangsIsReported) {
     std::atomic<bool> named = false;
     std::atomic<int> left = 1;
     // The tracer continues once its ray has been reported, so the test does not depend on a time.
-    const auto hang = [&](const ViewRay&, Hit&, std::uint32_t&, Asking) {
+    const auto hang = [&](const ViewRay&, Hit&, std::uint32_t&, Overload) {
         if (left.fetch_sub(1) != 1) return;
         while (!named) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     };

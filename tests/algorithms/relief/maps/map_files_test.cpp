@@ -352,7 +352,7 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
     }
 }
 
-TEST(MapFiles, usedMapsAreThoseThatTheMethodWalks) {
+TEST(MapFiles, usedMapsAreThoseOfTheMethod) {
     for (const MethodDescription& method : tracerList()) {
         const auto used = usedMap({method.name, {}});
         bool stored = false;

@@ -163,7 +163,7 @@ TEST(PackedCones, StandAboveEveryCellFarOff) {
 
 // Walls whose cone an entry can store exactly, varied by a few roundings: slopes are rounded up from the exact value
 // that the wall requires, not from a rounded one.
-TEST(PackedCones, AreSteepEnoughWhereWordsHoldSlopesExactly) {
+TEST(PackedCones, AreSteepEnoughWhereEntriesHoldSlopesExactly) {
     constexpr std::uint32_t kDepths = 0xFFFFF;  // depth bits of level ground and of its apex
     Random random(51);
     for (int n = 0; n < 400; ++n) {
@@ -222,10 +222,10 @@ TEST(PackedCones, AreKeptOnceForAllReliefDepths) {
 
 TEST(PackedCones, ReportProgressStopAndRefuse) {
     const HeightField field(needles(400, 300, 35), Surface::Bilinear, Address::Repeat, 0.1);
-    double told = 0;
-    Work telling(2, {}, [&](std::string_view, double fraction) { told = std::max(told, fraction); });
-    buildPackedCones(field, telling);
-    EXPECT_EQ(told, 1);
+    double reported = 0;
+    Work reporting(2, {}, [&](std::string_view, double fraction) { reported = std::max(reported, fraction); });
+    buildPackedCones(field, reporting);
+    EXPECT_EQ(reported, 1);
     std::stop_source source;
     source.request_stop();
     Work stopped(2, source.get_token());

@@ -114,7 +114,7 @@ TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
     }
 }
 
-TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
+TEST(PackedWalk, simdHandsRaysOverBeforeTheirHits) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const Address address : allAddresses()) {
         const HeightField field(share(makeRelief("spikes", kWide, kWide, 1)), Surface::Bilinear, address, 0.3);
@@ -145,8 +145,8 @@ TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
                 }
             }
         }
-        EXPECT_GE(refused, kLeastRefused) << "the law is not tried";
-        EXPECT_GE(unclear, kLeastUnclear) << "the law is not tried";
+        EXPECT_GE(refused, kLeastRefused) << "the property is not tested";
+        EXPECT_GE(unclear, kLeastUnclear) << "the property is not tested";
     }
 }
 

@@ -120,7 +120,7 @@ TEST_F(PaperLog, anySizeAndTheShareOfChildrenCrossed) {
             }
         }
     }
-    std::cout << "children crossed in texels that confirmed nothing: one " << children_[1] << ", two " << children_[2]
+    std::cout << "children crossed in texels without a hit: one " << children_[1] << ", two " << children_[2]
               << ", three " << children_[3] << "\n";
     // The paper states at most two children; three do occur.
     EXPECT_GT(children_[3], 0);

@@ -99,7 +99,7 @@ using RayKey = std::array<double, 4>;
 // The visited cells of the rays being traced.
 struct Noted {
     std::map<RayKey, std::size_t> numbers;
-    std::vector<LookedAtRay> rays;
+    std::vector<VisitedRay> rays;
     bool plain = true;
 };
 Noted& noted() {
@@ -140,8 +140,8 @@ void goOn(const FloatScene& scene, const PackedCones& cones, const double* const
 
 }  // namespace
 
-std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
-                                      HitBlock& hits, bool asTheReference) {
+std::vector<VisitedRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
+                                     HitBlock& hits, bool asTheReference) {
     noted() = {};
     noted().plain = asTheReference;
     noted().rays.resize(rays.size());

@@ -8,23 +8,23 @@
 namespace relief::test {
 
 // A cell before addressing, and its map entry for the ray's quadrant.
-struct LookedAt {
+struct VisitedCell {
     std::int64_t x = 0;
     std::int64_t y = 0;
     std::uint32_t word = 0;
-    bool operator==(const LookedAt&) const = default;
+    bool operator==(const VisitedCell&) const = default;
 };
 
 // begin: lambda at which the ray left its packet.
-struct LookedAtRay {
+struct VisitedRay {
     double begin = 0;
-    std::vector<LookedAt> cells;
+    std::vector<VisitedCell> cells;
 };
 
 // Traces the rays with a recording instance of the SIMD traversal. asTheReference: an instance that rounds as the
 // reference does (no fused sums, true quotients) and forms no packets; otherwise the instance that is shipped. The rays
 // must differ from each other. hits: of all rays except those flatter than the supported domain.
-std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
-                                      HitBlock& hits, bool asTheReference);
+std::vector<VisitedRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
+                                     HitBlock& hits, bool asTheReference);
 
 }  // namespace relief::test

@@ -16,7 +16,7 @@ constexpr std::uint64_t kSeed = 20261124;
 
 struct Logged {
     Hit hit;
-    std::vector<LookedAt> cells;
+    std::vector<VisitedCell> cells;
     std::vector<Step> steps;  // one per cell
 };
 
@@ -39,7 +39,7 @@ Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray
         const std::uint32_t word = words[cones.index(cx, cy)];
         if (cone != nullptr) {
             EXPECT_EQ(cone->apex, cones.heightAt(coneApexDepth(word)));
-            EXPECT_GT(1 - step.lambdaOut, cone->apex) << "nothing is promised below the apex";
+            EXPECT_GT(1 - step.lambdaOut, cone->apex) << "the cone makes no claim below its apex";
         }
         EXPECT_EQ(step.value,
                   cone != nullptr ? static_cast<double>(coneSlope(word)) : cones.heightAt(coneOwnDepth(word)));
@@ -60,7 +60,7 @@ RayBlock differentRays(const RayBlock& all) {
     return rays;
 }
 
-std::string textOf(const std::vector<LookedAt>& cells, std::size_t from) {
+std::string textOf(const std::vector<VisitedCell>& cells, std::size_t from) {
     std::string text;
     for (std::size_t n = from; n < std::min(from + 4, cells.size()); ++n) {
         text += " (" + std::to_string(cells[n].x) + ", " + std::to_string(cells[n].y) + ")";
@@ -83,20 +83,20 @@ void expectSameCells(const HeightField& field, const RayBlock& rays, std::size_t
         const auto lanes = cellsInLanes(field, *cones, rays, hits, true);
         int different = 0;
         for (std::size_t i = 0; i < rays.size() && different < 3; ++i) {
-            const auto& wanted = reference[i].cells;
+            const auto& expected = reference[i].cells;
             const auto& found = lanes[i].cells;
-            if (found == wanted) continue;
+            if (found == expected) continue;
             ++different;
             const auto at = static_cast<std::size_t>(
-                std::mismatch(wanted.begin(), wanted.end(), found.begin(), found.end()).first - wanted.begin());
+                std::mismatch(expected.begin(), expected.end(), found.begin(), found.end()).first - expected.begin());
             ADD_FAILURE() << describe(field) << ", ray " << i << ": " << describe(rays[i]) << ": step " << at << " of "
-                          << wanted.size() << " and " << found.size() << ":" << textOf(wanted, at) << " and in lanes"
-                          << textOf(found, at);
+                          << expected.size() << " and " << found.size() << ":" << textOf(expected, at)
+                          << " and in lanes" << textOf(found, at);
         }
     });
 }
 
-TEST(ConeCells, lanesLookAtThoseThatTheReferenceLogs) {
+TEST(ConeCells, simdVisitsThoseThatTheReferenceLogs) {
     constexpr std::size_t kRays = 400;
     std::size_t steps = 0;
     onAwkwardMaps(kSeed, kRays, [&](const HeightField& field, const RayBlock& rays) {
@@ -137,7 +137,7 @@ bool endsAtABorder(const CellGrid& grid, const ViewRay& ray, const Step& step) {
     return false;
 }
 
-TEST(ConeCells, lanesOfTheProductDifferOnlyWhereJumpsEndAtABorder) {
+TEST(ConeCells, shippedSimdDiffersOnlyWhereJumpsEndAtABorder) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     std::size_t steps = 0, different = 0, led = 0, rays = 0;
     for (const char* name : {"spikes", "bricks", "fractal"}) {
@@ -157,18 +157,18 @@ TEST(ConeCells, lanesOfTheProductDifferOnlyWhereJumpsEndAtABorder) {
                         led += lanes[i].begin > walk.scene().start ? 1 : 0;
                         const Logged reference = logged(walk, *cones, block[i], lanes[i].begin);
                         ASSERT_TRUE(sameBits(reference.hit, hits[i])) << i;
-                        const auto& wanted = reference.cells;
+                        const auto& expected = reference.cells;
                         const auto& found = lanes[i].cells;
-                        steps += wanted.size();
+                        steps += expected.size();
                         const auto at = static_cast<std::size_t>(
-                            std::mismatch(wanted.begin(), wanted.end(), found.begin(), found.end()).first -
-                            wanted.begin());
-                        if (at == wanted.size() && at == found.size()) continue;
+                            std::mismatch(expected.begin(), expected.end(), found.begin(), found.end()).first -
+                            expected.begin());
+                        if (at == expected.size() && at == found.size()) continue;
                         ++different;
                         ASSERT_GT(at, 0U) << "ray " << i << " begins in another cell";
                         EXPECT_TRUE(endsAtABorder(walk.scene().grid, block[i], reference.steps[at - 1]))
                             << describe(field) << ", ray " << i << ": " << describe(block[i]) << ": step " << at << ":"
-                            << textOf(wanted, at) << " and in lanes" << textOf(found, at);
+                            << textOf(expected, at) << " and in lanes" << textOf(found, at);
                     }
                 });
             }

@@ -61,7 +61,7 @@ void compare(const HeightField& field, const RayBlock& rays, bool asTheReference
     });
 }
 
-TEST(DepthNodes, lanesLookAtThoseThatTheReferenceLogs) {
+TEST(DepthNodes, simdVisitsThoseThatTheReferenceLogs) {
     constexpr std::size_t kRays = 400;
     Seen seen;
     onAwkwardMaps(kSeed, kRays,
@@ -74,7 +74,7 @@ TEST(DepthNodes, lanesLookAtThoseThatTheReferenceLogs) {
 // other nodes.
 constexpr double kMostDifferent = 0.001;
 
-TEST(DepthNodes, lanesOfTheProductDifferInRoundingOnly) {
+TEST(DepthNodes, shippedSimdDiffersInRoundingOnly) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     Seen seen;
     for (const char* name : {"spikes", "bricks", "fractal"}) {

@@ -179,7 +179,7 @@ TEST(Margins, lanesMeetTerracesAtTheirEdgesAsTheReference) {
 }
 
 // Most rays hit a plateau at the lambda at which traversal begins, next to a line or to the map's rim.
-TEST(Margins, lanesBeginBesideLinesAsTheReference) {
+TEST(Margins, simdStartsNextToLinesAsTheReference) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
     for (const HeightField& field : terraceFields(0.375F)) {
@@ -212,7 +212,7 @@ TEST(Margins, referencesMeetTerracesAtTheirEdgesAlike) {
 
 // A ray leaves a plateau one unit in the last place above it; the leaf, which rounds the plateau's height up, reports a
 // hit. So no traversal may skip that cell.
-TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
+TEST(Margins, aPlateauThatTheLeafRoundsUpIsNeverSkipped) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
     Random random(kSeed);

@@ -66,7 +66,7 @@ TEST(Lanes, haveTheBitsOfTheReferenceOnAwkwardSizes) {
 }
 
 // These maps have more entries than float has integers, and rows longer than their cells.
-TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyWords) {
+TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyEntries) {
     const Heights heights = std::make_shared<FloatImage>(makeRelief("fractal", 2101, 2005, 3));
     MapCache cache;
     for (const Address address : allAddresses()) {
@@ -100,7 +100,7 @@ TEST(Lanes, haveTheBitsOfTheReferenceForAnyNumberOfRaysAndThreads) {
 
 // Rays that pass the edges of a stair by less than the resolution of float: the exact leaf rejects candidate after
 // candidate, hundreds in one chunk.
-TEST(Lanes, haveTheBitsOfTheReferenceWhereManyCellsAreRefused) {
+TEST(Lanes, haveTheBitsOfTheReferenceWhereManyCandidatesAreRejected) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     constexpr int kSteps = 16, kTread = 8, kRows = 24;
     constexpr double kClearance = 2e-7;  // largest clearance, relative to the height
@@ -146,7 +146,7 @@ TEST(Lanes, haveTheBitsOfTheReferenceThroughVoxels) {
 
 // A cone map from a file must be used as it is, since the user wants to see its effect, wrong results included, with a
 // log and without.
-TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
+TEST(Lanes, coneMapsFromFilesAreUsedAsTheyAre) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     const HeightField field(share(makeRelief("spikes", 50, 50, kSeed)), Surface::Bilinear, Address::Repeat, 0.5);
     Work work(2);
@@ -171,11 +171,11 @@ TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
         EXPECT_TRUE(sameBits(logged[i], plain[i])) << i << ": " << describe(rays[i]);
         wrong += sameBits(plain[i], right[i]) ? 0 : 1;
     }
-    EXPECT_GT(wrong, rays.size() / 50) << "the map is not wrong enough to tell";
+    EXPECT_GT(wrong, rays.size() / 50) << "the map's error is too small for the test";
 }
 
 // With an unsafe map the traversal itself is the same as the reference's, not only its result.
-TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
+TEST(Lanes, traverseUnsafeMapsAsTheReferenceDoes) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const StepRule rule : {StepRule::Exit, StepRule::Classic}) {
         for (const Address address : allAddresses()) {
@@ -200,7 +200,7 @@ TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 wrong += sameBits(walk.trace(rays[i], sink), exact.trace(rays[i], sink)) ? 0 : 1;
             }
-            EXPECT_GT(wrong, rays.size() / 50) << "the map is not unsafe enough to tell";
+            EXPECT_GT(wrong, rays.size() / 50) << "the map's error is too small for the test";
             onEveryTarget([&] {
                 HitBlock lanes(rays.size());
                 walk.traceLanes(rays, 0, rays.size(), lanes);
@@ -213,7 +213,7 @@ TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
 }
 
 // Additional data of SIMD versions count as memory, too; cones are used by both.
-TEST(Lanes, walkTheMapOfTheReference) {
+TEST(Lanes, useTheMapOfTheReference) {
     MapCache cache;
     Work work(2);
     const HeightField field(randomHeights(40, 24, kSeed), Surface::Bilinear, Address::Repeat, 0.2);

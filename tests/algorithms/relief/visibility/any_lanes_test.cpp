@@ -122,7 +122,7 @@ LaneSteps loggedCells(const PackedConeAnyHit& query, const AnyRay& ray) {
     return cells;
 }
 
-TEST(AnyHitLanes, LookAtTheCellsThatTheReferenceLogs) {
+TEST(AnyHitLanes, VisitTheCellsThatTheReferenceLogs) {
     constexpr std::uint64_t kSeed = 133;
     constexpr std::size_t kSegments = 800;
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
