@@ -93,9 +93,9 @@ TEST(Orbit, buffersAreReusedOnlyWhenNobodyHoldsThem) {
         EXPECT_TRUE(sameFrame(*frame, *alone.render(request, work))) << n;
     }
     EXPECT_GT(again, 3);
-    for (const auto& [request, frame] : held) {
+    for (const auto& [earlier, frame] : held) {
         FrameRenderer alone(std::make_shared<MapCache>());
-        EXPECT_TRUE(sameFrame(*frame, *alone.render(request, work)));
+        EXPECT_TRUE(sameFrame(*frame, *alone.render(earlier, work)));
     }
 }
 
