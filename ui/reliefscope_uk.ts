@@ -9,6 +9,153 @@
     </message>
 </context>
 <context>
+    <name>parts</name>
+    <message>
+        <source>bottom line</source>
+        <translation>нижній рядок</translation>
+    </message>
+    <message>
+        <source>breakpoints</source>
+        <translation>точки зупинки</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>вручну</translation>
+    </message>
+    <message>
+        <source>by hand: grid</source>
+        <translation>вручну: сітка</translation>
+    </message>
+    <message>
+        <source>charts</source>
+        <translation>діаграми</translation>
+    </message>
+    <message>
+        <source>charts: drawing</source>
+        <translation>діаграми: рисунок</translation>
+    </message>
+    <message>
+        <source>compare</source>
+        <translation>порівняння</translation>
+    </message>
+    <message>
+        <source>compare: pictures</source>
+        <translation>порівняння: зображення</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>карта відстаней</translation>
+    </message>
+    <message>
+        <source>distance: marks</source>
+        <translation>карта відстаней: позначки</translation>
+    </message>
+    <message>
+        <source>duel</source>
+        <translation>двобій</translation>
+    </message>
+    <message>
+        <source>duel: drawing</source>
+        <translation>двобій: рисунок</translation>
+    </message>
+    <message>
+        <source>figure</source>
+        <translation>рисунок</translation>
+    </message>
+    <message>
+        <source>footprint</source>
+        <translation>проєкція пікселя</translation>
+    </message>
+    <message>
+        <source>footprint: marks</source>
+        <translation>проєкція пікселя: позначки</translation>
+    </message>
+    <message>
+        <source>formulas</source>
+        <translation>формули</translation>
+    </message>
+    <message>
+        <source>pane</source>
+        <translation>панель</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>профіль</translation>
+    </message>
+    <message>
+        <source>profile: marks</source>
+        <translation>профіль: позначки</translation>
+    </message>
+    <message>
+        <source>profile: relief</source>
+        <translation>профіль: рельєф</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>MIP-піраміда</translation>
+    </message>
+    <message>
+        <source>pyramid in 3-D</source>
+        <translation>MIP-піраміда 3D</translation>
+    </message>
+    <message>
+        <source>pyramid: marks</source>
+        <translation>MIP-піраміда: позначки</translation>
+    </message>
+    <message>
+        <source>pyramid: marks on slabs</source>
+        <translation>MIP-піраміда: позначки на плитах</translation>
+    </message>
+    <message>
+        <source>pyramid: slabs</source>
+        <translation>MIP-піраміда: плити</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>результат</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>рядки</translation>
+    </message>
+    <message>
+        <source>rows: drawing</source>
+        <translation>рядки: рисунок</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>сцена</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>пропущене</translation>
+    </message>
+    <message>
+        <source>step bar</source>
+        <translation>панель кроків</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>кроки</translation>
+    </message>
+    <message>
+        <source>top bar</source>
+        <translation>верхня панель</translation>
+    </message>
+    <message>
+        <source>trace 3-D</source>
+        <translation>трасування 3D</translation>
+    </message>
+    <message>
+        <source>trace 3-D: scene</source>
+        <translation>трасування 3D: сцена</translation>
+    </message>
+    <message>
+        <source>trace 3-D: step</source>
+        <translation>трасування 3D: крок</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::BookmarkDialog</name>
     <message>
         <source>Bookmarks</source>
@@ -248,14 +395,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 steps: %n rays</source>
-        <translation>
-            <numerusform>кроків %1: %n промінь</numerusform>
-            <numerusform>кроків %1: %n промені</numerusform>
-            <numerusform>кроків %1: %n променів</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 to %2 steps: %n rays</source>
         <translation>
             <numerusform>кроків від %1 до %2: %n промінь</numerusform>
@@ -286,6 +425,22 @@
     <message>
         <source>Run time against error, steps and errors of all pixels</source>
         <translation>Час роботи та похибка методів; кроки й похибки всіх пікселів</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n rays</source>
+        <translation>
+            <numerusform>%1: %n промінь</numerusform>
+            <numerusform>%1: %n промені</numerusform>
+            <numerusform>%1: %n променів</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n крок</numerusform>
+            <numerusform>%n кроки</numerusform>
+            <numerusform>%n кроків</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -825,10 +980,6 @@
         <translation>Усі на своїх відповідях</translation>
     </message>
     <message>
-        <source>first divergence</source>
-        <translation>перша розбіжність</translation>
-    </message>
-    <message>
         <source>To the first step that the exact answer contradicts (Ctrl+D)</source>
         <translation>До першого кроку, якому суперечить точна відповідь (Ctrl+D)</translation>
     </message>
@@ -871,6 +1022,10 @@
     <message>
         <source>against %1, as no other method is compared</source>
         <translation>відносно %1, бо іншого методу для порівняння немає</translation>
+    </message>
+    <message>
+        <source>divergence</source>
+        <translation>розбіжність</translation>
     </message>
 </context>
 <context>
@@ -922,6 +1077,14 @@
     <message>
         <source>Light on dark, as in the window</source>
         <translation>Світле на темному, як у вікні</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 is not written.</source>
+        <translation>Скасовано: %1 не записано.</translation>
+    </message>
+    <message>
+        <source>This pane shows nothing yet that can be exported.</source>
+        <translation>На цій панелі поки немає чого експортувати.</translation>
     </message>
 </context>
 <context>
@@ -1897,10 +2060,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
     </message>
     <message>
-        <source>There is nothing to export in this pane: choose a pixel on the relief first.</source>
-        <translation>На цій панелі нема чого експортувати: спершу виберіть піксель на рельєфі.</translation>
-    </message>
-    <message>
         <source>T&amp;each</source>
         <translation>Виклада&amp;ння</translation>
     </message>
@@ -1960,6 +2119,38 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full stop); drag the picture to look around. F1 lists all keys.</source>
         <translation>Вітаємо. Три перші дії: клацніть піксель, щоб вибрати його промінь; крокуйте ним клавішами , та . (кома, крапка); тягніть зображення, щоб оглянути сцену. F1 показує всі клавіші.</translation>
     </message>
+    <message>
+        <source>Nothing to export: no pixel is chosen. Click one in the result.</source>
+        <translation>Експортувати нема чого: піксель не вибрано. Клацніть піксель на зображенні.</translation>
+    </message>
+    <message>
+        <source>Nothing to export: the chosen pixel shows no relief. Click on the relief.</source>
+        <translation>Експортувати нема чого: вибраний піксель не показує рельєфу. Клацніть на рельєфі.</translation>
+    </message>
+    <message>
+        <source>Nothing to export: the ray of the chosen pixel meets no relief. Click another pixel.</source>
+        <translation>Експортувати нема чого: промінь вибраного пікселя не перетинає рельєфу. Клацніть інший піксель.</translation>
+    </message>
+    <message>
+        <source>Nothing to export: one picture alone. Press + in the compare pane.</source>
+        <translation>Експортувати нема чого: зображення лише одне. Натисніть + на панелі порівняння.</translation>
+    </message>
+    <message>
+        <source>The manual is not here: cmake --build build --target manual makes it, in build/manual/html.</source>
+        <translation>Посібника тут немає: його створює cmake --build build --target manual, у build/manual/html.</translation>
+    </message>
+    <message>
+        <source>No browser could be started; the manual is %1</source>
+        <translation>Браузер не вдалося запустити; посібник: %1</translation>
+    </message>
+    <message>
+        <source>Man&amp;ual</source>
+        <translation>&amp;Посібник</translation>
+    </message>
+    <message>
+        <source>The guide, the methods and the commands, in the browser</source>
+        <translation>Посібник, методи й команди у браузері</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -1970,6 +2161,17 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Close this message</source>
         <translation>Закрити це повідомлення</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::NarrowBar</name>
+    <message>
+        <source>The controls further left</source>
+        <translation>Елементи керування ліворуч</translation>
+    </message>
+    <message>
+        <source>The controls further right</source>
+        <translation>Елементи керування праворуч</translation>
     </message>
 </context>
 <context>
@@ -2344,10 +2546,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>3D</translation>
     </message>
     <message>
-        <source>The levels as slabs one above the other, and the way of the ray</source>
-        <translation>Рівні як плити одна над одною та шлях променя</translation>
-    </message>
-    <message>
         <source>step %1 · voxel (%2, %3, %4)</source>
         <translation>крок %1 · воксель (%2, %3, %4)</translation>
     </message>
@@ -2423,6 +2621,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>The levels of the pyramid and the texels that the ray looked at</source>
         <translation>Рівні MIP-піраміди й текселі, які перевірено під час трасування</translation>
+    </message>
+    <message>
+        <source>The levels above each other, each texel a slab of its own size, and the way of the ray</source>
+        <translation>Рівні один над одним: кожен тексель — плита власного розміру; шлях променя між рівнями</translation>
     </message>
 </context>
 <context>
@@ -2513,17 +2715,29 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 </context>
 <context>
     <name>reliefui::RangeText</name>
-    <message>
+    <message numerus="yes">
         <source>%1 texels</source>
-        <translation>%1 текс.</translation>
+        <translation>
+            <numerusform>%1 текс.</numerusform>
+            <numerusform>%1 текс.</numerusform>
+            <numerusform>%1 текс.</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 voxels</source>
-        <translation>%1 вокс.</translation>
+        <translation>
+            <numerusform>%1 вокс.</numerusform>
+            <numerusform>%1 вокс.</numerusform>
+            <numerusform>%1 вокс.</numerusform>
+        </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>%1 pixels</source>
-        <translation>%1 пікс.</translation>
+        <translation>
+            <numerusform>%1 пікс.</numerusform>
+            <numerusform>%1 пікс.</numerusform>
+            <numerusform>%1 пікс.</numerusform>
+        </translation>
     </message>
     <message>
         <source>own range</source>
@@ -3108,6 +3322,49 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::SlabScene</name>
+    <message>
+        <source>level %1 · %2 × %2 texels</source>
+        <translation>рівень %1 · плити %2 × %2 (у текселях)</translation>
+    </message>
+    <message>
+        <source>level %1, drawn as level %2</source>
+        <translation>рівень %1, показано як рівень %2</translation>
+    </message>
+    <message>
+        <source>level %1, not drawn</source>
+        <translation>рівень %1, не показано</translation>
+    </message>
+    <message>
+        <source>levels %1 to %2, not drawn</source>
+        <translation>рівні %1–%2, не показано</translation>
+    </message>
+    <message>
+        <source>levels %1 texels apart</source>
+        <translation>відстань між рівнями, у текселях: %1</translation>
+    </message>
+    <message>
+        <source>heights × 1/%1</source>
+        <translation>висоти × 1/%1</translation>
+    </message>
+    <message>
+        <source>heights to scale</source>
+        <translation>висоти в масштабі</translation>
+    </message>
+    <message>
+        <source>maxima</source>
+        <translation>максимуми</translation>
+    </message>
+    <message>
+        <source>means</source>
+        <translation>середні</translation>
+    </message>
+    <message>
+        <source>minima</source>
+        <translation>мінімуми</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::StateKeeper</name>
     <message>
         <source>%1 cannot be written</source>
@@ -3233,6 +3490,18 @@ Click to switch the method to %1</source>
     <message>
         <source>hidden until somebody has guessed</source>
         <translation>приховано, доки хтось не зробить припущення</translation>
+    </message>
+    <message>
+        <source>figure: %1</source>
+        <translation>рисунок: %1</translation>
+    </message>
+    <message>
+        <source>Footprint ellipses: %1, semi-axes off by up to %2 %</source>
+        <translation>Еліпси проєкцій: %1, півосі відхиляються щонайбільше на %2 %</translation>
+    </message>
+    <message>
+        <source>footprint axes ±%1 %</source>
+        <translation>осі проєкцій ±%1 %</translation>
     </message>
 </context>
 <context>

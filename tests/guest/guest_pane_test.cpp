@@ -35,7 +35,8 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
     const QTemporaryDir folder;
     saveFigure(view, folder.filePath(QStringLiteral("numbers.pdf")));
     EXPECT_TRUE(validFigure(folder.filePath(QStringLiteral("numbers.pdf"))));
-    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), scenario()), {}, 400);
+    relief::Work work;
+    const QImage image = figureImage(*figureKind("numbers").make(snapshot(), scenario()), {}, 400, work);
     EXPECT_GT(colorsIn(image), 10);
     // Its state can be undone, and is saved and validated like that of any other pane.
     const QImage before = grab(canvas);

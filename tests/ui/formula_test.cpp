@@ -245,7 +245,9 @@ TEST(Formula, TheTexelThatIsPointedAtHasItsNumbers) {
         EXPECT_NEAR(v["U"], texel.u - f.log.footprint.centre.x, 1e-12);
         EXPECT_NEAR(v["r²"], relief::squaredRadius(f.log.footprint.ellipse, v["U"], v["V"]), 1e-12);
         EXPECT_EQ(v.contains("w / Σw"), !texel.hidden);
-        if (!texel.hidden) EXPECT_NEAR(v["w / Σw"], PixelFootprint::weightOf(texel) / f.weightSum, 1e-9);
+        if (!texel.hidden) {
+            EXPECT_NEAR(v["w / Σw"], PixelFootprint::weightOf(texel) / f.weightSum, 1e-9);
+        }
         EXPECT_NE(groups.back().note.find("under the pointer"), std::string::npos);
     }
 }

@@ -37,7 +37,10 @@ class LegendRows {
     // A mark of a decision, and its name; one entry for each that is `seen`.
     void decisions(const std::array<bool, relief::kDecisionNames.size()>& seen);
 
+    // Entries of several signs: the place of an entry of this width at the middle of its row, its signs, and its words.
+    Point place(double width);
     void add(Role role, Primitive primitive, LevelTint tint = {}, Emphasis emphasis = Emphasis::Normal);
+    void text(Point at, relief::Message message);
     // What follows begins a row.
     void newRow();
     Drawing take();
@@ -46,10 +49,6 @@ class LegendRows {
     static constexpr double kBetween = 9;
 
   private:
-    // The place of an entry of this width; the middle of its row.
-    Point place(double width);
-    void text(Point at, relief::Message message);
-
     double width_;
     relief::Language language_;
     double x_ = 0;

@@ -114,10 +114,6 @@ void addMissing(Drawing& drawing, const CompareTile& tile, const Box& room) {
                       .plate = tile.veiled});
 }
 
-bool beside(const CompareSource& source) {
-    return source.mode == CompareMode::Tiles || source.mode == CompareMode::Difference;
-}
-
 // Below pictures that share a place: name and numbers of one.
 std::vector<std::string> numberLines(const CompareTile& tile, double width, relief::Language language) {
     std::vector<std::string> all{tile.name};

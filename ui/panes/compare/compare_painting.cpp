@@ -35,11 +35,11 @@ void drawReduced(QPainter& painter, const QImage& image, const QRectF& target, b
 ComparePage comparePage(const CompareSource& source, const Box& page, const Style& style, bool whole) {
     ComparePage parts;
     const double unit = style.pixelsPerPoint();
-    const double width = page.width() / unit - 2 * kFigureMargin;
-    parts.legend = compareLegend(source, width, style.language);
+    const double legendWidth = page.width() / unit - 2 * kFigureMargin;
+    parts.legend = compareLegend(source, legendWidth, style.language);
     if (!whole && parts.legend.bounds.height() * unit > kMostLegend * page.height()) {
         // What the numbers are they say themselves; what the colours are only the scale.
-        parts.legend = compareScale(source, width, style.language);
+        parts.legend = compareScale(source, legendWidth, style.language);
     }
     parts.room = figureRoom(parts.legend, page, style);
     const double width = std::max(kLeastSide, parts.room.width() / unit);

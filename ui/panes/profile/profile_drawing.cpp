@@ -225,7 +225,7 @@ void addLevelRange(LegendRows& rows, const std::vector<int>& levels, int all) {
     const Point at = rows.place(length + 4 + rows.textRoom(what) + LegendRows::kBetween);
     double x = at.x;
     for (const int level : levels) {
-        rows.add(Role::Plateau, Polyline{{{x, at.y}, {x + kPiece, at.y}}, false}, {level, all});
+        rows.add(Role::Plateau, Polyline{{{x, at.y}, {x + kPiece, at.y}}}, {level, all});
         x += kPiece;
     }
     rows.text({x + 4, at.y}, what);
