@@ -1,11 +1,12 @@
 # shellcheck shell=bash
-# What app/run and tests/run share: installing what is missing, configuring, building. Sourced, not run.
-# Everything said here goes to stderr; what could not be done is one line that begins with "reliefscope:".
-# shellcheck disable=SC2034  # the lists are for those who source this
+# Functions shared by app/run and tests/run: install missing packages, configure, build. Sourced, not executed.
+# All messages go to stderr; a step that failed is reported in one line that begins with "reliefscope:".
+# shellcheck disable=SC2034  # the lists are used by the scripts that source this file
 
 reliefRoot=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 
-# Packages of Debian 12. Without the first group nothing is built; without the others their part is left out.
+# Packages of Debian 12. The first group is mandatory; if others are missing, the program or tests that need them are
+# not built.
 reliefPackagesBuild=(g++ cmake ninja-build libopenimageio-dev openimageio-tools libglm-dev libcli11-dev
     nlohmann-json3-dev libtbb-dev libhwy-dev ccache)
 reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools
@@ -19,7 +20,7 @@ reliefDie() {
     exit 1
 }
 
-# Runs a command quietly; its last lines are shown if it fails.
+# Runs a command silently; shows the last lines of its output if it fails.
 reliefQuietly() {
     local log status=0
     log=$(mktemp)
@@ -29,17 +30,17 @@ reliefQuietly() {
     return "$status"
 }
 
-# Prints those of the packages that are not installed.
+# Prints the packages that are not installed.
 reliefMissing() {
     local installed package
-    # dpkg-query fails if it has never heard of one of them; what it prints of the others still counts.
+    # dpkg-query fails if any package is unknown to it; its output about the others is still valid.
     installed=$(dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null || true)
     for package in "$@"; do
         grep -Fxq -- "ii $package" <<<"$installed" || printf '%s\n' "$package"
     done
 }
 
-# Prints how commands are run as root ("env", or "sudo env"); fails where they cannot be.
+# Prints the prefix that runs a command as root ("env", or "sudo env"); fails if there is no way to do so.
 reliefAsRoot() {
     if [ "$(id -u)" -eq 0 ]; then
         echo "env"
@@ -56,7 +57,7 @@ reliefApt() {
     reliefQuietly "${asRoot[@]}" DEBIAN_FRONTEND=noninteractive apt-get -y -o DPkg::Lock::Timeout=120 "$@"
 }
 
-# Installs packages; a second time with fresh lists if that fails (stale lists, another apt at work).
+# Installs packages. If that fails (outdated lists, another apt running), updates the lists and tries again.
 reliefInstall() {
     if [ "$(reliefAsRoot)" = "sudo env" ] && ! sudo -n true 2>/dev/null; then sudo -v || return 1; fi
     local attempt
@@ -78,8 +79,8 @@ reliefHasApt() {
     case " $ID $ID_LIKE " in *" debian "* | *" ubuntu "*) command -v apt-get >/dev/null ;; *) return 1 ;; esac
 }
 
-# reliefNeed PACKAGE...: sees to it that they are there. Ends with one line only where not even the tools to build with
-# can be had; what else is missing is found, and named, by CMake.
+# reliefNeed PACKAGE...: installs the packages that are missing. Exits with a one-line message only if not even the
+# build tools are available; other missing packages are detected and named by CMake.
 reliefNeed() {
     local missing=()
     if ! reliefHasApt; then
@@ -104,7 +105,7 @@ reliefHasTools() {
     command -v cmake >/dev/null && command -v ninja >/dev/null && { command -v c++ || command -v g++; } >/dev/null
 }
 
-# The locale under which the tests look for a decimal comma; tests that want it are left out where it cannot be made.
+# Makes the locale with which the tests check for decimal commas; tests that need it are skipped if it cannot be made.
 reliefNeedLocale() {
     local asRoot
     if locale -a 2>/dev/null | grep -qi '^uk_UA\.utf-\?8$'; then return 0; fi
@@ -114,8 +115,8 @@ reliefNeedLocale() {
     reliefQuietly "${asRoot[@]}" localedef -i uk_UA -f UTF-8 uk_UA.UTF-8 || reliefSay "could not be made; going on"
 }
 
-# reliefConfigure FOLDER OPTION...: CMake with Ninja. A folder that was configured elsewhere (a copied or renamed
-# checkout) or for another generator is configured afresh.
+# reliefConfigure FOLDER OPTION...: runs CMake for Ninja. A folder that was configured elsewhere (a copied or renamed
+# checkout) or for another generator is configured from scratch.
 reliefConfigure() {
     local folder=$1 cache=$1/CMakeCache.txt line
     shift
@@ -128,12 +129,12 @@ reliefConfigure() {
     reliefQuietly cmake -G Ninja -S "$reliefRoot" -B "$folder" "$@" || reliefDie "could not be configured (see above)"
 }
 
-# reliefBuild FOLDER TARGET...: those targets, or everything.
+# reliefBuild FOLDER TARGET...: builds the targets, or everything.
 reliefBuild() {
     local folder=$1
     shift
     cmake --build "$folder" ${1:+--target "$@"} >&2 </dev/null || reliefDie "could not be built (see above)"
 }
 
-# reliefHasTarget FOLDER TARGET: whether the configured folder knows it.
+# reliefHasTarget FOLDER TARGET: succeeds if the configured folder has the target.
 reliefHasTarget() { grep -q -- "^build $2: phony " "$1/build.ninja"; }

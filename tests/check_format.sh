@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Whether all our C++ is formatted as .clang-format says. Exit status 0 yes, 1 no (each place is named), 77 cannot tell.
-# Versions of clang-format differ in detail; ours is that of Debian 12, and no other is asked.
+# Checks that all C++ sources are formatted as .clang-format says. Exit status 0: they are; 1: they are not (each place
+# is named); 77: cannot be checked. Versions of clang-format differ in detail; the one of Debian 12 is required.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
@@ -11,7 +11,7 @@ if [ -z "$tool" ] || [[ "$("$tool" --version)" != *"version $version."* ]]; then
     echo "clang-format $version is not there: the format is not checked"
     exit 77
 fi
-# Tracked files; all of them where this is no checkout of git (an unpacked archive).
+# Checks tracked files, or all files if this is not a git checkout (an unpacked archive).
 mapfile -d '' -t files < <(git ls-files -z -- 'algorithms/*.cpp' 'algorithms/*.h' 'ui/*.cpp' 'ui/*.h' 'app/*.cpp' \
     'app/*.h' 'tests/*.cpp' 'tests/*.h' 2>/dev/null ||
     find algorithms ui app tests \( -name '*.cpp' -o -name '*.h' \) -print0)

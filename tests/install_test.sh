@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs, moves what was installed, and uses it there: headers, library, CMake and pkg-config packages, programs, data
+# Installs, moves the installed tree, and uses it there: headers, library, CMake and pkg-config packages, programs, data
 # sets, lessons, manual pages, completion.
 #   install_test.sh CMAKE BUILD SOURCES [options of cmake for tests/example]
 set -euo pipefail
@@ -8,7 +8,7 @@ shift 3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 fail() { echo "$1"; exit 1; }
-# What the library was compiled with holds for a program without CMake, too.
+# A program built without CMake needs the compiler flags of the library, too.
 flags=
 for option in "$@"; do
     case $option in
@@ -25,7 +25,7 @@ if grep -rF -e "$sources" -e "$build" -e "$folder" "$prefix"/include "$prefix"/l
 fi
 if find "$prefix/include" -name '*-inl.h' | grep .; then fail "private headers are installed"; fi
 
-# A program of somebody else's, with the package found in its new place; and all headers in one source, in two orders.
+# An external program finds the package in its new place. Then all headers in one source, in two orders.
 project=$folder/project
 cp -r "$sources/tests/example" "$project"
 (cd "$prefix/include/relief" && find . -name '*.h' | sort | sed 's|^\./|#include <relief/|; s|$|>|') >"$project/all_headers.cpp"
@@ -36,28 +36,28 @@ grep -qF "relief_DIR:PATH=$prefix" "$project/build/CMakeCache.txt" || fail "anot
 "$cmake" --build "$project/build" -j2 >"$folder/log" || { cat "$folder/log"; exit 1; }
 "$project/build/example" | grep '^hit at texel'
 
-# The same program without CMake.
+# The same program, built without CMake.
 if command -v pkg-config >/dev/null; then
     pc=$(find "$prefix" -name relief.pc)
     export PKG_CONFIG_PATH=${pc%/*}
-    # Spaces of the folder's name come escaped.
+    # Spaces in the folder's name are escaped.
     eval "${CXX:-g++} -std=c++20 $flags '$project/main.cpp' $(pkg-config --cflags --libs relief) -o '$folder/plain'"
     "$folder/plain" | grep '^hit at texel'
 fi
 
-# The programs, with none of the checkout's folders named. Neither start loads OpenImageIO and what it needs.
+# The programs run without access to the checkout's folders. Neither loads OpenImageIO or its dependencies at start.
 cd "$folder"
 share=$prefix/share
 relief=$prefix/bin/relief
 if ldd "$relief" | grep -i openimageio; then fail "OpenImageIO is loaded at every start"; fi
 "$relief" render -q --height "$share/reliefscope/datasets/gray_rocks/height.png" --size 60x40 -o rocks.png
 [ -s rocks.png ]
-# What comes with the program is found from its place: here the installed, not the checkout's.
+# Shipped files are found relative to the program: here the installed ones, not the checkout's.
 cp "$share/reliefscope/datasets/brick_tiles037/height.jpg" "$share/reliefscope/datasets/brick_tiles037/moved.jpg"
 "$relief" info datasets/brick_tiles037/moved.jpg | grep -F moved.jpg
 "$relief" render -q lessons/missed_spike.json --size 60x40 -o lesson.png
 [ -s lesson.png ]
-# Without its plug-in the program says so, and everything without pictures goes on.
+# Without its plug-in for pictures the program reports that, and everything that needs no pictures works.
 mv "$prefix/lib/reliefscope/relief_pictures.so" .
 status=0
 "$relief" info rocks.png 2>said || status=$?
@@ -65,7 +65,7 @@ if [ "$status" -ne 2 ] || ! grep -q 'relief_pictures.so: cannot be read' said; t
 "$relief" list >listed
 mv relief_pictures.so "$prefix/lib/reliefscope"
 
-# A manual page for each program and command, which groff takes without a warning.
+# There is a manual page for each program and command, and groff formats it without warnings.
 for command in $("$relief" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/-\1/p') ''; do
     page=$(find "$share/man/man1" -name "relief$command.1*")
     [ -n "$page" ] || fail "relief$command has no manual page"
@@ -74,13 +74,13 @@ for command in $("$relief" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/
     ! command -v man >/dev/null || grep -q '^EXIT STATUS' text || fail "$page tells no exit status"
 done
 
-# Completion: what the last of WORD... becomes: becomes EXPECTED WORD...
+# becomes EXPECTED WORD...: checks that bash completes the last WORD to EXPECTED.
 completions=$share/bash-completion/completions
 becomes() {
     local expected=$1
     shift
     COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
-    # Outside of a completion bash has no options to set for one: that fails, and may.
+    # compopt fails outside an interactive completion; that is expected.
     "_$1" || true
     [ "${COMPREPLY[*]}" = "$expected" ] || fail "$*: completed by ${COMPREPLY[*]}, not $expected"
 }
@@ -94,7 +94,7 @@ becomes --address relief render --addr
 becomes rocks.png relief render --height roc
 
 if [ -e "$prefix/bin/reliefscope" ]; then
-    # Without a file it shows the stone wall, whose pictures it finds from its own place.
+    # Without a file it shows the stone wall, whose pictures it finds relative to its own location.
     export HOME=$folder
     [ -n "$(find "$share/man/man1" -name 'reliefscope.1*')" ] || fail "reliefscope has no manual page"
     # shellcheck source=/dev/null

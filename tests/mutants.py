@@ -3,13 +3,13 @@
 
     tests/mutants.py FOLDER N SEED [RULE]      called by: tests/run --mutants N [--seed S] [--rule RULE]
 
-FOLDER gets a copy of the sources (source/), their build (source/build/) and what was found, a line of JSON a fault, in
-seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): a run that was stopped goes on from there, unless the sources have
-changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; what does
-not compile is drawn anew. Each fault is built by itself and tried with the tests whose files fit it by name, then with
-those of the same folder, until one fails. The undetected ones are then put in together and all tests run, once; the
-suites that fail are run with each fault by itself. A suite that passes with all faults is taken to pass with each:
-where faults mask each other that is wrong, so survivors may be counted that are none.
+FOLDER receives a copy of the sources (source/), their build (source/build/) and the results, one line of JSON per fault,
+in seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): an interrupted run resumes from there, unless the sources have
+changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; one that
+does not compile is replaced by another. Each fault is built separately and tried with the tests whose files match it by
+name, then with those of the same folder, until one fails. The undetected faults are then inserted together and all tests
+are run once; the suites that fail are run again with each fault separately. A suite that passes with all faults is
+assumed to pass with each. If faults mask each other this is wrong, so the number of survivors may be too high.
 """
 
 import filecmp
@@ -25,20 +25,20 @@ import sys
 import time
 from pathlib import Path
 
-# Seconds after which a suite has failed: a fault may be a loop without end. None takes a third as long without one. Set
-# when configuring: a test's own TIMEOUT overrides ctest's --timeout.
+# Timeout of a suite in seconds: a fault may cause an endless loop. Without a fault no suite takes a third of it. Set
+# when configuring, because a test's own TIMEOUT overrides ctest's --timeout.
 PATIENCE = 300
-# Bytes of address space that a process may have.
+# Limit of a process's address space, in bytes.
 MEMORY = 16 << 30
-# The test program that a folder's faults are tried with first, and its tests.
+# The test program that is tried first with faults of each folder, and its tests.
 PROGRAMS = {"algorithms": ("relief_tests", "algorithms"), "app": ("relief_cmd_tests", "cmd"),
             "ui": ("reliefui_tests", "ui")}
-# Not of what the program does: a fault may put a line out of form.
+# Tests that do not test behaviour: a fault may break the formatting of a line.
 NOT_TESTS = r"^(format)$"
 
 NAME = r"[A-Za-z_][\w.]*(?:\[\w+\])?"
-# Name, what is replaced, by what. Binary operators have blanks beside them (clang-format), angle brackets of templates
-# do not.
+# Name, pattern, replacement. Binary operators are surrounded by blanks (clang-format), angle brackets of templates are
+# not.
 RULES = [
     ("bound", r"(?<= )<(?= )", "<="),
     ("bound", r"(?<= )<=(?= )", "<"),
@@ -62,7 +62,7 @@ RULES = [
     ("sign", r"(?<=\()-(?=[A-Za-z_(])", ""),
     ("truth", r"\btrue\b", "false"),
     ("truth", r"\bfalse\b", "true"),
-    # Of all constants, those named as margins are (algorithms/relief/margins.md).
+    # Of all constants, those that are named as margins (algorithms/relief/margins.md).
     ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Lower|LeastRun|Round\w*|Late|Away|Aside|"
                r"Nudge|Unsure|Clearance) = [^;]+(?=;)",
      lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
@@ -73,7 +73,7 @@ RULES = [
 
 
 def code_lines(text):
-    """(number, line) of those that are code: no comment, no directive, no text in quotes."""
+    """Yields (number, line) of the lines that are code: not comments or directives, without string literals."""
     block = False
     for number, line in enumerate(text.split("\n")):
         bare = line.strip()
@@ -84,7 +84,7 @@ def code_lines(text):
 
 
 def candidates(source):
-    """By rule: all places, as (file, line, from, to, what stands there then)."""
+    """Returns for each rule all its places, as (file, line, begin, end, replacement)."""
     found = {}
     for folder in ("algorithms", "app", "ui"):
         for path in sorted((source / folder).rglob("*")):
@@ -104,7 +104,7 @@ def candidates(source):
 
 
 def suites_of(source):
-    """Suite to its test file, as ctest names both."""
+    """Maps each suite, named as in ctest, to its test file."""
     suites = {}
     for path in sorted((source / "tests").rglob("*_test.cpp")):
         if path.parent.name == "guest":
@@ -115,16 +115,16 @@ def suites_of(source):
 
 
 def fitting(source, suites, mutated):
-    """Two lists of suites: whose file fits the mutated one by name or includes it; the others of the same folder."""
+    """Returns two lists of suites: those whose file matches the mutated one by name or includes it; the others of the same folder."""
     file = Path(mutated)
     stem = re.sub(r"(_lanes|-inl)$", "", file.stem)
     header = str(Path(*file.parts[1:]).with_suffix(".h")).removeprefix("include/")
-    # Of a source whose header is public.
+    # For a source whose header is public.
     if not any((source / "algorithms" / top / header).exists() for top in ("", "include")):
         header = "relief/" + file.with_suffix(".h").name
     include = '"' + header + '"'
     folder = source / "tests" / str(file.parent).replace("algorithms/include/", "algorithms/")
-    # A folder without tests of its own is tested by the one above it.
+    # A folder without tests of its own is tested by those of its parent.
     while folder not in {path.parent for path in suites.values()} and folder != source / "tests":
         folder = folder.parent
     near, beside = [], []
@@ -137,7 +137,7 @@ def fitting(source, suites, mutated):
 
 
 def refresh(source):
-    """Makes the copy what the checkout is; returns whether anything changed. Files that are the same stay as they are."""
+    """Updates the copy to the state of the checkout; returns True if anything changed. Equal files are not touched."""
     changed = False
     root = Path(__file__).resolve().parent.parent
     for name in ("CMakeLists.txt", "README.md", "algorithms", "app", "datasets", "tests", "ui"):
@@ -168,7 +168,7 @@ def named(suites):
 
 
 def failures(build, only=None, *options):
-    """The tests that fail, of all or of these suites."""
+    """Runs all suites, or only these; returns the tests that fail."""
     if only is not None and not only:
         return []
     command = ["ctest", "--test-dir", str(build), "-j2", "-E", NOT_TESTS, *options]
@@ -183,17 +183,17 @@ def failures(build, only=None, *options):
 
 
 def first_failure(build, only=None):
-    """The suite that fails first, or None."""
+    """Returns the suite that fails first, or None."""
     return next(iter(failures(build, only, "--stop-on-failure")), None)
 
 
 def first_of(build, groups):
-    """The suite that fails first, the groups of suites in turn, or None."""
+    """Runs the groups of suites in order; returns the suite that fails first, or None."""
     return next((by for group in groups if (by := first_failure(build, group))), None)
 
 
 def noticed_in_turn(source, build, suites, groups):
-    """The same; for each group only what it needs is built."""
+    """The same, but builds for each group only the programs that it needs."""
     for group in filter(None, groups):
         if not builds(build, *programs_of(source, suites, group)):
             return "the build"
@@ -203,7 +203,7 @@ def noticed_in_turn(source, build, suites, groups):
 
 
 def likely_first(source, suites, tests, mutated):
-    """These tests in three groups: of the mutated file's folder, of its library, others."""
+    """Splits the tests into three groups: those of the mutated file's folder, of its library, all others."""
     groups = [[], [], []]
     for test in tests:
         path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test), source)
@@ -213,7 +213,7 @@ def likely_first(source, suites, tests, mutated):
 
 
 def programs_of(source, suites, tests):
-    """Targets to build for these tests; none, with which ninja builds all, where a test has no program of its own."""
+    """Returns the targets to build for these tests; an empty list (ninja builds everything) if a test has no program of its own."""
     programs = set()
     for test in tests:
         path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test))
@@ -225,7 +225,7 @@ def programs_of(source, suites, tests):
 
 
 def builds(build, *programs):
-    """Whether it builds; the build runs the test programs to list their tests, so it may not end either."""
+    """Returns True if the build succeeds. It has a timeout: the build runs the test programs to list their tests, and these may not end."""
     command = ["ninja", "-C", str(build), *programs]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL,
                           start_new_session=True) as ran:
@@ -237,7 +237,7 @@ def builds(build, *programs):
 
 
 def noticed_nearby(source, build, suites, name):
-    """The suite that notices the fault in a file among those that fit it, or None; False: it does not compile."""
+    """Returns the suite that notices the fault among those that match the file, None if none does, False if it does not compile."""
     if not builds(build, PROGRAMS[Path(name).parts[0]][0]):
         return False
     return first_of(build, fitting(source, suites, name))
@@ -251,7 +251,7 @@ class Altered:
         self.places = [(source / place[0], *place[1:]) for place in places]
 
     def __enter__(self):
-        # From the end, so that what is replaced does not move what is still to be.
+        # From the end, so that a replacement does not move the places of the others.
         for path, number, begin, end, new in sorted(self.places, reverse=True, key=lambda place: place[:3]):
             lines = path.read_text().split("\n")
             lines[number] = lines[number][:begin] + new + lines[number][end:]
@@ -263,7 +263,7 @@ class Altered:
 
 
 def tried(source, build, suites, place):
-    """What became of a fault with the tests that fit it; None: it does not compile."""
+    """Tries a fault with the tests that match its file; returns the record of the result, or None if it does not compile."""
     name, number, begin, end, new = place
     old = (source / name).read_text().split("\n")[number]
     result = {"place": place, "file": name, "line": number + 1, "old": old.strip(),
@@ -276,7 +276,7 @@ def tried(source, build, suites, place):
 
 
 def tried_together(source, build, suites, left, record):
-    """All tests, with all the faults at once that those which fit did not notice; then what failed, with each."""
+    """Runs all tests with all faults at once that the matching tests did not notice; then runs the tests that failed with each fault."""
     if not left:
         return
     known = [json.loads(line) for line in record.read_text().splitlines()] if record.exists() else []
@@ -290,7 +290,8 @@ def tried_together(source, build, suites, left, record):
     if not known or known[0]["places"] != asked:
         record.unlink(missing_ok=True)
         known.clear()
-        # Of two faults in one line the second could stand elsewhere by then, and what one takes out the other needs.
+        # Of two faults in one line, the second could be misplaced by the first, or one could remove what the other
+        # replaces.
         lines = [tuple(place[:2]) for place in asked]
         apart = [place for place, line in zip(asked, lines) if lines.count(line) == 1]
         with Altered(source, apart):
@@ -325,14 +326,14 @@ def table(results):
 def main():
     folder, count, seed = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     rule = sys.argv[4] if len(sys.argv) > 4 else None
-    # The build lies in the sources as in a checkout, so that the compiler cache serves it.
+    # The build folder lies within the sources as in a checkout, so that the compiler cache is hit.
     source = folder / "source"
     build = source / "build"
     record = folder / f"seed-{seed}{'-' + rule if rule else ''}.jsonl"
-    # A fault may take all memory there is.
+    # A fault may exhaust the memory.
     most = resource.getrlimit(resource.RLIMIT_AS)[1]
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY if most < 0 else min(MEMORY, most), most))
-    passed = folder / "passed"  # all tests, without a fault
+    passed = folder / "passed"  # marks that all tests pass without a fault
     if refresh(source):
         for stale in (passed, record, record.with_suffix(".together.jsonl")):
             stale.unlink(missing_ok=True)
@@ -351,7 +352,7 @@ def main():
         passed.touch()
     drawn, seen, results = random.Random(seed), set(), []
     while len(results) < count and len(seen) < sum(len(places[name]) for name in rules):
-        # Each rule as often as any other, however many places it has.
+        # Each rule is chosen equally often, however many places it applies to.
         place = drawn.choice(places[drawn.choice(rules)])
         if place in seen:
             continue

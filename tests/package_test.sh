@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian package in a bare Debian 12 and starts the programs there. By hand: needs root, debootstrap, and
-# Debian's packages from a mirror; takes some minutes and 3 GB in ROOT (a new folder below /tmp; kept where it is named).
+# Installs the Debian package in a bare Debian 12 and starts the programs there. To be run by hand: needs root,
+# debootstrap, and Debian's packages from a mirror; takes some minutes and 3 GB in ROOT (default: a new folder below
+# /tmp, removed afterwards; a ROOT that is given is kept).
 #   cmake --build build && (cd build && cpack -G DEB) && tests/package_test.sh build/reliefscope_*.deb [ROOT [MIRROR]]
 set -euo pipefail
 package=$(realpath "$1")
@@ -15,7 +16,7 @@ trap leave EXIT
 fail() { echo "$1"; exit 1; }
 
 [ -x "$root/usr/bin/apt-get" ] || debootstrap --variant=minbase bookworm "$root" "$mirror"
-# Where programs learn their own place.
+# The programs determine their own location through /proc.
 mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
 cp "$package" "$root/tmp/reliefscope.deb"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp DEBIAN_FRONTEND=noninteractive "$@"; }
@@ -27,7 +28,7 @@ inside sh -c 'cd /tmp && relief make bricks -o bricks.png && relief render --hei
 inside relief info datasets/gray_rocks/height.png
 inside sh -c 'cd /tmp && relief render -q lessons/missed_spike.json -o lesson.png'
 inside reliefscope --version
-# A figure needs no display. Of the data set that the window opens with.
+# Exporting a figure needs no display. It shows the data set with which the window opens.
 inside reliefscope --export profile -o /tmp/profile.svg
 status=0
 inside reliefscope --check-display || status=$?

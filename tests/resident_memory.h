@@ -1,4 +1,4 @@
-// What the process has in memory, for tests and benchmarks.
+// Memory use of the process, for tests and benchmarks.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ inline double residentMegabytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-// What the process uses, for tests that it does not grow: resident memory. Sanitizers keep freed blocks and notes about
-// all memory resident: there the blocks of the heap that are not freed.
+// Returns the memory in use, for tests that it does not grow: resident memory or, with sanitizers, which keep freed
+// blocks and their records resident, the blocks of the heap that are not freed.
 inline double usedMegabytes() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     return static_cast<double>(__sanitizer_get_current_allocated_bytes()) / 1e6;

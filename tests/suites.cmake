@@ -1,10 +1,10 @@
-# relief_add_suites(PROGRAM [PREFIX text] [ON_DISPLAY] [PROPERTIES name value ...]): each suite of a GoogleTest program
-# becomes one test of ctest, run in one process, because starting the program takes longer than most tests. The built
-# program lists its suites, so none is forgotten. ON_DISPLAY: each suite has an X server of its own, so that suites run
-# beside each other and nothing flickers on the user's display.
+# relief_add_suites(PROGRAM [PREFIX text] [ON_DISPLAY] [PROPERTIES name value ...]): makes each suite of a GoogleTest
+# program one test of ctest, run in one process, because starting the program takes longer than most tests. The built
+# program lists its suites, so none is missed. ON_DISPLAY: each suite runs on an X server of its own, so that suites can
+# run in parallel and nothing flickers on the user's display.
 if(CMAKE_SCRIPT_MODE_FILE)
-  # cmake -DPROGRAM= -DPREFIX= -DLAUNCHER= -DPROPERTIES= -DOUT= -P suites.cmake
-  # What it writes about a missing display matters when tests run, not here.
+  # cmake -DPROGRAM= -DPREFIX= -DLAUNCHER= -DPROPERTIES= -DOUT= -P suites.cmake. A message about a missing display
+  # matters when tests run, not when they are listed.
   execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE _list ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "(^|\n)[^ \n]+\\." _suites "${_list}")
   if(NOT _suites)
@@ -25,8 +25,9 @@ if(CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-# What starts a program on an X server of its own, always of the same size; nothing where there is no such server.
-# number: the first display number that is tried. Two servers that look for a free one at the same moment take the same.
+# Sets the command that starts a program on an X server of its own, of a fixed screen size; empty if Xvfb is missing.
+# number: the first display number to try. Two servers that search for a free number at the same time may choose the
+# same one.
 function(relief_display out number)
   find_program(XVFB_RUN xvfb-run)
   find_program(XAUTH xauth)

@@ -3,8 +3,8 @@
 
     build.py SOURCES OUT DOXYGEN RELIEF      writes OUT/html/index.html
 
-Exit status 1 if Doxygen warns. Pages and headers are copied to OUT/pages first, in the form that Doxygen reads: links between
-pages become references, plain comments become its own.
+Exit status 1 if Doxygen warns. Pages and headers are first copied to OUT/pages in the form that Doxygen reads: links between pages
+become references, plain comments become Doxygen comments.
 """
 import json
 import os
@@ -16,7 +16,7 @@ import sys
 root, out, doxygen, relief = sys.argv[1:5]
 pages = os.path.join(out, "pages")
 
-# The guide, in the order of the navigation. The folders' names are the pages' identifiers.
+# The pages of the guide in the order of the navigation. Page identifiers are derived from the folders' names.
 GUIDE = ["README.md", "app/README.md", "ui/README.md", "algorithms/CONCEPTS.md", "algorithms/scenario/FORMATS.md",
          "algorithms/README.md", "algorithms/notation.md", "algorithms/relief/README.md", "algorithms/SIMD.md",
          "algorithms/relief/margins.md", "datasets/README.md", "tests/README.md", "tests/benchmarks/RESULTS.md",
@@ -29,7 +29,7 @@ def page_id(path):
 
 
 def slug(heading):
-    """The anchor of a heading, as tests/docs/check_documents.py has it."""
+    """Returns the anchor of a heading, made as in tests/docs/check_documents.py."""
     text = re.sub(r"[^\w\- ]", "", heading.strip().lower().replace("`", ""))
     return text.replace(" ", "-")
 
@@ -51,7 +51,7 @@ def link(path, match):
 
 
 def guide_page(path):
-    """The page with labels on its headings and references in place of links."""
+    """Returns the text of a page with labels on its headings and references in place of links."""
     lines, fence, first = [], False, True
     for line in open(os.path.join(root, path), encoding="utf-8").read().split("\n"):
         if line.startswith("```") or line.startswith("~~~"):
@@ -68,7 +68,7 @@ def guide_page(path):
 
 
 def opening_comment(path):
-    """The first comment of a header, as paragraphs: a line that ends a sentence is followed by a new one that names a topic."""
+    """Returns the first comment of a header, with a new paragraph at each empty line and each sentence that begins with a topic."""
     text = ""
     for line in open(os.path.join(root, path), encoding="utf-8"):
         if not line.startswith("//"):
@@ -132,7 +132,7 @@ def generated_pages():
 
 
 def documented(text):
-    """A header whose plain comments Doxygen reads."""
+    """Returns the text of a header with its plain comments turned into those that Doxygen reads."""
     def escaped(comment):
         return re.sub(r"([@\\<>#%&])", r"\\\1", comment)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of the guide anew, with the built programs: app/manual/pictures.sh [BUILD]     default: build
-# The chart is timed: nothing else should run on the machine. With a display (or xvfb-run), ui/window.png as well.
+# Makes the pictures of the guide again, with the built programs: app/manual/pictures.sh [BUILD]     default: build
+# The chart is timed, so nothing else should run on the machine. With a display (or xvfb-run) also makes ui/window.png.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -9,7 +9,7 @@ out=app/manual/pictures
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# figure NAME FILE VIEW OPTION...: a pane as a figure of the manual's width.
+# figure NAME FILE VIEW OPTION...: exports a pane as a figure with the width of the manual's text.
 figure() {
     local name=$1 file=$2 view=$3
     shift 3

@@ -1,4 +1,4 @@
-// The plug-in relief_mpi: MPI's messages behind the few functions that `relief` needs.
+// The plug-in relief_mpi: wraps MPI in the few functions that `relief` needs.
 #include "relief_mpi.h"
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace {
 
-constexpr int kSize = 1;  // tags: a message's size, then its pieces
+constexpr int kSize = 1;  // message tags: the size comes first, then the pieces
 constexpr int kPiece = 2;
-constexpr unsigned long long kMostBytes = 1ULL << 30U;  // of a piece; MPI counts in int
+constexpr unsigned long long kMostBytes = 1ULL << 30U;  // bytes per piece; MPI counts in int
 
 std::vector<std::string> hosts;
-unsigned long long waiting = 0;  // bytes of the message that is to be received
+unsigned long long waiting = 0;  // bytes of the message that receive() will read
 int waitingFrom = 0;
 
 const char* host(int rank) {
@@ -32,8 +32,9 @@ void send(int to, const char* text, unsigned long long bytes) {
 int probe(int* from, unsigned long long* bytes) {
     int there = 0;
     MPI_Status status;
-    // Open MPI looks at what it has, then fetches what has come: a second look finds that.
-    for (int look = 0; look < 2 && there == 0; ++look) {
+    // Open MPI's MPI_Iprobe tests its queue before it polls the network, so only a second call finds a message that has
+    // just arrived.
+    for (int attempt = 0; attempt < 2 && there == 0; ++attempt) {
         MPI_Iprobe(MPI_ANY_SOURCE, kSize, MPI_COMM_WORLD, &there, &status);
     }
     if (there == 0) return 0;
@@ -74,7 +75,7 @@ void learnHosts(int size) {
 extern "C" const ReliefMpi* relief_mpi_join(void) {
     static ReliefMpi mpi;
     int provided = 0;
-    // Rank 0 answers from a thread of its own, one call at a time.
+    // Rank 0 serves the other ranks from a second thread; calls are serialised.
     if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS ||
         provided < MPI_THREAD_SERIALIZED) {
         return nullptr;

@@ -1,7 +1,8 @@
-# cmake -DPROGRAM= [-DWINDOW=] -DOUT= -P pages.cmake: manual pages into OUT/man1, completions into OUT/completions.
+# cmake -DPROGRAM= [-DWINDOW=] -DOUT= -P pages.cmake: writes manual pages to OUT/man1 and completions to
+# OUT/completions.
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
-# What a sanitizer finds at the programs' end is the tests' concern.
+# Leaks at the programs' end are checked by the tests, not here.
 set(ENV{ASAN_OPTIONS} detect_leaks=0)
 if(WINDOW)
   execute_process(COMMAND ${WINDOW} --help OUTPUT_FILE ${OUT}/reliefscope.help COMMAND_ERROR_IS_FATAL ANY)

@@ -1,5 +1,6 @@
-// The plug-in of the program `relief` that reads and writes pictures: OpenImageIO, and what of the library calls it.
-// What else it needs of the library it finds in the program, which loads it when the first picture is opened.
+// The plug-in through which the program `relief` reads and writes pictures: OpenImageIO and the part of the library
+// that calls it. All other library functions that it needs are resolved from the program, which loads the plug-in when
+// the first picture is opened.
 #include "images/picture_library.h"
 
 extern "C" {

@@ -32,7 +32,7 @@ struct BenchCommandOptions {
     RowBenchCommand rows;
     FilterBenchCommand filters;
     RunOptions run;
-    const CLI::App* parser = nullptr;  // which options were given
+    const CLI::App* parser = nullptr;  // to find out which options were given
 };
 
 std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
@@ -75,7 +75,8 @@ std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
     return all;
 }
 
-// A height map of the sweep: files are read at once, so that faults show; reliefs are made when they are measured.
+// A height map of the sweep. Files are read at once, so that faults show early; procedural reliefs are generated when
+// they are measured.
 struct SweepMap {
     Pictures pictures;
     std::string name;
@@ -87,7 +88,8 @@ std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& 
     for (const Pictures& one : pictures) {
         maps.push_back({one, heightsName(one), nullptr});
         if (one.height.empty() && one.drawn.empty()) {
-            // Sizes are wrong only where the recipe has one of its own, a small one.
+            // A size can be invalid only for recipes of fixed size; these are small, so generating one here is a cheap
+            // check.
             const auto& known = reliefRecipes();
             const auto recipe =
                 std::find_if(known.begin(), known.end(), [&](const ReliefRecipe& r) { return r.name == one.recipe; });
@@ -104,7 +106,7 @@ std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& 
     return maps;
 }
 
-// The relief made last: cells of one map follow each other.
+// Returns the heights of a map and caches the relief generated last: cells of one map follow each other.
 class HeightsOf {
   public:
     std::shared_ptr<const FloatImage> operator()(const SweepMap& map) {
@@ -130,7 +132,7 @@ std::vector<std::uint64_t> chosenSeeds(const BenchCommandOptions& given) {
     return seeds;
 }
 
-// 0: the session's.
+// Returns {0}, which stands for the session's number of threads, if no numbers were given.
 std::vector<int> chosenThreads(const BenchCommandOptions& given) {
     if (!given.threadCounts) return {0};
     std::vector<int> counts;
@@ -177,7 +179,7 @@ BenchOptions benchOptions(const BenchCommandOptions& given) {
     return options;
 }
 
-// All that rows depend on, beside what tells one cell from another.
+// Returns everything that the rows depend on, except what distinguishes one cell from another.
 Json sweepText(const BenchCommandOptions& given, const BenchOptions& options, const Session& session) {
     Json what{{"kind", "tracers"},
               {"rays", options.rays},
@@ -188,7 +190,7 @@ Json sweepText(const BenchCommandOptions& given, const BenchOptions& options, co
               {"relief depth", options.reliefDepth},
               {"threads", session.threads()},
               {"tracers", given.tracers.value_or("")}};
-    // Told only where it is not the default, so that sweeps of the first version are gone on with.
+    // Written only if it is not the default, so that sweeps of the first version can be resumed.
     if (formOf(given) == Form::Scalar) what["form"] = formName(Form::Scalar);
     return what;
 }
@@ -197,11 +199,11 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
     BenchOptions options = benchOptions(given);
     const std::vector<std::uint64_t> seeds = chosenSeeds(given);
     const std::vector<int> threadCounts = chosenThreads(given);
-    std::set<std::string> said;  // once, not in every cell
+    std::set<std::string> printed;  // each note is printed once, not in every cell
     options.onNote = [&](const Message& message) {
-        if (said.insert(sentence(message)).second) session.note("bench", message);
+        if (printed.insert(sentence(message)).second) session.note("bench", message);
     };
-    // What was built while other ranks were at work is built again to be timed.
+    // Maps that were built while other ranks were working are built again for timing.
     std::shared_ptr<PreparedTracers> counted = noPreparedTracers(), timed = noPreparedTracers();
     to.what = sweepText(given, options, session);
     HeightsOf heightsOf;
@@ -231,7 +233,8 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
     return runCells<BenchRow>(to, {benchCsvHeader, benchJson, benchText}, cells, session);
 }
 
-// Refuses options of another kind: their groups end in "(tracers, filters)", the kinds that take them.
+// Throws InputError if an option of another kind is given. The name of such an option's group ends in the kinds that
+// take it, such as "(tracers, filters)".
 void refuseOthers(const CLI::App& parser, const std::string& kind) {
     for (const CLI::Option* option : parser.get_options()) {
         const std::string& group = option->get_group();

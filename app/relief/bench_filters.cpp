@@ -21,7 +21,7 @@ FilterScene namedScene(const std::string& name, std::uint64_t seed) {
     return filterScene(name, kSceneSide, seed);
 }
 
-// Height maps of the user's, with their colours or with patches.
+// Returns a scene of the user's height map, with its colours or with a pattern of patches.
 FilterScene givenScene(Pictures pictures, const OptionText& color, double depth, std::uint64_t seed, Session& session) {
     if (color) pictures.color = *color;
     Scenario scenario;

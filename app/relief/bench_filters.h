@@ -1,4 +1,4 @@
-// relief bench filters: its options and its run.
+// relief bench filters: options and implementation.
 #pragma once
 
 #include "bench_output.h"
@@ -11,8 +11,8 @@ struct FilterBenchCommand {
     OptionText filters, scenes, pixelModels, size, samples, color;
 
     void add(CLI::App& parser);
-    // pictures: height maps that were given, instead of the scenes. elevations, reliefDepth, rounds, seed, to: as bench
-    // has them for all kinds.
+    // Returns the exit status. pictures: the user's height maps, measured in place of the built-in scenes. The other
+    // arguments are the options that all kinds of `relief bench` share.
     int run(const std::vector<Pictures>& pictures, const OptionText& elevations, const OptionText& reliefDepth,
             const OptionText& rounds, const OptionText& seed, BenchRun to, Session& session) const;
 };

@@ -13,10 +13,10 @@ namespace relief::app {
 
 namespace {
 
-// Columns at the end of every table: of the machine, and how many cells it timed at once.
+// A column at the end of every table that describes the machine or how many cells it timed at once.
 struct MachineColumn {
     const char* name;
-    std::string (*text)();  // null: the run says what stands there
+    std::string (*text)();  // null: the value is set per run
 };
 constexpr MachineColumn kMachineColumns[] = {
     {"compiler", compilerText}, {"cpu", cpuText}, {"commit", commitText}, {"host", hostName}, {"concurrent", nullptr}};
@@ -33,8 +33,8 @@ BenchPass passOf(Pass pass) {
     return pass == Pass::Times ? BenchPass::Times : BenchPass::Both;
 }
 
-// The machine's columns, where they are not there yet. concurrent: null where it is not known, as of a part, which may
-// have others beside it.
+// Adds the machine's columns where they are missing. concurrent: null if unknown, as for a part of a run, since other
+// parts may run on the same machine.
 void addMachine(Json& rows, const Json& concurrent) {
     for (Json& row : rows) {
         for (const auto& [name, text] : kMachineColumns) {
@@ -48,7 +48,7 @@ bool areRows(const Json& result) {
            std::all_of(result.begin(), result.end(), [](const Json& row) { return row.is_object() && !row.empty(); });
 }
 
-// The rows that were counted, with what was timed, and where.
+// Returns the counted rows, with the times and the machine's columns taken from `times`.
 Json withTimes(Json counts, const Json& times) {
     std::vector<const char*> timed{"rate", "spread", "build_seconds", "threads"};
     for (const MachineColumn& column : kMachineColumns) timed.push_back(column.name);
@@ -60,7 +60,7 @@ Json withTimes(Json counts, const Json& times) {
     return counts;
 }
 
-// Rows that the first version measured have no form: it measured the fastest there was.
+// Rows of the first version have no form: that version measured the fastest available one.
 void addForm(Json& rows) {
     for (Json& row : rows) {
         if (!row.contains("error_mean") || row.contains("form")) continue;
@@ -112,7 +112,7 @@ std::string csvOfRows(const Json& rows, const std::string& header) {
 
 namespace {
 
-// Indices of the cells that are measured: all of so many, or those of the run's part.
+// Returns the indices of the cells to measure: all `cells`, or those that belong to the run's part.
 std::vector<std::size_t> chosenCells(const BenchRun& run, std::size_t cells) {
     std::vector<std::size_t> chosen;
     for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -121,12 +121,13 @@ std::vector<std::size_t> chosenCells(const BenchRun& run, std::size_t cells) {
     return chosen;
 }
 
-// The first line of a part's table.
+// Returns the first line of a part's table.
 std::string tableLine(const BenchRun& run, const std::vector<Json>& results, const std::vector<std::string>& names) {
     Part part;
     static_cast<PartNumber&>(part) = *run.part;
     part.run = runJson(run.what.value("kind", ""), run.what, names);
-    std::set<std::string> words, reals;  // columns in which there are some: CSV does not tell them from whole numbers
+    // columns with text and with non-integers, which CSV does not distinguish from integers
+    std::set<std::string> words, reals;
     Json counts = Json::array();
     const std::vector<std::size_t> chosen = chosenCells(run, names.size());
     for (std::size_t n = 0; n < chosen.size(); ++n) {
@@ -156,7 +157,7 @@ std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& ce
     parts.alone = run.part.has_value();
     parts.timed = true;
     parts.concurrent = run.concurrent.value_or(1);
-    // No more at once than there are ranks.
+    // No more cells can run at once than there are ranks.
     const int most = run.part ? run.concurrent.value_or(1) : std::max(launchedProcesses(), 1);
     const Json concurrent = run.concurrent ? Json(std::min(*run.concurrent, most)) : run.part ? Json() : Json(1);
     parts.threads = [&](std::size_t at) { return cells.threads(chosen[at]); };
@@ -176,7 +177,7 @@ void writeCells(const BenchRun& run, PartsDone done, const std::string& header, 
     for (Json& cell : done.results) {
         addForm(cell);
         for (Json& row : cell) {
-            // Those that an older program measured do not say where.
+            // Rows measured by older versions lack the machine's columns.
             for (const MachineColumn& column : kMachineColumns) {
                 if (!row.contains(column.name)) row[column.name] = nullptr;
             }

@@ -1,5 +1,6 @@
-// What every benchmark does with its cells: measured one after the other, or shared by the ranks of an MPI run, kept in
-// FILE.part as they come; then the file. Without -o a table on a terminal, CSV elsewhere.
+// What every benchmark does with its cells: they are measured one after the other, or shared by the ranks of an MPI
+// run; results are kept in FILE.part as they arrive; at the end the file is written. Without -o a table is printed on a
+// terminal, CSV elsewhere.
 #pragma once
 
 #include <unistd.h>
@@ -19,7 +20,7 @@
 
 namespace relief::app {
 
-// How one kind of row is written.
+// Functions that format one kind of row.
 template <class Row>
 struct BenchTexts {
     std::string (*header)();
@@ -27,41 +28,43 @@ struct BenchTexts {
     std::string (*table)(std::span<const Row>);
 };
 
-// What is measured together, in interleaved rounds: a map and an elevation, say.
+// The unit of work, measured together in interleaved rounds: for example one map at one elevation.
 template <class Row>
 struct BenchCell {
-    std::string name;  // tells it from all others of the sweep
-    int threads = 0;   // 0: those of the session
+    std::string name;  // unique within the sweep
+    int threads = 0;   // 0: the session's number of threads
     std::function<std::vector<Row>(Work&, BenchPass)> measure;
 };
 
 struct BenchRun {
     OptionText output;
     EarlierRun earlier = EarlierRun::Refuse;
-    std::optional<int> concurrent;   // cells that a host times at once, where several ranks share them; default 1
-    std::optional<PartNumber> part;  // these cells alone; the file names the run that they are a part of
-    Json what;                       // all that rows depend on beside the cells' names
+    std::optional<int> concurrent;   // cells timed at once on a host, if several ranks share the cells; default 1
+    std::optional<PartNumber> part;  // measures only this part's cells; the file names the run that it belongs to
+    Json what;                       // everything that rows depend on, apart from the cells' names
 };
 
-// Sixteen letters that tell these heights from others.
+// Returns a hash of the heights, 16 hexadecimal digits.
 std::string contentText(const FloatImage& heights);
 
-// An array of rows as CSV; where there is no row, `header` (with "\n") and the machine's columns.
+// Returns an array of rows as CSV; if it is empty, `header` (with "\n") and the machine's columns.
 std::string csvOfRows(const Json& rows, const std::string& header);
 
-// All cells: the rows of each, in order, with the machine's columns (compiler, cpu, commit, host, concurrent) where
-// they have none. measure: the rows of one, as an array. Empty on ranks other than 0.
+// Measures all cells and returns the rows of each, in order; adds the machine's columns (compiler, cpu, commit, host,
+// concurrent) to rows that lack them. measure: returns the rows of one cell as an array. Returns std::nullopt on ranks
+// other than 0.
 struct BenchCells {
     std::vector<std::string> names;
     std::function<int(std::size_t)> threads;
     std::function<Json(std::size_t, Work&, BenchPass)> measure;
 };
 std::optional<PartsDone> measuredCells(const BenchRun& run, const BenchCells& cells, Session& session);
-// To the file, or to standard output as CSV. header: as csvOfRows takes it; names: of all cells of the run.
+// Writes the rows to the output file, or as CSV to standard output. header: as for csvOfRows(). names: of all cells of
+// the run.
 void writeCells(const BenchRun& run, PartsDone done, const std::string& header, const std::vector<std::string>& names,
                 Session& session);
 
-// Returns the exit status.
+// Measures and writes all cells. Returns the exit status.
 template <class Row>
 int runCells(const BenchRun& run, const BenchTexts<Row>& texts, const std::vector<BenchCell<Row>>& cells,
              Session& session) {

@@ -82,7 +82,7 @@ int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds,
     }
     to.what["variants"] = variants.value_or("");
     to.what["threads"] = session.threads();
-    // What all cells have in common: a copy of all widths in each of 100,000 would be a gigabyte.
+    // Shared by all cells: copies of all widths in each of 100,000 cells would take a gigabyte.
     RowBenchOptions common = options;
     common.widths.clear();
     common.elevations.clear();

@@ -1,4 +1,4 @@
-// relief bench rows: its options and its run.
+// relief bench rows: options and implementation.
 #pragma once
 
 #include "bench_output.h"
@@ -10,7 +10,7 @@ struct RowBenchCommand {
     OptionText variants, widths, precisions, pixels, rows;
 
     void add(CLI::App& parser);
-    // elevations, rounds, to: as bench has them for all kinds.
+    // Returns the exit status. elevations, rounds, to: the options that all kinds of `relief bench` share.
     int run(const OptionText& elevations, const OptionText& rounds, BenchRun to, Session& session) const;
 };
 

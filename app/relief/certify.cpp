@@ -18,11 +18,11 @@ struct CertifyOptions {
     RunOptions run;
 };
 
-// The scenario that shows the ray: a camera behind it, that looks along it at where it enters the relief, and the pixel
-// in the middle. Rounding moves the pixel's ray by some 1e-13 of the picture.
+// Returns the scenario that reproduces the ray as its central pixel: the camera lies behind the ray's entry into the
+// relief and looks along the ray. Rounding moves the pixel's ray by about 1e-13 of the picture.
 Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray) {
     constexpr double kAway = 1.5;
-    // Odd: a pixel's centre in the middle.
+    // Odd, so that the centre of a pixel lies in the centre of the picture.
     scenario.width = 801;
     scenario.height = 601;
     scenario.scene = SceneKind::Floor;
@@ -38,7 +38,7 @@ Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray
     return scenario;
 }
 
-// Whether the scenario's own ray shows it: its pixel was laid there, rounding may have moved it.
+// Returns true if the pixel's ray of the witness scenario shows the violation as well: rounding may have moved it.
 bool shows(const Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) {
     const FrameRequest request = frameRequest(scenario, assets);
     const auto ray = pixelRay(request, scenario.pixel->x, scenario.pixel->y);
@@ -61,7 +61,7 @@ struct Written {
     MapCache& maps;
     Work& work;
 
-    // How to see the ray again.
+    // Returns the lines that tell how to reproduce the ray.
     std::string lines(const Certificate& certificate) const {
         const CounterExample* example = certificate.first     ? &*certificate.first
                                         : certificate.byValue ? &*certificate.byValue
@@ -75,7 +75,7 @@ struct Written {
         saveScenario(*options.output, seen);
         text += "  scenario: " + *options.output + ", the ray of pixel " + std::to_string(seen.pixel->x) + "," +
                 std::to_string(seen.pixel->y);
-        // The window builds its own map, a stored one is not in the scenario.
+        // The window builds its own map; a stored map is not part of the scenario.
         if (!options.scenario.mapArgument().empty()) text += " (without the stored map)";
         if (certificate.first && !shows(seen, assets, maps, work)) text += " (rounded, it just no longer shows it)";
         return text + "\n";
@@ -85,11 +85,11 @@ struct Written {
 int runCertify(const CertifyOptions& options, Session& session) {
     options.run.apply(session);
     if (options.output) checkOutput(*options.output, {"json"});
-    CertificateOptions asked;
+    CertificateOptions rayOptions;
     if (options.rays) {
-        asked.rays = static_cast<std::uint64_t>(parseWhole(*options.rays, "--rays", 0, kRaysAtMost));
+        rayOptions.rays = static_cast<std::uint64_t>(parseWhole(*options.rays, "--rays", 0, kRaysAtMost));
     }
-    if (options.seed) asked.seed = parseSeed(*options.seed, "--seed");
+    if (options.seed) rayOptions.seed = parseSeed(*options.seed, "--seed");
     Scenario scenario = options.scenario.scenario();
     scenario.method = withStoredMap(scenario.method);
     Work& work = session.work();
@@ -99,7 +99,7 @@ int runCertify(const CertifyOptions& options, Session& session) {
     MapCache maps;
     options.scenario.useStoredMap(scenario, assets, maps, work, true);
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
-    const Certificate certificate = certify(scenario.method, field, asked, maps, work);
+    const Certificate certificate = certify(scenario.method, field, rayOptions, maps, work);
     const std::string again = Written{options, scenario, assets, maps, work}.lines(certificate);
     session.eraseBar();
     writeStandardOutput(certificate.method + " over " + std::to_string(field.width()) + " x " +
@@ -127,7 +127,7 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
         "or the check could not be carried out.",
         "  relief certify heights.png --tracer cone-dummer -o witness.json\n"
         "  relief certify heights.png --map refined.tif");
-    options->scenario.add(*parser, ScenarioOptions::Look::No);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::None);
     addText(*parser, "--rays", options->rays, "N",
             "against exact; 0: values alone. Default " + std::to_string(CertificateOptions{}.rays), "Rays");
     addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Rays");

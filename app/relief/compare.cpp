@@ -30,7 +30,7 @@ void refuseNan(const std::string& path, const ColorImage& picture) {
     }
 }
 
-// Grey, as the file shows it: 0 black, 1 white.
+// Writes the error map as a grey picture: 0 black, 1 white.
 void writeErrors(const std::string& path, const FloatImage& errors) {
     if (fileEnding(path) == "exr") {
         writePlanes(path, {{"Y", errors}});
@@ -47,7 +47,7 @@ double within(const std::string& text, const std::string& option, double low, do
     throw InputError(option, Message(MessageId::NumberOutOfRange, {{"value", text}, {"range", rangeOf(low, high)}}));
 }
 
-// Says which channels of the file are left out: layers that are not the picture itself.
+// Notes which channels of the file are ignored: layers other than the picture itself.
 void noteChannels(const std::string& path, std::int64_t maxPixels, Session& session) {
     std::vector<std::string> left;
     for (const std::string& channel : readImageInfo(path, maxPixels).channels) {
@@ -57,7 +57,7 @@ void noteChannels(const std::string& path, std::int64_t maxPixels, Session& sess
     if (!left.empty()) session.note(path, Message(MessageId::ChannelsNotCompared, {{"left", commaList(left)}}));
 }
 
-// limit: the FLIP that was allowed, if any.
+// limit: the largest FLIP allowed, if one was given.
 std::string comparisonText(const PictureError& error, const ColorImage& picture, std::optional<double> limit,
                            bool json) {
     if (!json) {

@@ -30,7 +30,7 @@ Words nameWords(const List& list) {
     return names;
 }
 
-// "layers=", "steps=", ...: what --set takes, of all methods.
+// Returns "layers=", "steps=", ...: the options of all methods, as --set takes them.
 template <class List>
 Words optionWords(const List& list) {
     std::set<std::string> names;
@@ -45,7 +45,8 @@ std::string joined(const Words& words) {
     return out;
 }
 
-// "repeat|clamp|border"; of "auto|full|LO,HI" what is written as it stands.
+// Returns the literal alternatives of a value's type: all of "repeat|clamp|border", "auto" and "full" of
+// "auto|full|LO,HI".
 Words choicesIn(const std::string& type) {
     Words words;
     if (type.find('|') == std::string::npos || type.starts_with("FILE")) return words;
@@ -62,7 +63,8 @@ Words both(Words some, const Words& others) {
     return some;
 }
 
-// What may stand behind the option, or as the first argument of the command; empty: a file, or nothing that is known.
+// Returns the possible values of the option, or of the command's first argument if `option` is empty. Empty if it is a
+// file or its values are not known.
 Words valuesOf(const std::string& command, const std::string& option, const std::string& type) {
     const Words tracers = nameWords(tracerList());
     const Words filters = nameWords(filterList());
@@ -89,13 +91,13 @@ Words valuesOf(const std::string& command, const std::string& option, const std:
     return found != known.end() ? found->second : choicesIn(type);
 }
 
-// How the command is completed: its options, its first argument, and the values of options.
+// What the completion of a command needs: its options, its first argument, and the values of options.
 struct Completion {
     std::string name;
     Words options;
     Words first;
     std::map<std::string, Words> values;
-    Words plain;  // options whose value is neither known nor a file
+    Words plain;  // options with a value that is neither a file nor one of a known set
 };
 
 void addOption(Completion& completion, const Words& names, const std::string& type) {
@@ -124,7 +126,7 @@ Completion completionOf(const CLI::App& parser) {
     return completion;
 }
 
-// The cases of one command.
+// Returns the branch of bash's `case` for one command.
 std::string cases(const Completion& completion, const std::string& indent) {
     std::string out = indent + "options='" + joined(completion.options) + "'\n";
     if (!completion.first.empty()) out += indent + "first='" + joined(completion.first) + "'\n";

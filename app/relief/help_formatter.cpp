@@ -30,7 +30,7 @@ HelpFormatter::HelpFormatter() {
     label("SUBCOMMAND", "COMMAND");
 }
 
-// A command's description is its summary, a line break, its paragraph.
+// A command's description consists of its summary, a line break, and its paragraph.
 std::string HelpFormatter::make_subcommand(const CLI::App* parser) const {
     const std::string description = parser->get_description();
     std::string line = "  " + parser->get_name();
@@ -46,7 +46,7 @@ std::string HelpFormatter::make_description(const CLI::App* parser) const {
     return out + "\n";
 }
 
-// CLI11 parts groups by two empty lines.
+// CLI11 separates groups by two empty lines; one is removed.
 std::string HelpFormatter::make_help(const CLI::App* parser, std::string name, CLI::AppFormatMode mode) const {
     return CLI::detail::find_and_replace(CLI::Formatter::make_help(parser, std::move(name), mode), "\n\n\n", "\n\n");
 }

@@ -1,4 +1,4 @@
-// How --help looks: summaries in the list of commands, paragraphs and wrapped options in a command's own page.
+// Layout of --help: summaries in the list of commands; paragraphs and wrapped options on a command's own page.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace relief::app {
 
-// The option text of arguments that cannot be left out: CLI11's own mark would complain about them before it looks for
-// misspelt options.
+// The option text of mandatory arguments. CLI11's own marker is not used, because it would report a missing argument
+// before a misspelt option.
 inline constexpr const char* kNeeded = "needed";
 
-// Makes the program's pages, and those of commands added later, look so.
+// Applies this layout to the program's pages and to those of commands added later.
 void setHelpFormatter(CLI::App& program);
 
-// Broken into lines of at most `columns` characters where there is a space.
+// Breaks the text at spaces into lines of at most `columns` characters.
 std::string wrapped(const std::string& text, std::size_t columns);
 
 }  // namespace relief::app

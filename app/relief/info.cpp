@@ -23,7 +23,7 @@ struct InfoOptions {
     RunOptions run;
 };
 
-// One line "  label       value".
+// Lines of the form "  label       value".
 class Table {
   public:
     explicit Table(Language language) : language_(language) {}
@@ -32,7 +32,7 @@ class Table {
     void row(MessageId label, const std::string& value) {
         constexpr std::size_t kLabelColumns = 24;
         const std::string name = sentence(Message(label), language_);
-        // Columns are characters, not bytes: Ukrainian letters take two.
+        // Width in characters, not bytes: Ukrainian letters take two bytes.
         std::size_t width = 0;
         for (const char c : name) width += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
         out_ += "  " + name + std::string(width < kLabelColumns ? kLabelColumns - width : 1, ' ') + value + "\n";
@@ -88,7 +88,7 @@ std::string pictureInfo(const std::string& path, const PictureFacts& facts, Sess
     return table.text();
 }
 
-// The same as JSON, in English.
+// Returns the same facts as JSON, in English.
 Json pictureJson(const std::string& path, const PictureFacts& facts) {
     const HeightImage& image = facts.image;
     Json json{{"file", path},
@@ -181,7 +181,7 @@ int runInfo(const InfoOptions& options, Session& session) {
         }
     }
     session.eraseBar();
-    // Names of files need not be UTF-8.
+    // File names need not be valid UTF-8.
     const Json& shown = all.size() == 1 ? all.front() : all;
     if (options.json) text = shown.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     writeStandardOutput(text, session.stop());

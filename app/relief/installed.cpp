@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Above the program's: of the installed tree, or of the build.
+// Returns the folder above the program's: the root of the installed tree or of the build.
 fs::path treeFolder() {
     std::error_code none;
     return fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();

@@ -1,4 +1,4 @@
-// What belongs to the program and lies in other files, found from the program's own place: an installed tree may be
+// Finds files that belong to the program relative to the program's own location, because an installed tree may be
 // moved.
 #pragma once
 
@@ -6,12 +6,12 @@
 
 namespace relief::app {
 
-// The plug-in of this name ("relief_mpi.so"), whether it is there or not.
+// Returns the path of the plug-in of this name ("relief_mpi.so"), whether or not it exists.
 std::string pluginPath(const std::string& name);
 
-// A file that comes with the program: a path that begins with "datasets/" or "lessons/" and leads nowhere from the
-// working folder means the installed one, or the checkout's that the program was built from. Every other path is
-// returned as it is. For files that are read.
+// Resolves files that are shipped with the program. If `path` begins with "datasets/" or "lessons/" and does not exist
+// in the working folder, returns the path of the installed file, or of the file in the checkout that the program was
+// built from. Every other path is returned unchanged. For reading only.
 std::string shippedFile(const std::string& path);
 
 }  // namespace relief::app

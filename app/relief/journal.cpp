@@ -28,13 +28,13 @@ std::string lineText(const Json& json) {
     return asciiLine(json) + "\n";
 }
 
-// When this process began, in the system's own count: numbers of processes are given again. 0: there is none, it has
-// ended and only its parent has not heard of it yet, or the system does not tell.
+// Returns the process's start time in clock ticks since boot; together with the id it identifies a process, as ids are
+// reused. 0: there is no such process, it is a zombie, or the system does not report it.
 std::int64_t startOf(std::int64_t process) {
     std::ifstream file("/proc/" + std::to_string(process) + "/stat");
     std::string text;
     std::getline(file, text);
-    // Its name, in brackets, may hold anything; the start is the 20th field after it.
+    // The process name, in brackets, may contain any character; the start time is the 20th field after it.
     const std::size_t name = text.rfind(')');
     if (name == std::string::npos) return 0;
     constexpr int kFields = 20;
@@ -47,7 +47,7 @@ std::int64_t startOf(std::int64_t process) {
     return std::strtoll(field.c_str(), nullptr, 10);
 }
 
-bool lives(const Json& head) {
+bool isAlive(const Json& head) {
     const std::int64_t process = numberIn(head, "process", 0);
     if (process <= 0 || process == getpid()) return false;
     const bool there = kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
@@ -55,26 +55,27 @@ bool lives(const Json& head) {
     return there && since != 0 && startOf(process) == since;
 }
 
-// A journal's whole lines; the first one is about the whole.
+// Returns the complete lines of a journal; the first one describes the run.
 std::vector<Json> linesOf(const std::string& path) {
     std::vector<Json> all;
     const std::string text = readTextFile(path);
     std::size_t first = 0;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', first)) {
-        all.push_back(Json::parse(text.substr(first, end - first), nullptr, false));  // discarded where it is no JSON
+        // discarded() if the line is no JSON
+        all.push_back(Json::parse(text.substr(first, end - first), nullptr, false));
         first = end + 1;
     }
     return all;
 }
 
-// Device and inode; zeros where there is none.
+// Returns device and inode; zeros if there is no such file.
 std::pair<std::uint64_t, std::uint64_t> numberOf(const std::string& path) {
     struct stat info {};
     if (stat(path.c_str(), &info) != 0) return {};
     return {info.st_dev, info.st_ino};
 }
 
-[[noreturn]] void refuseBeside(const std::string& path, const Json& head) {
+[[noreturn]] void refuseConcurrent(const std::string& path, const Json& head) {
     throw InputError(path, Message(MessageId::SweepAlive,
                                    {{"process", numberIn(head, "process", 0)}, {"host", textIn(head, "host")}}));
 }
@@ -88,9 +89,9 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
     if (descriptor_ < 0 && errno != EEXIST) failWriting(path_);
     if (descriptor_ < 0) {
         const FileNumber before = numberOf(path_);
-        const std::string text = takenOver(kept, earlier);
-        anything_ = !text.empty();
-        takePlace(before, firstLine(kept) + text);
+        const std::string text = adoptEarlier(kept, earlier);
+        hasResults_ = !text.empty();
+        replaceJournal(before, firstLine(kept) + text);
         return;
     }
     own_ = numberOf(path_);
@@ -105,13 +106,13 @@ Journal::Journal(const std::string& output, const Json& work, std::size_t parts,
 
 Journal::~Journal() {
     if (descriptor_ < 0) return;
-    if (anything_)
+    if (hasResults_)
         ::close(descriptor_);
     else
         remove();
 }
 
-// Unless another run has taken its place.
+// Leaves the file alone if another run has replaced it.
 void Journal::remove() {
     ::close(std::exchange(descriptor_, -1));
     if (numberOf(path_) == own_) ::unlink(path_.c_str());
@@ -122,19 +123,20 @@ std::string Journal::firstLine(const Json& work) const {
     return lineText({{"work", work}, {"host", hostName()}, {"process", process}, {"since", startOf(process)}});
 }
 
-// A process of another host cannot be asked: --resume is believed.
-void Journal::refuseTheLiving(const Json& head) {
+// Whether a process of another host is alive cannot be determined: there the user's --resume is trusted.
+void Journal::refuseIfAlive(const Json& head) {
     const std::string host = textIn(head, "host");
-    if (host == hostName() && lives(head)) refuseBeside(path_, head);
+    if (host == hostName() && isAlive(head)) refuseConcurrent(path_, head);
     if (!host.empty() && host != hostName()) otherHost_ = host;
 }
 
-// Lines of the parts that an earlier run of this work has done; its journal may be replaced.
-std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
+// Reads what an earlier run of the same work has done into earlier_ and returns its lines. Throws InputError if the
+// journal must not be replaced.
+std::string Journal::adoptEarlier(const Json& work, EarlierRun earlier) {
     std::string kept;
     const std::vector<Json> lines = linesOf(path_);
     const Json head = lines.empty() || !lines.front().is_object() ? Json::object() : lines.front();
-    refuseTheLiving(head);
+    refuseIfAlive(head);
     if (earlier == EarlierRun::Refuse) throw InputError(path_, Message(MessageId::SweepThere));
     if (earlier == EarlierRun::Replace) return kept;
     if (head.value("work", Json()) != work) throw InputError(path_, Message(MessageId::SweepOther));
@@ -145,7 +147,7 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
              {std::pair("part", &earlier_.results), std::pair("counted", &earlier_.counts)}) {
             const std::int64_t part = numberIn(line, key, -1);
             if (part < 0 || static_cast<std::size_t>(part) >= parts_) continue;
-            // Of a part that is there twice the last one counts: the first could not be used.
+            // If a part occurs twice, the last result counts: a part is repeated only if its first result was unusable.
             found->insert_or_assign(static_cast<std::size_t>(part), *result);
             kept += lineText(line);
         }
@@ -153,9 +155,9 @@ std::string Journal::takenOver(const Json& work, EarlierRun earlier) {
     return kept;
 }
 
-// The earlier journal gives way to `text` at one stroke: it is lost at no moment, and where another run has taken it
-// over since it was read, that one's is put back.
-void Journal::takePlace(const FileNumber& before, const std::string& text) {
+// Replaces the earlier journal by `text` atomically, so that it is never lost. If another run has replaced it since it
+// was read, that run's journal is put back and this run refuses.
+void Journal::replaceJournal(const FileNumber& before, const std::string& text) {
     AtomicFile next(path_);
     const std::string& name = next.temporaryPath();
     const auto exchange = [&] {
@@ -168,23 +170,23 @@ void Journal::takePlace(const FileNumber& before, const std::string& text) {
     own_ = numberOf(name);
     if (!exchange()) {
         if (errno == ENOENT) failWriting(path_);
-        return next.commit();  // this file system cannot exchange names
+        return next.commit();  // the file system does not support RENAME_EXCHANGE
     }
     if (numberOf(name) == before) return;
     exchange();
     ::close(std::exchange(descriptor_, -1));
-    refuseTheSecond();
+    refuseSecondRun();
 }
 
-void Journal::refuseTheSecond() const {
+void Journal::refuseSecondRun() const {
     const std::vector<Json> lines = linesOf(path_);
-    refuseBeside(path_, lines.empty() ? Json() : lines.front());
+    refuseConcurrent(path_, lines.empty() ? Json() : lines.front());
 }
 
 void Journal::write(const std::string& text) {
-    // A run on another host may have gone on from here, assuming that this one had ended.
+    // A run on another host may have taken over, assuming that this one had ended.
     const FileNumber now = numberOf(path_);
-    if (own_ != FileNumber() && now != FileNumber() && now != own_) refuseTheSecond();
+    if (own_ != FileNumber() && now != FileNumber() && now != own_) refuseSecondRun();
     std::size_t written = 0;
     while (written < text.size()) {
         const ssize_t now = ::write(descriptor_, text.data() + written, text.size() - written);
@@ -196,12 +198,12 @@ void Journal::write(const std::string& text) {
 
 void Journal::keep(std::size_t part, const Json& result) {
     write(lineText({{"part", part}, {"result", result}}));
-    anything_ = true;
+    hasResults_ = true;
 }
 
 void Journal::keepCounts(std::size_t part, const Json& counts) {
     write(lineText({{"counted", part}, {"result", counts}}));
-    anything_ = true;
+    hasResults_ = true;
 }
 
 void Journal::finish() {

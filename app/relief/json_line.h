@@ -1,4 +1,4 @@
-// JSON as lines of a file, and what such lines say, which may be anything.
+// JSON as lines of a file, and tolerant access to members of such lines, which may hold any JSON.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@ namespace relief::app {
 
 using Json = nlohmann::ordered_json;
 
-// One line of printable ASCII, without "\n"; bytes that are no UTF-8 (file names may hold them) are replaced.
+// Returns one line of printable ASCII, without "\n"; bytes that are not valid UTF-8 (file names may contain them) are
+// replaced.
 std::string asciiLine(const Json& json);
-// As it will be read from a file: numbers and names take the form that a file gives them.
+// Returns the JSON as it will be read back from a file, with numbers and strings in the form that a file gives them.
 Json readBack(const Json& json);
 
-// A member of an object; null where there is none.
+// Returns a member of an object; null if there is none.
 const Json* member(const Json& json, const char* name);
-// The same as a whole number or as text; where it is not there, or of another type: `otherwise`, or nothing.
+// Return the member as an integer or a string; `otherwise`, or an empty string, if it is missing or of another type.
 std::int64_t numberIn(const Json& json, const char* name, std::int64_t otherwise);
 std::string textIn(const Json& json, const char* name);
 

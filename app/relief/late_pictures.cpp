@@ -1,5 +1,5 @@
-// OpenImageIO loaded when the first picture is opened: with the libraries that it brings along it takes longer to load
-// than most commands without a picture take altogether (`relief --version`, `relief list`).
+// Loads OpenImageIO when the first picture is opened: loading it with its dependencies takes longer than most commands
+// without a picture run (`relief --version`, `relief list`).
 #include <dlfcn.h>
 
 #include <cstring>
@@ -17,7 +17,8 @@ const PictureLibrary* loaded() {
     const auto broken = [&]() -> InputError {
         return InputError(path, Message(MessageId::FileUnreadable, {{"why", dlerror()}}));
     };
-    // Functions of the many libraries are bound when they are called; the plug-in's own are, by how it is linked, now.
+    // Functions of OpenImageIO's many dependencies are bound lazily; those of the plug-in itself are bound now, because
+    // it is linked with -z now.
     void* const plugin = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (plugin == nullptr) throw broken();
     const void* const symbol = dlsym(plugin, "relief_pictures");

@@ -108,11 +108,11 @@ Json listJson() {
     return json;
 }
 
-// "name          text", the text wrapped beside the name.
+// Returns "name          text", with the text wrapped in a column to the right of the name.
 std::string entry(const std::string& name, const std::string& text, std::size_t indent, std::size_t width) {
     std::string out = std::string(indent, ' ') + name;
     out.resize(std::max(out.size() + 2, indent + width), ' ');
-    // A name too long for its column has the text below it.
+    // If the name is too long for its column, the text begins on the next line.
     if (name.size() + 2 > width) out = std::string(indent, ' ') + name + "\n" + std::string(indent + width, ' ');
     const std::string lines = wrapped(text, kColumns - indent - width);
     for (const char c : lines) {
@@ -163,10 +163,10 @@ std::string rowMethodText(const RowMethodDescription& method) {
     return out;
 }
 
-// Of one kind: what a heading says, and each entry's name and lines.
+// A section of the list: its heading, and the name and lines of each entry.
 struct Section {
-    std::string name;  // as relief list NAME has it
-    std::string key;   // in the JSON
+    std::string name;  // as `relief list NAME` takes it
+    std::string key;   // in the JSON output
     std::string heading;
     std::vector<std::pair<std::string, std::string>> entries;
 };
@@ -183,7 +183,7 @@ Section tracerSection(const std::string& name, const std::string& heading, Metho
 std::string filterText(const FilterDescription& filter) {
     std::string out = entry(filter.name, filter.help, 2, 14);
     if (!filter.source.empty()) out += entry("source", filter.source, 6, 12);
-    // With those of supersampling, which only stand beside its name.
+    // Includes the options of supersampling, which are written after its name.
     const MethodDescription described = describedVariation(CompareSubject::Filters, {filter.name, {}});
     const std::string prefix = filter.name == kSupersample ? ":" : "--filter-set ";
     for (const OptionDescription& option : described.options) {
@@ -242,7 +242,7 @@ std::vector<Section> sections() {
     return all;
 }
 
-// Throws InputError for what is neither a section nor an entry.
+// Throws InputError: the name is neither a section nor an entry.
 [[noreturn]] void failUnknown(const std::vector<Section>& all, const std::string& wanted) {
     std::vector<std::string> kinds, names;
     for (const Section& section : all) {
@@ -250,14 +250,14 @@ std::vector<Section> sections() {
         for (const auto& entry : section.entries) names.push_back(entry.first);
     }
     names.insert(names.begin(), kinds.begin(), kinds.end());
-    // All names would fill the screen: the kinds do.
+    // All names would fill the screen, so the message lists the sections only.
     const MessageValue what("what", MessageId::WordListed), name("name", wanted), known("known", commaList(kinds));
     const std::string near = nearestName(wanted, names);
     throw InputError("", near.empty() ? Message(MessageId::UnknownName, {what, name, known})
                                       : Message(MessageId::UnknownNear, {what, name, {"near", near}, known}));
 }
 
-// wanted: a section, or an entry wherever it stands; empty: all.
+// name: a section or an entry of any section; empty: everything.
 std::string listText(const std::string& wanted) {
     const std::vector<Section> all = sections();
     std::string out;
@@ -272,7 +272,7 @@ std::string listText(const std::string& wanted) {
     return out;
 }
 
-// The same choice of what there is.
+// Returns the same selection as JSON.
 std::string listJson(const std::string& wanted) {
     const Json all = listJson();
     if (wanted.empty()) return all.dump(2) + "\n";

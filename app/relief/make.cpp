@@ -13,7 +13,7 @@ struct MakeOptions {
     RunOptions run;
 };
 
-// "bricks:512:7" is the same as bricks --size 512 --seed 7.
+// "bricks:512:7" is the same as `bricks --size 512 --seed 7`.
 Pictures chosenRelief(const MakeOptions& options) {
     const std::string& relief = needed(options.relief, "RELIEF", "make");
     const std::size_t parts = splitText(relief, ':').size();
@@ -28,7 +28,7 @@ Pictures chosenRelief(const MakeOptions& options) {
     const SizeText size = parseSize(*options.size, "--size", kMaxPictureSide);
     pictures.recipeWidth = size.width;
     pictures.recipeHeight = size.height;
-    // As many as a height map may have when it is read again.
+    // The limit that applies when the height map is read again.
     const std::int64_t texels = std::int64_t{size.width} * size.height;
     if (texels <= kDefaultMaxPixels) return pictures;
     const Message range(MessageId::RangeOfUnit,

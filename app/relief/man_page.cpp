@@ -11,7 +11,7 @@ namespace relief::app {
 
 namespace {
 
-// Text as roff takes it: hyphens that may be copied into a shell, no line that looks like a request.
+// Escapes text for roff: hyphens that can be pasted into a shell, and no line that could be taken for a request.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -39,7 +39,7 @@ std::string section(const std::string& title, const std::string& body) {
     return body.empty() ? "" : ".SH " + title + "\n" + body + (body.ends_with('\n') ? "" : "\n");
 }
 
-// Lines as they are.
+// Returns the lines unformatted.
 std::string verbatim(const std::string& text) {
     return text.empty() ? "" : ".nf\n" + roff(text) + (text.ends_with('\n') ? "" : "\n") + ".fi\n";
 }
@@ -60,7 +60,7 @@ std::string lineFrom(const std::string& text, std::size_t at) {
     return text.substr(at, text.find('\n', at) - at);
 }
 
-// The lines of a help text under "Exit status:", which stand in its line or below it: up to an empty line or another
+// Returns the lines of a help text under "Exit status:", from the title's own line up to an empty line or the next
 // title.
 std::string exitStatusLines(const std::string& help) {
     constexpr std::string_view kTitle = "Exit status:";
@@ -77,7 +77,8 @@ std::string exitStatusLines(const std::string& help) {
     return out;
 }
 
-// A number, or several, indented, with its meaning behind two spaces or more: a tagged paragraph; the others are text.
+// Formats the exit statuses: an indented number, or several, followed by two or more spaces and the meaning becomes a
+// tagged paragraph; other lines become text.
 std::string exitStatus(const std::string& help) {
     std::istringstream lines(exitStatusLines(help));
     std::string out;
@@ -126,7 +127,7 @@ std::string pageName(const CLI::App& program, const CLI::App& parser) {
     return &program == &parser ? program.get_name() : program.get_name() + "-" + parser.get_name();
 }
 
-// The commands of the program; those without a group are hidden.
+// Returns the commands of the program; those without a group are hidden.
 std::vector<const CLI::App*> shownCommands(const CLI::App& program) {
     return program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }
@@ -193,13 +194,14 @@ std::string manPage(const std::string& help) {
         } else if (text == std::string::npos) {
             continue;
         } else if (text == 0) {
-            // A paragraph with a title: of these the examples are kept, the exit status is taken below.
+            // Of the paragraphs with a title only the examples are kept; the exit status is formatted below.
             inExamples = line.starts_with("Example");
             if (inExamples) examples = line.substr(line.find(':') + 2) + "\n";
         } else if (inExamples) {
             examples += line.substr(text) + "\n";
         } else if (text == 2) {
-            // The name, then the text, two spaces on; a long name may have but one before it, at the text's column.
+            // The name is followed by two spaces and the text; after a long name the text may begin after one space, at
+            // its column.
             constexpr std::size_t kTextColumn = 24;
             std::size_t end = line.find("  ", text);
             if (end == std::string::npos && line.size() > kTextColumn) end = kTextColumn - 1;

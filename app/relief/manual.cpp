@@ -43,7 +43,7 @@ void addManual(CLI::App& program) {
         writeManual(program, folder);
         throw CLI::Success();
     };
-    // Options without a group are shown nowhere.
+    // Options without a group do not appear in the help.
     program.add_option_function<std::string>("--manual", write, "")->group("");
 }
 

@@ -19,7 +19,7 @@ struct MapOptions {
     RunOptions run;
 };
 
-// Both distances of a point, and what decides each.
+// Prints both distances of a point and the texels that determine them.
 int printDistances(const std::string& at, const Scenario& scenario, const HeightField& field, Session& session) {
     constexpr int kDecimals = 3;
     const auto [s, t, z] = parseThree(at, "--at");
@@ -68,7 +68,7 @@ bool isOneOf(const std::string& kind, const std::vector<std::string>& kinds) {
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-// The kind without its options.
+// Returns the kind without its options; throws InputError if it is unknown.
 std::string checkedKind(const std::string& text) {
     const std::string kind = splitMethodChoice(text, "KIND").name;
     if (isOneOf(kind, mapKinds()) || isOneOf(kind, pyramidMapKinds())) return kind;
@@ -76,7 +76,7 @@ std::string checkedKind(const std::string& text) {
     throw InputError("", unknownName({"what", MessageId::WordMap}, kind, known));
 }
 
-// The heights and their levels: they depend on nothing else, so there is nothing to set.
+// Writes the height pyramid. It depends on the heights alone, so options are refused.
 int writePyramid(const MapOptions& options, const std::string& kind, const std::string& output, Session& session) {
     ScenarioOptions chosen = options.scenario;
     chosen.chooseTracer("max-pyramid", kind);
@@ -159,7 +159,7 @@ void addMapCommand(CLI::App& program, Commands& commands) {
         "  relief map refined heights.png --at 10,20,0.6");
     addArgument(*parser, "KIND", options->kind,
                 "which map; with options as KIND:OPTION=VALUE, such as refined:layers=16");
-    options->scenario.add(*parser, ScenarioOptions::Look::Heights);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::Heights);
     addOutput(*parser, options->output, "the map: .tif");
     addText(
         *parser, "--at", options->at, "s,t,z",

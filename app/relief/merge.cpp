@@ -1,4 +1,5 @@
-// relief merge FILE... [-o OUT]: the parts of one run (--part K/N) become what one process would have written.
+// relief merge FILE... [-o OUT]: joins the parts of one run (--part K/N) into the output that one process would have
+// written.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -25,17 +26,17 @@ struct MergeOptions {
 
 enum class Content : std::uint8_t { Table, Record, Picture };
 
-// A part as its file holds it. Of a picture: no text.
+// A part as read from its file; `text` is empty if it is a picture.
 struct MergedPart : TextPart {
     Content content = Content::Table;
-    ImageInfo info{};  // of a picture
+    ImageInfo info{};  // of a picture only
 };
 
 [[noreturn]] void failNoPart(const std::string& path) {
     throw InputError(path, Message(MessageId::PartNone));
 }
 
-// The first letter of an ordinary file; 0 where there is none.
+// Returns the first character of a regular file; 0 if there is none.
 char firstLetter(const std::string& path) {
     char letter = 0;
     if (std::filesystem::is_regular_file(path)) std::ifstream(path, std::ios::binary).get(letter);
@@ -69,7 +70,7 @@ MergedPart readText(const std::string& path, Content content) {
     return read;
 }
 
-// What the file is, is told by what is in it, whatever its name.
+// The type of the file is determined by its content, not by its name.
 MergedPart readPart(const std::string& path) {
     const std::string ending = fileEnding(path);
     const char letter = firstLetter(path);
@@ -79,7 +80,7 @@ MergedPart readPart(const std::string& path) {
     return readPicture(path);
 }
 
-// Throws InputError where the bands' rows are not those of the whole picture, each once.
+// Throws InputError unless the bands cover every row of the whole picture exactly once.
 void checkBands(const std::vector<MergedPart>& parts) {
     int done = 0;
     for (const MergedPart& part : parts) {

@@ -13,7 +13,8 @@ namespace relief::app {
 
 namespace {
 
-// A record of CSV, without its "\n"; takes it from the text. Empty where no whole one is left.
+// Takes the first CSV record off the text and returns it without its "\n". Returns std::nullopt if no complete record
+// is left.
 std::optional<std::string_view> takeRecord(std::string_view& text) {
     bool quoted = false;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -37,7 +38,7 @@ std::vector<Field> fieldsOf(std::string_view record) {
     for (std::size_t at = 0; at < record.size(); ++at) {
         const char c = record[at];
         if (c == '"') {
-            // Two of them inside stand for one.
+            // Two quotes inside a quoted field stand for one.
             const bool twice = inside && at + 1 < record.size() && record[at + 1] == '"';
             if (twice) fields.back().text += record[++at];
             if (!twice) inside = !inside;
@@ -59,10 +60,10 @@ std::optional<Json> numberOf(const std::string& text) {
     return Json(value);
 }
 
-// What a column's fields are. Real: words as well (elevations: "random").
+// The type of a column's fields: integers, real numbers (or words among them, such as elevation "random"), words.
 enum class Kind : std::uint8_t { Whole, Real, Word };
 
-// As benchField wrote it: no number is an empty field.
+// Converts a field as benchField() wrote it: an empty field is a missing number.
 Json valueOf(const Field& field, Kind kind) {
     if (kind == Kind::Word || field.quoted) return field.text;
     if (field.text.empty()) return nullptr;
@@ -87,8 +88,8 @@ struct Cell {
 
 struct Table {
     std::string_view header;
-    std::string from;                    // the file that has the header first
-    std::set<std::string> words, reals;  // columns with at least one
+    std::string from;                    // the first file with this header
+    std::set<std::string> words, reals;  // columns with at least one word, or one non-integer
     std::vector<Cell> cells;
 
     Kind kindOf(const std::string& column) const {
@@ -97,12 +98,12 @@ struct Table {
     }
 };
 
-// The part's cells and how many rows each has; throws InputError where the first line does not say so.
+// Returns the part's cells and the number of rows of each; throws InputError if the part line does not list them.
 std::vector<std::pair<std::size_t, std::size_t>> announcedCells(const TextPart& part) {
-    const Json told = part.part.more.value("rows", Json());
-    if (!told.is_array()) failLine(part.path, 1);
+    const Json announced = part.part.more.value("rows", Json());
+    if (!announced.is_array()) failLine(part.path, 1);
     std::vector<std::pair<std::size_t, std::size_t>> cells;
-    for (const Json& cell : told) {
+    for (const Json& cell : announced) {
         const bool pair = cell.is_array() && cell.size() == 2;
         if (!pair || !cell[0].is_number_unsigned() || !cell[1].is_number_unsigned()) failLine(part.path, 1);
         cells.emplace_back(cell[0].get<std::size_t>(), cell[1].get<std::size_t>());
@@ -132,19 +133,19 @@ void readTable(const TextPart& part, Table& table) {
         if (fieldsOf(*record).size() != columns) failLine(part.path, 2 + rows.size());
     }
     if (!text.empty()) failLine(part.path, 3 + rows.size());
-    std::size_t told = 0;
+    std::size_t used = 0;
     const auto announced = announcedCells(part);
     for (const auto& [index, count] : announced) {
-        if (count > rows.size() || told > rows.size() - count) {
+        if (count > rows.size() || used > rows.size() - count) {
             throw InputError(part.path,
-                             Message(MessageId::PartRowsWrong, {{"told", told + count}, {"found", rows.size()}}));
+                             Message(MessageId::PartRowsWrong, {{"told", used + count}, {"found", rows.size()}}));
         }
-        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(told);
+        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(used);
         table.cells.push_back({index, {first, first + static_cast<std::ptrdiff_t>(count)}});
-        told += count;
+        used += count;
     }
-    if (told != rows.size()) {
-        throw InputError(part.path, Message(MessageId::PartRowsWrong, {{"told", told}, {"found", rows.size()}}));
+    if (used != rows.size()) {
+        throw InputError(part.path, Message(MessageId::PartRowsWrong, {{"told", used}, {"found", rows.size()}}));
     }
     for (const auto& [key, columns] : {std::pair("words", &table.words), std::pair("reals", &table.reals)}) {
         for (const Json& name : part.part.more.value(key, Json::array())) {
@@ -187,7 +188,8 @@ void mergeTables(const std::vector<TextPart>& parts, const std::string& output, 
                      [](const Cell& a, const Cell& b) { return a.index < b.index; });
     for (std::size_t n = 0; n < table.cells.size(); ++n) {
         if (table.cells[n].index == n) continue;
-        // Every cell once: a part has the one before twice, or the part that should have the n-th has it not.
+        // Every cell must occur exactly once: otherwise a part repeats a cell, or the part that should hold the n-th
+        // cell lacks it.
         const std::size_t wrong = std::min(n, table.cells[n].index);
         const auto owner =
             std::find_if(parts.begin(), parts.end(), [&](const TextPart& p) { return p.part.has(wrong); });
@@ -200,12 +202,12 @@ void mergeTables(const std::vector<TextPart>& parts, const std::string& output, 
 
 namespace {
 
-// The lines of one part's record, one after the other.
+// Reads the lines of one part's record in order.
 class RecordReader {
   public:
     explicit RecordReader(const TextPart& part) : part_(part), left_(std::string_view(part.text).substr(part.body)) {}
 
-    // The next case, which must have this number, and its line with "\n".
+    // Returns the next case, which must have this number, and its line including "\n".
     std::pair<StressCase, std::string_view> next(std::uint64_t number) {
         ++line_;
         const std::size_t end = left_.find('\n');
@@ -253,7 +255,7 @@ int mergeRecords(const std::vector<TextPart>& parts, const std::optional<std::st
     }
     for (const RecordReader& reader : readers) reader.expectEnd();
     if (record) record->commit();
-    return tellStress(tally.report(), number("seed"), session);
+    return reportStress(tally.report(), number("seed"), session);
 }
 
 }  // namespace relief::app

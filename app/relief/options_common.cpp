@@ -29,7 +29,7 @@ CLI::App* addCommand(CLI::App& program, const std::string& name, const std::stri
 
 CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
                      const std::string& help, const std::string& group) {
-    // Not bound as std::optional: CLI11 would take an empty text for "not given".
+    // Not bound as std::optional: CLI11 would treat an empty string as "not given".
     CLI::Option* option = parser.add_option_function<std::string>(
         names, [&target](const std::string& text) { target = text; }, help);
     return option->type_name(kind)->group(group);
@@ -105,12 +105,12 @@ bool isScenarioFile(const std::string& path) {
     if (fileEnding(path) == "json") return true;
     std::error_code none;
     const auto status = std::filesystem::status(path, none);
-    // Pictures are not read from pipes.
+    // Pictures cannot be read from pipes.
     if (!std::filesystem::is_regular_file(status)) {
         return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
     }
     char letter = 0;
-    std::ifstream(path, std::ios::binary) >> letter;  // past white space
+    std::ifstream(path, std::ios::binary) >> letter;  // the first character that is not white space
     return letter == '{';
 }
 
@@ -167,7 +167,7 @@ EarlierRun RestartOptions::chosen() const {
 }
 
 void addLanguage(CLI::App& parser) {
-    // main() has read it already: a fault in these very options must be said in that language, too.
+    // main() has already applied it: an error in these very options must be reported in that language, too.
     parser
         .add_option_function<std::string>(
             "--language", [](const std::string&) {}, "language of messages: en (default) or uk")

@@ -1,5 +1,5 @@
-// Options that several commands share. They are kept as text and turned into numbers without the locale, by the same
-// descriptions that the window's sliders use.
+// Options that several commands share. They are kept as text and converted to numbers independently of the locale, with
+// the same option descriptions that the window's sliders use.
 #pragma once
 
 #include <array>
@@ -16,60 +16,66 @@ namespace relief::app {
 
 using OptionText = std::optional<std::string>;
 
-// --- declaring
+// --- Declaring options
 
-// A command with its paragraph and an example line.
+// Adds a command with its summary, a paragraph, and example lines.
 CLI::App* addCommand(CLI::App& program, const std::string& name, const std::string& summary,
                      const std::string& paragraph, const std::string& examples);
 
-// An option that takes one value; nothing where it was not given.
+// Adds an option that takes one value; `target` is std::nullopt if it is not given.
 CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
                      const std::string& help, const std::string& group);
-// One that is known by its place and cannot be left out.
+// Adds a mandatory positional argument.
 void addArgument(CLI::App& parser, const std::string& name, OptionText& target, const std::string& help);
-// One that may be repeated.
+// Adds an option that may be repeated.
 CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<std::string>& target,
                       const std::string& kind, const std::string& help, const std::string& group);
+// Adds an option without a value.
 CLI::Option* addFlag(CLI::App& parser, const std::string& names, bool& target, const std::string& help,
                      const std::string& group);
 
-// "X,Y,Z"; InputError naming the option.
+// Parses "X,Y,Z". Throws InputError naming the option.
 std::array<double, 3> parseThree(const std::string& text, const std::string& option);
 
-// "--language": accepted everywhere, read by main().
+// Adds "--language", which every command accepts and main() evaluates.
 void addLanguage(CLI::App& parser);
 
-// "-o, --output": where the result goes.
+// Adds "-o, --output", the destination of the result.
 void addOutput(CLI::App& parser, OptionText& target, const std::string& help);
 
-// --- reading
+// --- Reading options. The functions throw InputError naming `option`.
 
-// The value, or InputError naming the option.
+// Returns the value; throws InputError naming the option if it was not given.
 const std::string& needed(const OptionText& value, const std::string& option, const std::string& command);
-// "800x600", or "512" for 512x512.
+// Pixels or texels: "800x600", or "512" for 512x512.
 struct SizeText {
     int width;
     int height;
 };
+// largest: of width and height.
 SizeText parseSize(const std::string& text, const std::string& option, int largest);
-// The same of what is square: its side.
+// Parses the side of a square in the same spellings.
 int parseSide(const std::string& text, const std::string& option, int largest);
-// Whether the file is to be read as a scenario: by its ending .json, or because it begins as one. Anything else is a
-// picture.
+// Returns true if the file is to be read as a scenario: its name ends in .json, or its content begins like JSON.
+// Anything else is a picture.
 bool isScenarioFile(const std::string& path);
-// "X,Y", whole numbers from 0.
+// Parses "X,Y", integers from 0.
 PixelChoice parsePixel(const std::string& text, const std::string& option);
+// Parses an integer in [low, high].
 std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high);
+// Parses an integer from 0 to 2^64 - 1.
 std::uint64_t parseSeed(const std::string& text, const std::string& option);
-// "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7" of --relief.
+// Parses the value of --relief: "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7".
 void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief");
+// Splits the text at each separator; empty parts are kept.
 std::vector<std::string> splitText(const std::string& text, char separator);
 
 // --threads, --quiet, --verbose
 class RunOptions {
   public:
     void add(CLI::App& parser, bool withThreads = true);
-    // withoutOthers: this process does not share its work with others that were started with it; else rank 0 speaks.
+    // withoutOthers: this process does not share its work with other processes of the same launch. If it does, only
+    // rank 0 prints notes.
     void apply(Session& session, bool withoutOthers = true) const;
 
   private:
@@ -78,13 +84,13 @@ class RunOptions {
     bool verbose_ = false;
 };
 
-// --resume, --anew: what becomes of FILE.part, which a run that was stopped has left.
+// --resume, --anew: what to do with FILE.part of an interrupted run.
 class RestartOptions {
   public:
-    // when: of what kind of command, "many pictures".
+    // when: the kind of command that has these options, such as "many pictures"; for the help.
     void add(CLI::App& parser, const std::string& when, const std::string& group);
     bool given() const { return resume_ || anew_; }
-    // Throws InputError where both are given.
+    // Throws InputError if both options are given.
     EarlierRun chosen() const;
 
   private:
@@ -97,7 +103,7 @@ class ReadingOptions {
   public:
     void add(CLI::App& parser, const char* group = "Reading the height map");
     void apply(HeightReadOptions& reading) const;
-    // An option that was given; empty where there is none.
+    // Returns the name of one of these options that was given; empty if none was.
     std::string given() const;
 
   private:
@@ -105,37 +111,38 @@ class ReadingOptions {
     bool invert_ = false;
 };
 
-// A scenario and everything that overrides it.
+// A scenario and all options that override parts of it.
 class ScenarioOptions {
   public:
-    // Which groups a command takes beside scenario, height map and method.
-    // Yes: the view, --color, --normal, --filter, --light. View: the view alone. No: none of them. Heights: nothing but
-    // the height field, and the options of a method that the command chooses itself. Plain: nothing but the height
-    // field.
-    enum class Look { Yes, View, No, Heights, Plain };
-    void add(CLI::App& parser, Look look);
-    // The scenario (the file's, or the default one) with the options laid over it; checked. Throws InputError.
+    // The groups of options that a command takes in addition to scenario, height map and method. All: the view,
+    // --color,
+    // --normal, --filter, --light. View: the view only. None: none of them. Heights: only the height field, and the
+    // options of a method that the command itself chooses. HeightsOnly: only the height field.
+    enum class OptionGroups { All, View, None, Heights, HeightsOnly };
+    void add(CLI::App& parser, OptionGroups groups);
+    // Returns the scenario of the file, or the default one, with the options applied and validated. Throws InputError.
     Scenario scenario() const { return scenario(file_); }
-    // The same over another file, a scenario or a height map; nothing: over the default one.
+    // The same for another file, a scenario or a height map; std::nullopt: for the default scenario.
     Scenario scenario(const OptionText& file) const;
     const OptionText& file() const { return file_; }
     bool heightsGiven() const { return file_ || height_ || recipe_; }
-    // The command chooses the method: no --tracer. argument: what says which, for messages.
+    // Sets the method, instead of an option --tracer. argument: the argument that determined it, for messages.
     void chooseTracer(const std::string& method, const std::string& argument);
-    // An option of the view that was given, such as "--camera"; empty where there is none.
+    // Returns the name of an option of the view that was given, such as "--camera"; empty if none was.
     std::string viewOption() const;
-    // --map: the stored map laid into the cache for the scenario's tracer, which gets the options it was built with.
-    // follow: without --tracer and a scenario file the tracer that walks such maps is taken.
+    // --map: puts the stored map into the cache for the scenario's tracer and sets the tracer's options to those that
+    // the map was built with. follow: if neither --tracer nor a scenario file is given, selects the tracer that uses
+    // such maps.
     void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work, bool follow = false) const;
-    // " --map FILE" as it was given, quoted for a shell; empty without it.
+    // Returns " --map FILE" as it was given, quoted for a shell; empty without it.
     std::string mapArgument() const;
-    // What tells the stored map's file from others by what is in it; empty where none is given. Throws InputError.
+    // Returns a hash of the stored map's file; empty without --map. Throws InputError.
     std::string mapContent() const;
 
   private:
-    void addPictures(CLI::App& parser, Look look);
-    void addMethod(CLI::App& parser, Look look);
-    void addView(CLI::App& parser, Look look);
+    void addPictures(CLI::App& parser, OptionGroups groups);
+    void addMethod(CLI::App& parser, OptionGroups groups);
+    void addView(CLI::App& parser, OptionGroups groups);
     void applyPictures(Scenario& scenario) const;
     void applyMethod(Scenario& scenario) const;
     void applyTracer(MethodChoice& method) const;
@@ -155,12 +162,13 @@ class ScenarioOptions {
     OptionText scene_, camera_, eye_, target_, fov_, size_, light_, bounded_, mapping_;
 };
 
-// "elevation=20,azimuth=30": the camera becomes an orbit unless only the field of view is given. option: for messages.
+// Parses "elevation=20,azimuth=30". The camera becomes an orbit camera unless only the field of view is given. option:
+// the option's name, for messages.
 void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option);
 
-// Says what was done to the heights on reading (once a file).
+// Prints a note on how the heights were changed on reading, once per file.
 void noteHeights(Session& session, const Assets& assets, const Scenario& scenario);
-// Says which level base=auto means in this view, where the method has it.
+// Prints a note on the level that base=auto selects in this view, if the method has that option.
 void noteBaseLevel(Session& session, const Scenario& scenario, const FrameRequest& request);
 
 }  // namespace relief::app

@@ -17,7 +17,7 @@ namespace relief::app {
 
 namespace {
 
-// "elevation, degrees, -90 to 90, default 35": from the one description of the number.
+// Returns "elevation, degrees, -90 to 90, default 35" from the shared description of the number.
 std::string numberHelp(std::string_view name) {
     const ScenarioNumber& number = scenarioNumber(name);
     const OptionDescription& d = number.description;
@@ -26,8 +26,8 @@ std::string numberHelp(std::string_view name) {
            numberText(number.get(Scenario{}));
 }
 
-// "elevation=30,azimuth=45": each name with `prefix` (where there is such a number) set in the scenario.
-// Returns the names.
+// Parses "elevation=30,azimuth=45" and sets each number in the scenario; `prefix` is put before a name if a number of
+// that full name exists. Returns the names.
 std::vector<std::string> applySettings(Scenario& scenario, const std::string& text, const std::string& option,
                                        const std::vector<std::pair<std::string, std::string>>& names) {
     std::vector<std::string> given;
@@ -58,7 +58,7 @@ glm::dvec3 parsePoint(const std::string& text, const std::string& option) {
     return {p[0], p[1], p[2]};
 }
 
-// "NAME=VALUE", each name once.
+// Parses settings "NAME=VALUE"; each name may occur once.
 void applySettings(OptionValues& options, const std::vector<std::string>& settings, const std::string& option,
                    const std::string& example) {
     std::set<std::string> given;
@@ -73,7 +73,7 @@ void applySettings(OptionValues& options, const std::vector<std::string>& settin
     }
 }
 
-// "drawn", "WxH", "0.1,0.5,...": as the trace command of a relief drawn by hand has it.
+// Parses a relief drawn by hand, "drawn", "WxH", "0.1,0.5,...", as the printed `relief trace` command contains it.
 void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts, const std::string& option) {
     const SizeText size = parseSize(parts[1], option, kMostDrawnSide);
     pictures.drawn = {size.width, size.height, parseDrawnNumbers(parts[2], option)};
@@ -88,7 +88,7 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
     const auto given =
         applySettings(scenario, text, option,
                       {{"elevation", "elevation"}, {"azimuth", "azimuth"}, {"distance", "distance"}, {"fov", "fov"}});
-    // The field of view alone leaves a free camera free.
+    // Setting only the field of view does not turn a free camera into an orbit camera.
     if (given != std::vector<std::string>{"fov"}) scenario.camera.kind = Camera::Kind::Orbit;
 }
 
@@ -122,33 +122,33 @@ void applyRecipe(Pictures& pictures, const std::string& text, const std::string&
     if (parts.size() > 2) pictures.seed = parseSeed(parts[2], option);
 }
 
-void ScenarioOptions::add(CLI::App& parser, Look look) {
+void ScenarioOptions::add(CLI::App& parser, OptionGroups groups) {
     addText(parser, "FILE", file_, "",
             "a height map (PNG, JPEG, TIFF, EXR, HDR, ...), or a scenario (.json) as the window saves it or --report "
             "holds it: pictures, method, camera, light. Every option overrides what a scenario says",
             "Arguments");
-    addPictures(parser, look);
+    addPictures(parser, groups);
     reading_.add(parser);
-    addMethod(parser, look);
-    if (look == Look::Yes || look == Look::View) addView(parser, look);
+    addMethod(parser, groups);
+    if (groups == OptionGroups::All || groups == OptionGroups::View) addView(parser, groups);
 }
 
-void ScenarioOptions::addPictures(CLI::App& parser, Look look) {
+void ScenarioOptions::addPictures(CLI::App& parser, OptionGroups groups) {
     const char* group = "Pictures";
     addText(parser, "--height", height_, "FILE", "height map: the same as FILE", group);
     addText(parser, "--relief", recipe_, "NAME[:SIZE[:SEED]]",
             "instead of a file, a procedural relief (relief list reliefs names them), such as bricks:512 or "
             "bricks:512x256:7",
             group);
-    if (look != Look::Yes) return;
+    if (groups != OptionGroups::All) return;
     addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
     addText(parser, "--normal", normal_, "FILE",
             "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
 }
 
-void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
-    const char* group = look == Look::Plain ? "Relief" : "Method";
-    if (look == Look::Yes || look == Look::View || look == Look::No) {
+void ScenarioOptions::addMethod(CLI::App& parser, OptionGroups groups) {
+    const char* group = groups == OptionGroups::HeightsOnly ? "Relief" : "Method";
+    if (groups == OptionGroups::All || groups == OptionGroups::View || groups == OptionGroups::None) {
         addText(parser, "--tracer", tracer_, "NAME[:OPTION=VALUE...]",
                 "how rays meet the relief: " + namesOf(tracerList()) + "; default " + Scenario{}.method.name +
                     "; with options such as layers:layers=64 (relief list NAME shows what there is)",
@@ -158,7 +158,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
                 "options are the map's",
                 group);
     }
-    if (look != Look::Plain) {
+    if (groups != OptionGroups::HeightsOnly) {
         addTexts(parser, "--set", settings_, "NAME=VALUE",
                  "an option of the method, such as layers=64; may be repeated, once for each option", group);
     }
@@ -167,7 +167,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
             "what lies outside the picture: itself again (default), its rim, nothing", group);
     addText(parser, "--surface", surface_, "bilinear|columns",
             "between texels: a smooth surface (default), or each texel a box", group);
-    if (look == Look::Yes) {
+    if (groups == OptionGroups::All) {
         addText(parser, "--filter", filter_, "NAME[:OPTION=VALUE...]",
                 "how colours are sampled: " + namesOf(filterList()) + "; default " + Scenario{}.filter.name +
                     "; with options such as elliptical:weights=uniform:radius=0.6 or supersample:samples=4 (relief "
@@ -190,7 +190,7 @@ void ScenarioOptions::addMethod(CLI::App& parser, Look look) {
     }
 }
 
-void ScenarioOptions::addView(CLI::App& parser, Look look) {
+void ScenarioOptions::addView(CLI::App& parser, OptionGroups groups) {
     const char* group = "View";
     addText(parser, "--size", size_, "WxH|N", "size of the picture, pixels, default 800x600; N: N x N", group);
     addText(parser, "--scene", scene_, "floor|wall|cube", "what carries the relief; default floor", group);
@@ -206,7 +206,7 @@ void ScenarioOptions::addView(CLI::App& parser, Look look) {
                 commaList(mappingNames()) +
                 "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
             group);
-    if (look == Look::View) return;
+    if (groups == OptionGroups::View) return;
     addFlag(parser, "--no-skip", noSkip_,
             "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "
             "spared). What "
@@ -357,7 +357,7 @@ void ScenarioOptions::applyView(Scenario& scenario) const {
         const SizeText size = parseSize(*size_, "--size", kMaxPictureSide);
         scenario.width = size.width;
         scenario.height = size.height;
-        // The scenario's chosen pixel was one of another picture.
+        // The scenario's chosen pixel lies outside a picture of the new size.
         if (scenario.pixel && (scenario.pixel->x >= size.width || scenario.pixel->y >= size.height)) {
             scenario.pixel.reset();
         }

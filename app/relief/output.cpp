@@ -29,13 +29,14 @@ std::string standardOutputName() {
     return "standard output";
 }
 
-// Waits until the descriptor is ready, looking at the stop token now and then.
+// Waits until the descriptor is ready, polling the stop token meanwhile.
 void waitReady(int descriptor, short events, const std::stop_token& stop) {
     pollfd entry{descriptor, events, 0};
     while (true) {
         if (stop.stop_requested()) throw Cancelled();
         const int ready = poll(&entry, 1, kPollMilliseconds);
-        if (ready > 0 || (ready < 0 && errno != EINTR)) return;  // errors show in the read or write that follows
+        // errors are reported by the read or write that follows
+        if (ready > 0 || (ready < 0 && errno != EINTR)) return;
     }
 }
 
@@ -45,9 +46,9 @@ std::optional<mode_t> fileMode(const std::string& path) {
     return info.st_mode;
 }
 
-// A device, pipe or socket must be written into, never replaced by a renamed file.
+// Devices, pipes and sockets must be written to, never replaced by a renamed file.
 bool writtenDirectly(const std::string& path) {
-    // What the shell has opened already, whatever it is (/dev/shm holds ordinary files).
+    // Descriptors that the shell has opened, whatever they refer to. (/dev/shm holds ordinary files.)
     for (const char* opened : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"}) {
         if (path.starts_with(opened)) return true;
     }

@@ -1,5 +1,5 @@
-// Where results go: standard output or a file that appears only when it is complete. Every failed write is an error:
-// a full disk or a closed pipe must not look like success.
+// Destinations of results: standard output, or a file that appears only when it is complete. Every failed write is an
+// error: a full disk or a closed pipe must not look like success.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,12 @@
 
 namespace relief::app {
 
-// Thrown where the reader of standard output, or of a pipe, has gone away: the program ends as SIGPIPE ends others,
-// without a word.
+// Thrown if the reader of standard output, or of a pipe, has closed it: the program then ends silently, as other
+// programs end by SIGPIPE.
 struct OutputClosed {};
 
-// Text written piece by piece. path "-": standard output; devices and pipes are written directly; anything else beside
-// and renamed by commit().
+// Writes text piece by piece. path: "-" for standard output; devices and pipes are written to directly; other files are
+// written under a temporary name in the same folder and renamed by commit().
 class TextOutput {
   public:
     TextOutput(std::string path, std::stop_token stop);
@@ -25,10 +25,11 @@ class TextOutput {
     TextOutput(const TextOutput&) = delete;
     TextOutput& operator=(const TextOutput&) = delete;
 
+    // Throws WorkError, OutputClosed, and Cancelled when the stop token is triggered while a reader stalls.
     void write(std::string_view text);
-    // Without it, a file is left as it was. Throws WorkError.
+    // Completes the output; without it, an existing file is left unchanged. Throws WorkError.
     void commit();
-    // The temporary file goes, for a process that ends at once; while another thread may be writing to it.
+    // Removes the temporary file, for a process that ends at once; safe while another thread is writing to it.
     void discard() const;
 
   private:
@@ -38,23 +39,23 @@ class TextOutput {
     std::unique_ptr<AtomicFile> file_;
     int descriptor_ = -1;
     bool owned_ = false;
-    bool inPieces_ = false;  // a reader may stall: look at the stop token between pieces
+    bool inPieces_ = false;  // a reader may stall: poll the stop token between pieces
     std::stop_token stop_;
 };
 
-// One text to standard output.
+// Writes one text to standard output.
 void writeStandardOutput(std::string_view text, std::stop_token stop = {});
 
-// All of standard input; ends with Cancelled when the stop token is triggered.
+// Returns all of standard input. Throws Cancelled when the stop token is triggered.
 std::string readStandardInput(const std::stop_token& stop);
 
-// To be called before long work: the ending must be one of `endings` (without dot; InputError otherwise), and the
-// folder must be there.
+// Checks the output before long work. Throws InputError if the file name's ending is not one of `endings` (without
+// dot), WorkError if the folder does not exist.
 void checkOutput(const std::string& path, const std::vector<std::string>& endings);
-// The folder must be there, and the name not be a folder's; throws WorkError.
+// Throws WorkError if the folder does not exist, or if `path` is itself a folder.
 void checkOutputFolder(const std::string& path);
 
-// The ending of the file's name, lower case, without dot.
+// Returns the ending of the file's name, in lower case, without the dot.
 std::string fileEnding(const std::string& path);
 
 }  // namespace relief::app

@@ -11,7 +11,7 @@ namespace relief::app {
 namespace {
 
 constexpr std::size_t kShownLetters = 60;  // of a value in a message
-constexpr std::size_t kShownParts = 20;    // of those that are missing
+constexpr std::size_t kShownParts = 20;    // of the missing parts listed in a message
 
 std::string shown(const Json* value) {
     std::string text = value == nullptr ? "null" : asciiLine(*value);
@@ -19,7 +19,8 @@ std::string shown(const Json* value) {
     return text;
 }
 
-// The first member that differs, into objects within; those of `there` that `here` lacks come last.
+// Returns the first member that differs, descending into nested objects; members of `there` that `here` lacks come
+// last.
 std::optional<RunDifference> firstDifference(const Json* here, const Json* there, const std::string& name) {
     if (here == there || (here != nullptr && there != nullptr && *here == *there)) return std::nullopt;
     if (here == nullptr || there == nullptr || !here->is_object() || !there->is_object()) {
@@ -33,7 +34,7 @@ std::optional<RunDifference> firstDifference(const Json* here, const Json* there
             }
         }
     }
-    // The same members in another order.
+    // The members are equal and differ only in order.
     return std::nullopt;
 }
 
@@ -66,7 +67,7 @@ PartNumber parsePartNumber(const std::string& text) {
             return {static_cast<int>(parseWhole(halves[0], "--part", 1, of)), of};
         }
     } catch (const InputError&) {
-        // One sentence for all that is wrong with it.
+        // All faults of the run go into one message.
     }
     throw InputError("--part", Message(MessageId::PartSyntax, {{"text", text}, {"most", kMostParts}}));
 }
@@ -93,7 +94,7 @@ std::string hashText(std::span<const std::byte> bytes) {
 
 Json runJson(const std::string& kind, Json options, std::span<const std::string> cells) {
     std::string names;
-    // No name holds a line break.
+    // No name contains a line break.
     for (const std::string& cell : cells) names += cell + "\n";
     const Json run{{"kind", kind},
                    {"commit", commitText()},

@@ -1,13 +1,14 @@
-// Parts of one run, made by commands that need not know of each other (--part K/N) and put together by relief merge.
+// Parts of one run, computed by independent commands (--part K/N) and joined by `relief merge`.
 //
-// Every part says which run it is of: its *part line*, a JSON object
+// Every part identifies its run by its *part line*, a JSON object
 //     {"relief part": K, "of": N, "run": {"kind": ..., "commit": ..., "options": {...}, "cells": ...}, ...}
-// kind: tracers, rows, filters, stress or render; options: all that results depend on; cells: a hash of the names of
-// all cells of the whole run. Two parts are of one run when their `run` are equal. Where the line stands: in a table
-// (CSV) the first line, behind "# "; in JSON lines the first object; in a picture its metadata (picture_bands.h). A
-// table's also has "rows", [[cell, count], ...]: how many rows each cell of the part has, in the file's order, and may
-// have "words", the columns that hold text whatever it looks like. A picture's has "first", "end" and "height": rows
-// [first, end) of so many.
+// kind: tracers, rows, filters, stress or render. options: everything that results depend on. cells: a hash of the
+// names of all cells of the whole run. Two parts belong to the same run if their `run` objects are equal.
+//
+// Place of the part line: in a table (CSV) the first line, after "# "; in JSON lines the first object; in a picture its
+// metadata (picture_bands.h). Tables also have "rows", [[cell, count], ...], the number of rows of each cell of the
+// part in the file's order, and may have "words", the columns that hold text even where it looks like numbers. Pictures
+// also have "first", "end" and "height": the part holds rows [first, end) of a picture of that height.
 #pragma once
 
 #include <cstddef>
@@ -25,21 +26,21 @@ namespace relief::app {
 
 inline constexpr int kMostParts = 100'000;
 
-// K/N: part K, from 1, of N.
+// K/N: part K, counted from 1, of N.
 struct PartNumber {
     int part = 1;
     int of = 1;
-    // Whether the cell, frame or case of this index, from 0, is of this part.
+    // Returns true if the cell, frame or case of this index, counted from 0, belongs to this part.
     bool has(std::uint64_t index) const {
         return index % static_cast<std::uint64_t>(of) == static_cast<std::uint64_t>(part - 1);
     }
 };
 
-// "2/3". Throws InputError naming --part.
+// Parses "2/3". Throws InputError naming --part.
 PartNumber parsePartNumber(const std::string& text);
 
-// The part's band of a picture's rows: bands differ by one row at most. Throws InputError naming --part where there are
-// fewer rows than parts.
+// Returns the band of a picture's rows that belongs to the part; the heights of bands differ by at most one row. Throws
+// InputError naming --part if there are fewer rows than parts.
 RowRange partRows(const PartNumber& number, int height);
 
 struct Part : PartNumber {
@@ -47,17 +48,17 @@ struct Part : PartNumber {
     Json more = Json::object();  // what else stands in the line: "rows", "first", ...
 };
 
-// All that tells one run from another. cells: the names of all its cells.
+// Returns the identity of a run. cells: the names of all its cells.
 Json runJson(const std::string& kind, Json options, std::span<const std::string> cells);
 
-// The part line: one line of printable ASCII, without "\n".
+// Returns the part line: one line of printable ASCII, without "\n".
 std::string partLine(const Part& part);
-// Of a whole run: {"run": ...}.
+// Returns the first line of a whole run: {"run": ...}.
 std::string runLine(const Json& run);
-// Empty where the text is none.
+// Returns std::nullopt if the text is not a part line.
 std::optional<Part> parsePartLine(std::string_view text);
 
-// Tells what is in files and pictures from what is in others (FNV-1a), word by word.
+// Identifies the content of files and pictures: FNV-1a, with 64-bit words in place of bytes.
 class ContentHash {
   public:
     void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3ULL; }
@@ -66,13 +67,14 @@ class ContentHash {
   private:
     std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
-// Of these bytes, each a word.
+// Returns the hash of the bytes, each added as one word.
 std::string hashText(std::span<const std::byte> bytes);
 
-// What tells the runs apart, the first of: kind, commit, seed, the other options, cells. Empty where they are equal.
+// The first difference of two runs, in the order: kind, commit, seed, the other options, cells. runDifference() returns
+// std::nullopt if they are equal.
 struct RunDifference {
     std::string what;         // "commit", "seed", "camera.elevation", ...
-    std::string here, there;  // as JSON, cut where it is long; null: not given
+    std::string here, there;  // as JSON, truncated if long; null: not given
 };
 std::optional<RunDifference> runDifference(const Json& here, const Json& there);
 
@@ -81,7 +83,8 @@ struct PartFile {
     std::string path;
     Part part;
 };
-// Throws InputError, naming the files, where they are not all parts of one run, once each. At least one file.
+// Throws InputError, naming the files, unless they are all parts of one run, each exactly once. Requires at least one
+// file.
 void requireWholeRun(const std::vector<PartFile>& files);
 
 }  // namespace relief::app

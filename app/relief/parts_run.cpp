@@ -15,8 +15,8 @@ namespace relief::app {
 
 namespace {
 
-constexpr std::int64_t kPermille = 1000;  // of the bar, a part
-constexpr auto kBetweenLooks = std::chrono::milliseconds(1);
+constexpr std::int64_t kPermille = 1000;  // steps of the progress bar per part
+constexpr auto kBetweenPolls = std::chrono::milliseconds(1);
 constexpr int kInterrupted = 130;
 
 Json taskJson(const Task& task) {
@@ -27,7 +27,7 @@ Task taskOf(const Json& json) {
     return {json.at("part").get<std::size_t>(), static_cast<Pass>(json.at("pass").get<int>())};
 }
 
-// What is done, by whom, and what is left: rank 0's, or that of a process alone.
+// Keeps the results and the schedule of a run, on rank 0 or in a single process.
 class Ledger {
   public:
     Ledger(const PartsRun& run, std::vector<std::string> hosts, Session& session)
@@ -64,7 +64,7 @@ class Ledger {
     std::optional<Task> next(int rank) { return schedule_.next(rank); }
     bool over() const { return schedule_.over(); }
     std::size_t done() const { return done_; }
-    // What a rank has done.
+    // Returns a sentence about how much a rank has done.
     Message doneBy(int rank, const std::string& host) const {
         const auto at = static_cast<std::size_t>(rank);
         if (!passes_) return Message(MessageId::RankDone, {{"rank", rank}, {"host", host}, {"parts", partsOf_[at]}});
@@ -113,44 +113,45 @@ class Ledger {
     std::unique_ptr<Journal> journal_;
     std::vector<std::optional<Json>> counts_, whole_;
     std::map<std::size_t, Json> times_;             // of parts whose counts another rank has not sent yet
-    std::vector<std::size_t> partsOf_, countedBy_;  // of each rank: whole or timed; counted
+    std::vector<std::size_t> partsOf_, countedBy_;  // per rank: parts done whole or timed; parts counted
     std::size_t done_ = 0;
 };
 
-// Does one task after the other until there is none, the bar telling of them as of one piece of work. done: parts.
+// Does tasks until next() returns none, and shows them on the progress bar as one piece of work. done: returns the
+// number of finished parts.
 void work(const PartsRun& run, Session& session, int ranksHere, const std::function<std::optional<Task>()>& next,
           const std::function<void(const Task&, Json)>& put, const std::function<std::size_t()>& done) {
     Progress& bar = session.work().progress();
     const std::size_t before = done();
     bar.begin(run.bar, static_cast<std::int64_t>(run.parts - before) * kPermille);
-    std::int64_t told = 0;
-    const auto tell = [&](std::int64_t permille) {
-        if (permille <= told) return;
-        bar.advance(permille - told);
-        told = permille;
+    std::int64_t reported = 0;
+    const auto report = [&](std::int64_t permille) {
+        if (permille <= reported) return;
+        bar.advance(permille - reported);
+        reported = permille;
     };
     while (const std::optional<Task> task = next()) {
         const auto base = static_cast<std::int64_t>(done() - before) * kPermille;
-        tell(base);
+        report(base);
         int threads = run.threads(task->part) > 0 ? run.threads(task->part) : session.threads();
-        // Ranks that count at the same time share their host's processors.
+        // Ranks that count at the same time share the processors of their host.
         if (threads == 0 && task->pass != Pass::Times && ranksHere > 1) {
             threads = std::max(1, session.work().threads().size() / ranksHere);
         }
-        // Stages inside a part begin anew: the furthest counts.
+        // Each stage of a part restarts its own progress; the bar never moves backwards.
         Work one(threads, session.stop(), [&](std::string_view, double fraction) {
-            tell(base + static_cast<std::int64_t>(fraction * static_cast<double>(kPermille - 1)));
+            report(base + static_cast<std::int64_t>(fraction * static_cast<double>(kPermille - 1)));
         });
         put(*task, run.measure(*task, one));
     }
-    tell(static_cast<std::int64_t>(done() - before) * kPermille);
+    report(static_cast<std::int64_t>(done() - before) * kPermille);
 }
 
-// With how to go on, where there is a journal.
-void sayStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
+// Prints that the run was stopped and, if there is a journal, how to resume it.
+void reportStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
     if (ledger.journal() == nullptr) return session.note(run.bar, Message(MessageId::RunStopped));
-    const MessageId said = ledger.journal()->keepsSome() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
-    session.note(ledger.journal()->path(), Message(said, {{"done", ledger.done()}, {"total", run.parts}}));
+    const MessageId message = ledger.journal()->hasResults() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
+    session.note(ledger.journal()->path(), Message(message, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 
 PartsDone alone(const PartsRun& run, Session& session) {
@@ -161,14 +162,14 @@ PartsDone alone(const PartsRun& run, Session& session) {
             [&](const Task& task, Json result) { ledger.put(0, task, std::move(result)); },
             [&] { return ledger.done(); });
     } catch (const Cancelled&) {
-        if (ledger.journal() != nullptr) sayStopped(run, ledger, session);
+        if (ledger.journal() != nullptr) reportStopped(run, ledger, session);
         throw;
     }
     session.eraseBar();
     return ledger.take();
 }
 
-// Letters are CBOR: results may hold pictures.
+// Messages between ranks are CBOR, because results may contain pictures.
 std::string letterText(const Json& json) {
     std::string text;
     Json::to_cbor(json, text);
@@ -179,7 +180,7 @@ Json letterJson(const std::string& text) {
     return Json::from_cbor(text);
 }
 
-// Rank 0's part: answers the others from a thread of its own, while this one works as they do.
+// Rank 0: serves the other ranks from a thread of its own, while the calling thread works as they do.
 class Coordinator {
   public:
     Coordinator(Ledger& ledger, Team& team, std::stop_token stop)
@@ -193,7 +194,7 @@ class Coordinator {
               changed_.notify_all();
           }) {}
 
-    // Waits while others do the last ones.
+    // Returns the next task for rank 0; waits while other ranks may still return work, std::nullopt when all is done.
     std::optional<Task> next() {
         std::unique_lock lock(mutex_);
         while (true) {
@@ -201,7 +202,7 @@ class Coordinator {
             if (stop_.stop_requested()) throw Cancelled();
             if (ledger_.over()) return std::nullopt;
             if (const std::optional<Task> task = ledger_.next(0)) return task;
-            changed_.wait_for(lock, kBetweenLooks);
+            changed_.wait_for(lock, kBetweenPolls);
         }
     }
     void put(const Task& task, Json result) {
@@ -212,7 +213,7 @@ class Coordinator {
         const std::lock_guard lock(mutex_);
         return ledger_.done();
     }
-    // Until every rank knows that all is done. Throws what went wrong meanwhile.
+    // Waits until every rank has been told that all is done. Rethrows an exception of the serving thread.
     void join() {
         thread_.join();
         if (failure_) std::rethrow_exception(failure_);
@@ -224,12 +225,12 @@ class Coordinator {
         int ended = 1;
         Backoff backoff;
         while (ended < team_.size() && !end.stop_requested()) {
-            while (const std::optional<Team::Letter> letter = team_.look()) {
+            while (const std::optional<Team::Letter> letter = team_.poll()) {
                 backoff.wokenUp();
-                Json said = letterJson(letter->text);
-                if (said.contains("result")) {
+                Json message = letterJson(letter->text);
+                if (message.contains("result")) {
                     const std::lock_guard lock(mutex_);
-                    ledger_.put(letter->from, taskOf(said), std::move(said["result"]));
+                    ledger_.put(letter->from, taskOf(message), std::move(message["result"]));
                 }
                 waiting.push_back(letter->from);
             }
@@ -252,25 +253,25 @@ class Coordinator {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::exception_ptr failure_;
-    std::jthread thread_;  // last: ends before the rest
+    std::jthread thread_;  // the last member: it is destroyed, and joined, first
 };
 
 int ranksOn(const std::string& host, const Team& team) {
     return static_cast<int>(std::count(team.hosts().begin(), team.hosts().end(), host));
 }
 
-void sayWhoDidWhat(const Ledger& ledger, const Team& team, Session& session) {
+void reportRanks(const Ledger& ledger, const Team& team, Session& session) {
     std::string ranks;
     for (int rank = 0; rank < team.size(); ++rank) {
         const std::string& host = team.hosts()[static_cast<std::size_t>(rank)];
         ranks += (rank > 0 ? "; " : "") + sentence(ledger.doneBy(rank, host), session.language());
     }
-    const Message said(MessageId::RanksDone, {{"ranks", ranks}, {"messages", std::to_string(team.letters())}});
-    sayLine(sentence(said, session.language()));
+    const Message message(MessageId::RanksDone, {{"ranks", ranks}, {"messages", std::to_string(team.letters())}});
+    sayLine(sentence(message, session.language()));
 }
 
-// The others, who wait for their first parts, end in order; this rank says what is wrong.
-void endOthers(Team& team, int status, Session& session) {
+// Makes the other ranks, which wait for their first tasks, end regularly with `status`; this rank reports the error.
+void endOtherRanks(Team& team, int status, Session& session) {
     for (int rank = 1; rank < team.size(); ++rank) {
         const int from = team.wait(session.stop()).from;
         team.send(from, letterText({{"end", status}}));
@@ -283,10 +284,10 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
     try {
         ledger.emplace(run, team.hosts(), session);
     } catch (const WorkError&) {
-        endOthers(team, kFailed, session);
+        endOtherRanks(team, kFailed, session);
         throw;
     } catch (...) {
-        endOthers(team, kBadUsage, session);
+        endOtherRanks(team, kBadUsage, session);
         throw;
     }
     try {
@@ -297,23 +298,23 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
             [&] { return coordinator.done(); });
         coordinator.join();
     } catch (const Cancelled&) {
-        sayStopped(run, *ledger, session);
+        reportStopped(run, *ledger, session);
         throw;
     }
     session.eraseBar();
-    sayWhoDidWhat(*ledger, team, session);
+    reportRanks(*ledger, team, session);
     team.finish();
     return ledger->take();
 }
 
-// Any other rank.
+// Runs a rank other than 0.
 void other(const PartsRun& run, Team& team, Session& session) {
-    Json said{{"want", true}};
+    Json message{{"want", true}};
     const std::string& host = team.hosts()[static_cast<std::size_t>(team.rank())];
     work(
         run, session, ranksOn(host, team),
         [&]() -> std::optional<Task> {
-            team.send(0, letterText(said));
+            team.send(0, letterText(message));
             const Json answer = letterJson(team.wait(session.stop()).text);
             if (!answer.contains("end")) return taskOf(answer);
             if (const int status = answer.at("end").get<int>(); status != 0) {
@@ -323,8 +324,8 @@ void other(const PartsRun& run, Team& team, Session& session) {
             return std::nullopt;
         },
         [&](const Task& task, Json result) {
-            said = taskJson(task);
-            said["result"] = std::move(result);
+            message = taskJson(task);
+            message["result"] = std::move(result);
         },
         [] { return std::size_t{0}; });
     team.finish();
@@ -333,11 +334,12 @@ void other(const PartsRun& run, Team& team, Session& session) {
 }  // namespace
 
 std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
-    // Lives until the process ends: where the run has failed it takes all ranks with it, when temporary files are gone.
+    // Lives until the process ends: if the run has failed, its destructor then ends all ranks, after temporary files
+    // are removed.
     static std::unique_ptr<Team> team;
     if (!run.alone) team = Team::join();
     if (!team) return alone(run, session);
-    // A rank that fails takes all with it: what it has to say is said before.
+    // A rank that fails ends all others, so it prints its error first.
     const auto failed = [&](const std::string& why, int status) {
         if (team->finished()) throw;
         session.eraseBar();
@@ -353,8 +355,8 @@ std::optional<PartsDone> doParts(const PartsRun& run, Session& session) {
         if (team->rank() == 0) return first(run, *team, session);
         other(run, *team, session);
     } catch (const Cancelled&) {
-        // Rank 0 is told to stop at the same time: it says so before all end.
-        if (team->rank() > 0) std::this_thread::sleep_for(kLastWords);
+        // Rank 0 is stopped at the same time; this lets it print its message before all ranks are ended.
+        if (team->rank() > 0) std::this_thread::sleep_for(kErrorGracePeriod);
         team->failed(kInterrupted);
         throw;
     } catch (const WorkError& error) {

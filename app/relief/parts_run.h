@@ -1,5 +1,5 @@
-// Numbered parts of a run, done by this process alone or by all ranks of an MPI run: handed out as ranks come free,
-// results sent to rank 0, which alone keeps and writes them.
+// Does the numbered parts of a run in this process alone or in all ranks of an MPI run. Parts are handed out as ranks
+// become free; results are sent to rank 0, the only one that keeps and writes them.
 #pragma once
 
 #include <functional>
@@ -17,31 +17,35 @@ namespace relief::app {
 struct PartsRun {
     std::string bar;  // the progress bar's name
     std::size_t parts = 0;
-    std::string output;  // whose journal keeps what is done; empty: no journal
-    Json work;           // all that results depend on
+    std::string output;  // the journal of this file keeps what is done; empty: no journal
+    Json work;           // everything that results depend on
     EarlierRun earlier = EarlierRun::Refuse;
-    bool alone = false;  // even where a launcher has started others
-    // Several ranks: parts are counted first and then timed, so many at once on a host (see Schedule).
+    bool alone = false;  // ignores other processes of the same launch
+    // With several ranks, parts are first counted and then timed, `concurrent` of them at a time on a host (see
+    // Schedule).
     bool timed = false;
     int concurrent = 1;
-    std::function<int(std::size_t)> threads = [](std::size_t) { return 0; };  // of a part; 0: the session's
+    // for a part; 0: the session's number of threads
+    std::function<int(std::size_t)> threads = [](std::size_t) { return 0; };
     std::function<Json(Task, Work&)> measure;
-    std::function<Json(Json counts, const Json& times)> combine;  // of timed runs
-    // Whether a journal's result has this run's shape; a part whose has not is done again. Empty: all have.
+    std::function<Json(Json counts, const Json& times)> combine;  // joins counts and times of timed runs
+    // Returns true if a result of a journal has this run's form; parts with other results are done again. Null: all
+    // have.
     std::function<bool(const Json& result)> readable;
-    // On rank 0, or alone: does what is to be done with a whole result, and gives what is kept of it.
+    // Called on rank 0, or in a single process, with each complete result; returns what is kept of it. Null: all of it.
     std::function<Json(std::size_t part, Json result)> received;
 };
 
 struct PartsDone {
-    std::vector<Json> results;         // in order
-    std::unique_ptr<Journal> journal;  // to be finished when the output is written; null: there is none
+    std::vector<Json> results;         // in the order of the parts
+    std::unique_ptr<Journal> journal;  // to be finished after the output is written; null: no journal
 };
 
-// Empty on ranks other than 0, whose work is done then. Rank 0 says at the end how many parts each rank did. Throws
-// Cancelled (said where there is a journal, with how to go on, and by rank 0 of several), and alone InputError,
-// WorkError and whatever `measure` throws. Of several ranks the one that fails says why and throws RunEnded; at its end
-// all others end as well.
+// Does all parts and returns the results. Returns std::nullopt on ranks other than 0, whose work is then done. At the
+// end rank 0 prints how many parts each rank did. Throws Cancelled; before that it prints how to resume if there is a
+// journal, and rank 0 of several ranks always prints a note. A single process also throws InputError, WorkError and any
+// exception of `measure`. With several ranks the failing rank prints the error and throws RunEnded; when it ends, so do
+// all others.
 std::optional<PartsDone> doParts(const PartsRun& run, Session& session);
 
 }  // namespace relief::app

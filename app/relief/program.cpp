@@ -26,7 +26,7 @@ namespace relief::app {
 
 namespace {
 
-// The language is needed before anything can go wrong.
+// The language must be known before any error can be reported.
 Language chosenLanguage(int count, char** arguments) {
     std::string name;
     for (int i = 1; i < count; ++i) {
@@ -44,7 +44,7 @@ std::string helpCommand(const CLI::App& program) {
     return "relief " + (parsed.empty() ? "" : parsed.front()->get_name() + " ") + "--help";
 }
 
-// Whether the command has an option of this name.
+// Returns true if the command has an option of this name.
 bool hasOption(const CLI::App& command, const std::string& name) {
     return name.starts_with("-") && command.get_option_no_throw(name) != nullptr;
 }
@@ -77,7 +77,7 @@ InputError unknownArgument(const CLI::App& program, const Commands& commands, co
     return InputError(argument, Message(MessageId::ArgumentNear, {{"near", near}, help}));
 }
 
-// CLI11's exceptions in our words.
+// Translates CLI11's exceptions into the program's own messages.
 InputError usageError(const CLI::App& program, const Commands& commands, const CLI::ParseError& error) {
     const MessageValue help("help", helpCommand(program));
     const std::string text = error.what();
@@ -91,7 +91,7 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
         return InputError(option,
                           missing ? Message(MessageId::ValueMissing, {help}) : Message(MessageId::ArgumentRepeated));
     }
-    // "--json excludes --check", "--step-cost requires --form".
+    // CLI11's messages "--json excludes --check", "--step-cost requires --form".
     for (const auto& [word, id] :
          {std::pair(" excludes ", MessageId::ArgumentsExclude), std::pair(" requires ", MessageId::NeedsArgument)}) {
         const std::size_t at = text.find(word);
@@ -104,7 +104,7 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
 void buildParser(CLI::App& program, Commands& commands) {
     setHelpFormatter(program);
     program.set_help_flag("-h,--help", "this page")->group("General");
-    // Once a command is chosen, the names of the others are ordinary words (a file may be called "list").
+    // After one command is chosen, the names of the others are ordinary arguments: a file may be called "list".
     program.require_subcommand(0, 1);
     program.set_version_flag("--version", "relief " RELIEF_VERSION, "name and version")->group("General");
     addLanguage(program);
@@ -139,7 +139,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addManual(program);
 }
 
-// failed: becomes the status of a command whose work fails.
+// failed: set to the exit status of a command whose work fails.
 int parseAndRun(int count, char** arguments, Session& session, int& failed) {
     CLI::App program{
         "Relief texturing on height maps, every step shown.\nView rays are traced into a relief that lies under the "
@@ -149,7 +149,7 @@ int parseAndRun(int count, char** arguments, Session& session, int& failed) {
     buildParser(program, commands);
     try {
         program.parse(count, arguments);
-    } catch (const CLI::Success& success) {  // --help, --version
+    } catch (const CLI::Success& success) {  // thrown by --help and --version
         std::ostringstream page;
         program.exit(success, page, page);
         writeStandardOutput(page.str(), session.stop());
@@ -165,17 +165,17 @@ int parseAndRun(int count, char** arguments, Session& session, int& failed) {
     throw InputError("", Message(MessageId::CommandMissing));
 }
 
-// Whether this process works on a part of its own, without those that were started with it.
+// Returns true if this process works on its own part, independently of other processes of the same launch.
 bool worksAlone(int count, char** arguments) {
     return std::any_of(arguments, arguments + count, [](const std::string_view argument) {
         return argument == "--part" || argument.starts_with("--part=");
     });
 }
 
-// Of several processes that share a run all may meet the same error: rank 0 reports it.
+// When several processes share a run, all may meet the same error; only rank 0 reports it.
 void sayFailure(const std::string& why, Language language, const std::stop_token& stop, bool alone) {
     if (leadsRun(alone)) return sayLine(why);
-    std::this_thread::sleep_for(kLastWords);
+    std::this_thread::sleep_for(kErrorGracePeriod);
     if (stop.stop_requested()) return;
     sayLine(sentence(Message(MessageId::RankFailed, {{"rank", launchedRank()}, {"host", hostName()}, {"why", why}}),
                      language));
@@ -185,7 +185,7 @@ void sayFailure(const std::string& why, Language language, const std::stop_token
 
 namespace {
 
-// As if SIGPIPE had never been ignored.
+// Ends the process as if SIGPIPE had never been ignored.
 int endByClosedPipe() {
     signal(SIGPIPE, SIG_DFL);
     raise(SIGPIPE);

@@ -21,7 +21,7 @@ int terminalColumns() {
 }
 
 void writeTerminal(std::string_view text) {
-    // Nothing depends on the bar: a terminal that went away is no error.
+    // The work does not depend on the bar: a closed terminal is not an error.
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
@@ -49,19 +49,19 @@ void ProgressBar::update(std::string_view what, double fraction) {
     if (what != what_ || fraction <= 0) {
         what_ = what;
         begun_ = now;
-        said_ = false;
+        lineWritten_ = false;
         return;
     }
     const double spent = secondsBetween(begun_, now);
     if (lines_) {
-        if (spent < kShowAfter || fraction >= 1 || (said_ && secondsBetween(drawn_, now) < kLineEvery)) return;
+        if (spent < kShowAfter || fraction >= 1 || (lineWritten_ && secondsBetween(drawn_, now) < kLineEvery)) return;
         drawn_ = now;
-        said_ = true;
+        lineWritten_ = true;
         writeTerminal("relief: " + progressSentence(what, fraction, spent * (1 - fraction) / fraction, language_) +
                       "\n");
         return;
     }
-    // Work that is nearly done by its first second needs no bar that flashes up.
+    // Work that has almost finished within its first second shows no bar, which would only flash.
     if (!visible_ && (spent < kShowAfter || fraction >= 1)) return;
     if (secondsBetween(drawn_, now) < kRedrawEvery) return;
     drawn_ = now;
@@ -100,7 +100,8 @@ std::string progressLine(std::string_view what, double fraction, double secondsL
     const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
     const std::string left = sentence(Message(MessageId::TimeLeft, {{"time", durationText(secondsLeft)}}), language);
     std::string line = std::string(what) + "  [" + bar + "]  " + std::to_string(percent) + "%  " + left;
-    // Too narrow a terminal would wrap, and "\r" erase only the last row: the shortest form then.
+    // On a narrow terminal the line would wrap, and "\r" would erase only its last row; the shortest form is shown
+    // instead.
     if (static_cast<int>(line.size()) > columns) line = std::to_string(percent) + "%";
     return line;
 }

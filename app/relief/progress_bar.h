@@ -1,5 +1,5 @@
-// How far long work is: on a terminal a bar with the time left, which is gone when the work is; elsewhere, where that
-// is asked for, a line now and then. Both only for work over a second.
+// Progress of long work: on a terminal a bar with the remaining time, erased when the work ends; elsewhere, if
+// requested, a line every few seconds. Both are shown only for work of more than a second.
 #pragma once
 
 #include <chrono>
@@ -14,15 +14,15 @@ namespace relief::app {
 
 class ProgressBar {
   public:
-    // shown: draw the bar, if standard error is a terminal. lines: write lines where it is none.
+    // shown: draws the bar, if standard error is a terminal. lines: writes lines if it is not.
     ProgressBar(bool shown, bool lines, Language language);
     ~ProgressBar() { erase(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    // Thread safe; the listener of a Work. Lives no longer than the bar.
+    // Returns the listener for a Work. Thread-safe; must not outlive the bar.
     Progress::Listener listener();
-    // Before anything else is written to the terminal.
+    // To be called before anything else is written to the terminal.
     void erase();
 
   private:
@@ -35,19 +35,19 @@ class ProgressBar {
     Language language_;
     std::mutex mutex_;
     std::string what_;
-    Clock::time_point begun_;  // of the running stage
+    Clock::time_point begun_;  // start of the running stage
     Clock::time_point drawn_;
     bool visible_ = false;
-    bool said_ = false;  // a line of the running stage
+    bool lineWritten_ = false;  // a line was written for the running stage
 };
 
-// "3 s", "2 min 05 s"; rounded up, at least one second.
+// Returns "3 s" or "2 min 05 s"; rounded up, at least one second.
 std::string durationText(double seconds);
 
-// A line of a log: "tracing: 50%, 3 s left".
+// Returns a line of a log: "tracing: 50%, 3 s left".
 std::string progressSentence(std::string_view what, double fraction, double secondsLeft, Language language);
 
-// One line, no wider than `columns`: "tracing  [#####-----]  50%  3 s left".
+// Returns one line of at most `columns` characters: "tracing  [#####-----]  50%  3 s left".
 std::string progressLine(std::string_view what, double fraction, double secondsLeft, int columns, Language language);
 
 }  // namespace relief::app

@@ -18,7 +18,7 @@ constexpr double kMostMemory = 1 << 20;  // megabytes
 constexpr double kMostSeconds = 24 * 3600;
 constexpr double kMostStepCost = 1000;
 constexpr std::int64_t kMostSteps = 1'000'000'000;
-constexpr int kCheckSide = 128;  // of the reliefs that are checked
+constexpr int kCheckSide = 128;  // texels of the reliefs used by --check
 
 struct RecommendOptions {
     ScenarioOptions scenario;
@@ -60,7 +60,7 @@ HeightField fieldOf(const Scenario& scenario, const Assets& assets) {
     return {assets.heights, scenario.surface, scenario.address, scenario.reliefDepth};
 }
 
-// Every procedural relief, small, in place of a height map that was not given.
+// Returns all procedural reliefs at a small size, for checks without a height map.
 std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
     if (given.scenario.heightsGiven()) return {given.scenario.scenario()};
     std::vector<Scenario> all;
@@ -162,7 +162,7 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
         "was time to build every map.",
         "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
         "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
-    options->scenario.add(*parser, ScenarioOptions::Look::Plain);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
     addAsked(*parser, *options);
     addText(*parser, "--seconds", options->seconds, "S", "for all of it, 1 or more, default 20", "Run");
     addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Run");

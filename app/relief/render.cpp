@@ -32,12 +32,12 @@ struct RenderOptions {
     RunOptions run;
 };
 
-// Wall-clock time of the command's parts.
+// Wall-clock time of the command's stages.
 struct Seconds {
     double load = 0;
     double render = 0;
-    double count = 0;  // steps and reads, for reports and the layer of steps
-    double write = 0;  // layers made, too
+    double count = 0;  // counting steps and reads, for reports and the layer of steps
+    double write = 0;  // includes making the layers
 };
 
 template <class Body>
@@ -51,7 +51,7 @@ auto timed(double& seconds, const Body& body) {
     return body();
 }
 
-// Empty where no layers were asked for.
+// Empty if no layers were requested.
 std::vector<std::string> checkedLayers(const RenderOptions& options, const std::string& output) {
     if (!options.layers) return {};
     if (fileEnding(output) != "exr") throw InputError(output, Message(MessageId::LayersNeedExr));
@@ -68,14 +68,14 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
     return layers;
 }
 
-// Counts are whole numbers, kept as doubles.
+// Counts are integers, stored as doubles.
 Json countJson(double value) {
     constexpr double kExact = 9007199254740992.0;
     return value == std::floor(value) && std::abs(value) < kExact ? Json(static_cast<std::int64_t>(value))
                                                                   : Json(value);
 }
 
-// Of base=auto: the level, and what it costs and gains.
+// Returns the level that base=auto selected, and what it costs and gains.
 Json baseJson(const BaseLevelMeasure& measure) {
     const auto row = [](const BenchRow& of) {
         return Json{{"rate", of.rate},
@@ -126,7 +126,7 @@ Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedE
     return skipped;
 }
 
-// path: of the report; pictures near it are named relative to it, as in a scenario's own file.
+// path: the report's file; pictures are named relative to its folder, as in a scenario's file.
 std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
                        const Json& base, double axisDifference, Session& session, const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
@@ -142,11 +142,11 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
                 {"version", RELIEF_VERSION},
                 {"scenario", Json::parse(scenarioText(scenario, folder.string()))},
                 {"threads", session.work().threads().size()}};
-    // Whose walk found the hits in these seconds, and whose steps are counted: two names where a frame takes another
-    // exact walk because it is faster. The hits are the same.
+    // The algorithm that found the hits within the reported time, and the one whose steps are counted. They differ if
+    // the frame uses another exact algorithm because it is faster; the hits are the same.
     report["walks"] = {{"hits", frame.tracedBy}, {"steps", scenario.method.name}};
-    // off_direct_texels: the largest distance of its texture coordinates from those of `direct`. Triangles take no
-    // rows.
+    // off_direct_texels: the largest distance, in texels, of the texture coordinates from those of `direct`. Displaced
+    // triangles are not mapped row by row.
     if (findTracer(scenario.method.name).kind != MethodKind::Mesh) {
         report["mapping"] = {{"name", scenario.mapping}, {"off_direct_texels", frame.mappingOff}};
     }
@@ -174,8 +174,8 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
     return report.dump(2) + "\n";
 }
 
-// All that the picture depends on: of the pictures that it is made of what is in them, not their names, which may
-// differ from machine to machine. map: a hash of the stored map, if there is one.
+// Returns everything that the picture depends on. Input pictures are identified by content, not by name, which may
+// differ between machines. map: a hash of the stored map, or empty.
 Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::vector<std::string>& layers,
                     const std::string& map) {
     Scenario plain = withNotesOf(scenario, Scenario());
@@ -195,7 +195,7 @@ Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::v
     return options;
 }
 
-// The rows of a part, with the text that relief merge needs.
+// Returns the rows of a part, with the metadata that `relief merge` needs.
 PictureBand partBand(const PartNumber& number, const FrameRequest& request, Json options) {
     const RowRange rows = partRows(number, request.height);
     const std::string cells = std::to_string(request.width) + "x" + std::to_string(request.height);
@@ -206,7 +206,7 @@ PictureBand partBand(const PartNumber& number, const FrameRequest& request, Json
     return {rows.begin, rows.end, partLine(part)};
 }
 
-// One picture, or bands of it: loaded once.
+// One picture, rendered whole or in bands; its inputs are loaded once.
 class OnePicture {
   public:
     OnePicture(const RenderOptions& options, std::vector<std::string> layers, Session& session)
@@ -224,7 +224,7 @@ class OnePicture {
         return partBand(number, *request_, pictureOptions(scenario_, assets_, layers_, options_.scenario.mapContent()));
     }
 
-    // band: that is to be made; null: all of it.
+    // band: the rows to render; null: the whole picture.
     void render(const std::string& output, const PictureBand* band, Work& work) {
         std::optional<LayerPlanes> planes;
         if (!layers_.empty()) planes.emplace(*request_, layers_, *maps_);
@@ -252,7 +252,7 @@ class OnePicture {
         });
     }
 
-    // After render(), of the whole picture.
+    // Writes the report. To be called after render() of the whole picture.
     void report(const std::string& path) {
         TextOutput report(path, session_.stop());
         const Json skipped = skippedJson(*frame_, *request_, bounded_.error(), session_.language());
@@ -281,8 +281,8 @@ class OnePicture {
     std::shared_ptr<const Frame> frame_;
 };
 
-// The ranks of an MPI run make bands of the picture, more of them than there are ranks, for some cost more than
-// others; rank 0 joins them.
+// Renders the picture in bands shared by the ranks of an MPI run; rank 0 joins them. There are more bands than ranks,
+// because some bands cost more than others.
 void renderShared(const RenderOptions& options, const std::string& output, const std::vector<std::string>& layers,
                   Session& session) {
     constexpr int kBandsEach = 4;
@@ -314,12 +314,12 @@ int runRender(const RenderOptions& options, Session& session) {
     options.run.apply(session, options.part.has_value());
     const std::string& output = needed(options.output, "--output", "render");
     const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
-    const bool shared = launchedProcesses() > 1 && !options.part && !options.many.wanted();
-    if (options.report && (options.part || options.many.wanted() || shared)) {
+    const bool shared = launchedProcesses() > 1 && !options.part && !options.many.requested();
+    if (options.report && (options.part || options.many.requested() || shared)) {
         const char* const other = options.part ? "--part" : shared ? "mpirun" : "--frames";
         throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", other}}));
     }
-    if (options.many.wanted()) {
+    if (options.many.requested()) {
         return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), number, session);
     }
     std::vector<std::string> endings{"png", "tif", "tiff", "exr"};
@@ -351,7 +351,7 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
         "processes.",
         "  relief render heights.png --color color.jpg --scene wall \\\n"
         "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
-    options->scenario.add(*parser, ScenarioOptions::Look::Yes);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
     options->many.add(*parser);
     addOutput(*parser, options->output, "the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
     addText(*parser, "--layers", options->layers, "NAME,...",

@@ -20,14 +20,14 @@ namespace relief::app {
 namespace {
 
 constexpr std::int64_t kMostFrames = 100'000;
-constexpr std::size_t kDigits = 5;  // of a frame's number in its name
-// Pictures of at most so many pixels keep their stages for the next one, in 190 MB.
+constexpr std::size_t kDigits = 5;  // digits of a frame's number in its file name
+// Pictures of at most this many pixels keep the results of their stages for the next picture, in 190 MB.
 constexpr int kKeptPixels = 1 << 20;
 
 struct Picture {
     std::size_t scenario;
     Camera camera;
-    std::string name;  // of its file, without the folder
+    std::string name;  // file name without the folder
 };
 
 double between(double from, double to, double share) {
@@ -49,10 +49,11 @@ std::string numbered(const std::string& stem, std::int64_t number) {
     return stem + "_" + digits;
 }
 
-// Renders any of the pictures; keeps what the next one may need: heights, maps, the filter's levels, a band's buffers.
+// Renders the pictures one by one and keeps what the next one may need: heights, maps, the filter's levels, buffers of
+// a band.
 class Studio {
   public:
-    // path: the pictures are frames of cameras' paths.
+    // path: the pictures are frames of camera paths.
     Studio(const ScenarioOptions& options, std::vector<Scenario> scenarios, bool path, Session& session)
         : options_(options), scenarios_(std::move(scenarios)), path_(path), session_(session) {}
 
@@ -83,7 +84,8 @@ class Studio {
     }
 
   private:
-    // Scenarios may differ in the light alone; the frames of a path have nothing in common.
+    // Consecutive scenarios may differ in the light only, so that stages can be reused; frames of a camera path share
+    // none.
     bool keepsStages(const FrameRequest& request) const {
         return scenarios_.size() > 1 && !path_ && request.width <= kKeptPixels / request.height;
     }
@@ -125,7 +127,7 @@ void makeFolder(const std::string& folder) {
 void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session) {
     const int threads = session.work().threads().size();
     const auto width = static_cast<std::uint64_t>(request.width), height = static_cast<std::uint64_t>(request.height);
-    // 8-bit codes of a picture that is written, or all of its layers.
+    // 8-bit values of a written picture, or all of its layers.
     const std::uint64_t written =
         layers.empty() ? byteProduct({width, height, 3}) : LayerPlanes::bytes(request, layers);
     requireMemory(byteSum({pictureBytes(request, threads), written}),
@@ -151,7 +153,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     const EarlierRun earlier = restart.chosen();
     const std::int64_t count = frames ? parseWhole(*frames, "--frames", 1, kMostFrames) : 1;
     if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
-    // A picture's name for many of them is a slip; a folder would hide it.
+    // A picture's file name given for several pictures is a mistake; creating a folder of that name would hide it.
     if (std::filesystem::path(folder).has_extension() && !std::filesystem::is_directory(folder)) {
         throw InputError(more.empty() ? "--frames" : more.front(),
                          Message(MessageId::ArgumentsExclude, {{"other", "--output " + folder}}));
@@ -175,7 +177,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
         }
         addPictures(scenarios.size(), scenario.camera, end.camera, count, stem, layers.empty() ? ".png" : ".exr",
                     pictures);
-        // The window's state changes no picture.
+        // The window's state does not affect pictures.
         Scenario begin = scenario;
         begin.ui.clear(), end.ui.clear();
         what["scenarios"].push_back(scenarioText(begin));
@@ -192,7 +194,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     const bool writes = leadsRun(part.of > 1);
     if (writes) makeFolder(folder);
     Studio studio(options, std::move(scenarios), count > 1, session);
-    // Told only where there is one, so that runs of earlier versions are resumed.
+    // Written only if there is a map, so that runs of earlier versions can be resumed.
     if (const std::string map = options.mapContent(); !map.empty()) what["map"] = map;
     PartsRun run;
     run.bar = "render";

@@ -1,5 +1,5 @@
-// Many pictures of one command: a list of scenarios, the frames of a camera's path, or both; shared by the ranks of
-// an MPI run (parts_run.h), and gone on with after a run that was killed.
+// Renders several pictures with one command: a list of scenarios, the frames of a camera path, or both; shared by the
+// ranks of an MPI run (parts_run.h), and resumable after the run was killed.
 #pragma once
 
 #include "options_common.h"
@@ -8,7 +8,8 @@
 
 namespace relief::app {
 
-// Throws MemoryError where the picture, and what writing it takes, do not fit. layers: empty for the picture alone.
+// Throws MemoryError if the picture and the buffers for writing it do not fit into memory. layers: empty for the
+// picture alone.
 void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session);
 
 struct ManyFrames {
@@ -17,10 +18,10 @@ struct ManyFrames {
     RestartOptions restart;
 
     void add(CLI::App& parser);
-    // Whether the command asks for more than one picture.
-    bool wanted() const { return !more.empty() || frames || to || restart.given(); }
-    // folder: made where it is not there. layers: empty for pictures alone. part: only its pictures. Returns the exit
-    // status.
+    // Returns true if the options request more than one picture, or restart such a run.
+    bool requested() const { return !more.empty() || frames || to || restart.given(); }
+    // Renders the pictures into `folder`, which is created if needed. layers: empty for pictures alone. part: restricts
+    // the run to the pictures of that part. Returns the exit status.
     int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
             const PartNumber& part, Session& session) const;
 };

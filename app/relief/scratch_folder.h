@@ -1,4 +1,5 @@
-// Files that are needed for a moment: pictures of a rank that has no folder to write into, on their way to rank 0.
+// A temporary folder for short-lived files: pictures that a rank without an output folder writes before it sends them
+// to rank 0.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +15,21 @@ class ScratchFolder {
   public:
     // Throws WorkError.
     ScratchFolder();
+    // Removes the folder with its content.
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+    // Returns the path of a file in the folder.
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    // The file's bytes, for a message; the file goes.
+    // Returns the file's bytes, for a message, and removes the file.
     static Json take(const std::string& path);
 
   private:
     std::filesystem::path folder_;
 };
 
-// To a temporary file that is renamed, as all files are written.
+// Writes the bytes to a temporary file and renames it, as for all output files.
 void writeBytes(const std::string& path, const std::vector<std::uint8_t>& bytes);
 
 }  // namespace relief::app

@@ -24,7 +24,7 @@ void sayLine(const std::string& text) {
         if (c == '\n' || c == '\r') c = ' ';
     }
     line += '\n';
-    // Where standard error is gone there is nobody left to tell.
+    // If standard error is closed, the message cannot be delivered; that is ignored.
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
 }
 

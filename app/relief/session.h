@@ -1,4 +1,5 @@
-// What every command is given: language, threads, stop token, and a way to talk that does not fight with the bar.
+// What every command receives: language, threads, stop token, and functions to print messages without disturbing the
+// progress bar.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@
 #include "relief/messages.h"
 #include "relief/work.h"
 
-// Only the sources that declare options include CLI11: its headers cost each source over a second.
+// Only sources that declare options include CLI11: its headers add over a second to the compilation of each.
 namespace CLI {
 class App;
 class Option;
@@ -20,22 +21,25 @@ class Option;
 
 namespace relief::app {
 
+// Not thread-safe; used by the main thread.
 class Session {
   public:
     Session(Language language, std::stop_token stop) : language_(language), stop_(std::move(stop)) {}
 
     Language language() const { return language_; }
     const std::stop_token& stop() const { return stop_; }
-    // Before work(): how it is to be done.
+    // Settings; to be called before the first work().
     void setQuiet(bool quiet) { quiet_ = quiet; }
     void setVerbose(bool verbose) { verbose_ = verbose; }
+    // threads: 0 for all processors.
     void setThreads(int threads) { threads_ = threads; }
     int threads() const { return threads_; }
 
-    // Made when first asked for.
+    // Created on first use.
     Work& work();
-    // A message to standard error, "relief: SUBJECT: ...", unless --quiet.
+    // Prints "relief: SUBJECT: ..." on standard error, unless --quiet.
     void note(const std::string& subject, const Message& message);
+    // Erases the progress bar, before other output to the terminal.
     void eraseBar() {
         if (bar_) bar_->erase();
     }
@@ -50,24 +54,25 @@ class Session {
     std::unique_ptr<Work> work_;
 };
 
-// "relief: ..." on standard error, always one line.
+// Prints "relief: ..." on standard error, always as one line.
 void sayLine(const std::string& text);
 
-// Exit statuses of all commands; usage errors and input that cannot be used are 2 everywhere, and an interrupted
-// command ends with 128 + the signal's number.
+// Exit statuses of all commands. Wrong usage and unusable input are 2 in every command; an interrupted command ends
+// with 128 + the signal's number.
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;  // the work failed, or a check has found a violation
 inline constexpr int kBadUsage = 2;
 inline constexpr int kUndecided = 3;  // a check could not be decided
 
-// One command of the program: its parser and what it does. The result is the exit status.
+// A command of the program: its parser and its implementation, which returns the exit status.
 struct Command {
     CLI::App* parser = nullptr;
     std::function<int(Session&)> run;
-    int failed = kFailed;  // the status where the work fails
+    int failed = kFailed;  // exit status if the work fails
 };
 using Commands = std::vector<Command>;
 
+// Each adds a command to the parser and to the list.
 void addHelpCommand(CLI::App& program, Commands& commands);
 void addInfoCommand(CLI::App& program, Commands& commands);
 void addMakeCommand(CLI::App& program, Commands& commands);

@@ -12,13 +12,13 @@ constexpr long kWakeNanoseconds = 50'000'000;
 }  // namespace
 
 SignalWatch::SignalWatch() {
-    // A closed pipe is an error of write(), so that temporary files are removed before the program ends (program.cpp);
-    // so is a file that may not grow, which is said in a line.
+    // A closed pipe becomes an error of write(), so that temporary files are removed before the program ends
+    // (program.cpp). A file that exceeds the size limit is handled in the same way and reported in a line.
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     sigemptyset(&signals_);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-        // What the caller has told us to ignore (nohup, a job in the background) stays ignored.
+        // Signals that the caller has set to be ignored (nohup, a background job) stay ignored.
         struct sigaction action {};
         if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
         sigaddset(&signals_, number);
@@ -32,7 +32,7 @@ SignalWatch::SignalWatch() {
 SignalWatch::~SignalWatch() {
     if (thread_.joinable()) {
         thread_.request_stop();
-        // Wakes sigtimedwait at once.
+        // Makes sigtimedwait() return at once.
         pthread_kill(thread_.native_handle(), SIGTERM);
         thread_.join();
     }

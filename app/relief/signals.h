@@ -1,4 +1,5 @@
-// Ctrl-C asks the work to stop, so that it ends in order: partial files removed, the terminal left clean.
+// Turns Ctrl-C into a stop request, so that the work ends regularly: partial files are removed, and the terminal is
+// left clean.
 #pragma once
 
 #include <signal.h>
@@ -9,7 +10,8 @@
 
 namespace relief::app {
 
-// Make it before any other thread: they inherit the blocked signals. A second signal ends the program at once.
+// To be created before any other thread, because threads inherit the blocked signals. A second signal ends the program
+// at once.
 class SignalWatch {
   public:
     SignalWatch();
@@ -18,7 +20,7 @@ class SignalWatch {
     SignalWatch& operator=(const SignalWatch&) = delete;
 
     std::stop_token stop() const { return source_.get_token(); }
-    // 128 + the signal's number, as shells count; 0 where there was none.
+    // Returns 128 + the signal's number, as shells do; 0 if there was no signal.
     int exitStatus() const { return status_; }
 
   private:

@@ -35,7 +35,7 @@ double parseSeconds(const std::string& text) {
     return seconds;
 }
 
-// Only these methods, in the forms given; a plain name stands for all its forms.
+// Returns the listed methods, in the given forms only; a plain name stands for all forms of the method.
 std::vector<MeasuredMethod> chosenMethods(const std::string& text) {
     std::vector<MeasuredMethod> chosen;
     for (const std::string& part : splitText(text, ',')) {
@@ -51,7 +51,7 @@ std::vector<MeasuredMethod> chosenMethods(const std::string& text) {
     return chosen;
 }
 
-// Options that name each other's cases.
+// Throws InputError for options that exclude or require one another.
 void checkTogether(const StressCommandOptions& given) {
     const auto exclude = [](const OptionText& one, const char* name, const OptionText& two, const char* other) {
         if (one && two) throw InputError(name, Message(MessageId::ArgumentsExclude, {{"other", other}}));
@@ -64,7 +64,7 @@ void checkTogether(const StressCommandOptions& given) {
     }
 }
 
-// The record of this run or of a part of it, whose first line is written.
+// Opens the record of this run, or of a part of it, and writes its first line. Null without --record.
 std::unique_ptr<TextOutput> begunRecord(const StressCommandOptions& given, const std::optional<PartNumber>& number,
                                         const StressOptions& options, Session& session) {
     if (!given.record) return nullptr;
@@ -82,9 +82,9 @@ std::unique_ptr<TextOutput> begunRecord(const StressCommandOptions& given, const
     return record;
 }
 
-// The cases, shared by the ranks of an MPI run in blocks.
+// Runs the cases in blocks that the ranks of an MPI run share.
 int runShared(const StressCommandOptions& given, const StressOptions& options, Session& session) {
-    constexpr std::uint64_t kBlock = 32;  // keeps all threads of a rank at work
+    constexpr std::uint64_t kBlock = 32;  // enough cases to keep all threads of a rank busy
     if (!options.cases) throw InputError("mpirun", Message(MessageId::NeedsArgument, {{"other", "--cases"}}));
     PartsRun run;
     run.bar = "stress";
@@ -110,7 +110,7 @@ int runShared(const StressCommandOptions& given, const StressOptions& options, S
         }
     }
     if (record) record->commit();
-    return tellStress(tally.report(), options.seed, session);
+    return reportStress(tally.report(), options.seed, session);
 }
 
 int runStress(const StressCommandOptions& given, Session& session) {
@@ -146,7 +146,8 @@ int runStress(const StressCommandOptions& given, Session& session) {
         sayLine(
             sentence(Message(MessageId::StressHang, {{"seconds", options.hangSeconds}, {"command", violation.command}}),
                      session.language()));
-        // The tracer holds its thread: nothing else can be ended in order.
+        // The tracer does not return, so its thread cannot be joined: the process ends without cleaning up anything but
+        // the record.
         if (record) record->discard();
         _exit(kFailed);
     };
@@ -157,15 +158,15 @@ int runStress(const StressCommandOptions& given, Session& session) {
     session.eraseBar();
     if (record && report.interrupted) session.note(*given.record, Message(MessageId::RunStopped));
     if (record && !report.interrupted) record->commit();
-    // Interrupted, what was covered is still worth reading.
-    const int status = tellStress(report, options.seed, session);
+    // If the run was interrupted, the results so far are still reported.
+    const int status = reportStress(report, options.seed, session);
     if (status == 0 && report.interrupted) throw Cancelled();
     return status;
 }
 
 }  // namespace
 
-int tellStress(const StressReport& report, std::uint64_t seed, Session& session) {
+int reportStress(const StressReport& report, std::uint64_t seed, Session& session) {
     writeStandardOutput(stressText(report, seed));
     if (report.violationCount == 0) return 0;
     sayLine(sentence(Message(MessageId::StressViolations, {{"count", report.violationCount}}), session.language()));

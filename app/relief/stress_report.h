@@ -1,4 +1,4 @@
-// What relief stress and relief merge say of a finished report.
+// The report that relief stress and relief merge print.
 #pragma once
 
 #include "measuring/verify/stress.h"
@@ -6,8 +6,8 @@
 
 namespace relief::app {
 
-// Writes the report to standard output, and the number of violations, if there are any, to standard error. Returns the
-// exit status: 1 where there are violations.
-int tellStress(const StressReport& report, std::uint64_t seed, Session& session);
+// Writes the report to standard output, and the number of violations, if any, to standard error. Returns the exit
+// status: 1 if there are violations.
+int reportStress(const StressReport& report, std::uint64_t seed, Session& session);
 
 }  // namespace relief::app

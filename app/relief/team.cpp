@@ -18,7 +18,7 @@ namespace relief::app {
 
 namespace {
 
-// -1 where it is not there or no number.
+// Returns the variable's value, or -1 if it is not set or not a number.
 int environmentNumber(const char* name) {
     const char* const value = std::getenv(name);
     const std::string text = value == nullptr ? "" : value;
@@ -59,7 +59,7 @@ std::unique_ptr<Team> Team::join() {
     const std::string path = pluginPath("relief_mpi.so");
     const Message missing(MessageId::MpiMissing, {{"processes", launchedProcesses()}});
     if (access(path.c_str(), R_OK) != 0) throw InputError("", missing);
-    // Open MPI's own plug-ins look for its symbols among everybody's.
+    // Open MPI's own plug-ins resolve its symbols in the global scope.
     void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (library == nullptr) throw InputError(path, Message(MessageId::MpiBroken, {{"why", dlerror()}}));
     ReliefMpiJoin join = nullptr;
@@ -68,7 +68,8 @@ std::unique_ptr<Team> Team::join() {
     const ReliefMpi* const mpi = join == nullptr ? nullptr : join();
     if (mpi == nullptr) throw InputError(path, Message(MessageId::MpiBroken, {{"why", "MPI_Init_thread"}}));
     if (mpi->size != launchedProcesses()) {
-        // mpirun of another MPI than the plug-in's: each process would think it is alone and write the same file.
+        // The launcher belongs to another MPI than the plug-in: each process would take itself for the only one, and
+        // all would write the same file.
         throw InputError("mpirun",
                          Message(MessageId::MpiOther, {{"processes", launchedProcesses()}, {"joined", mpi->size}}));
     }
@@ -92,7 +93,7 @@ void Team::send(int to, const std::string& text) {
     mpi_->send(to, text.data(), text.size());
 }
 
-std::optional<Team::Letter> Team::look() {
+std::optional<Team::Letter> Team::poll() {
     Letter letter;
     unsigned long long bytes = 0;
     if (mpi_->probe(&letter.from, &bytes) == 0) return std::nullopt;
@@ -105,7 +106,7 @@ std::optional<Team::Letter> Team::look() {
 Team::Letter Team::wait(const std::stop_token& stop) {
     Backoff backoff;
     while (true) {
-        if (std::optional<Letter> letter = look()) return *std::move(letter);
+        if (std::optional<Letter> letter = poll()) return *std::move(letter);
         if (stop.stop_requested()) throw Cancelled();
         backoff.sleep();
     }

@@ -1,4 +1,4 @@
-// The processes that a launcher (mpirun, srun) has started together on one piece of work, and their messages.
+// The processes that a launcher (mpirun, srun) has started together to share a run, and the messages between them.
 #pragma once
 
 #include <chrono>
@@ -13,25 +13,28 @@ struct ReliefMpi;  // mpi/relief_mpi.h
 
 namespace relief::app {
 
+// Returns the name of this machine; empty if it cannot be determined.
 std::string hostName();
 
-// How many processes the launcher's variables (Open MPI's, PMI's, Slurm's) speak of; 1 where there are none.
+// Returns the number of processes according to the launcher's environment variables (Open MPI, PMI, Slurm); 1 if none
+// is set.
 int launchedProcesses();
-// Which of them this one is; 0 where it is alone.
+// Returns this process's rank according to the same variables; 0 if it is the only process.
 int launchedRank();
-// Whether this one writes and says what comes out: rank 0, or any that works without the others (--part).
+// Returns true if this process writes the results and prints notes: rank 0, or any process that works without the
+// others (--part).
 bool leadsRun(bool withoutOthers);
 
-// How long another rank than 0 waits before it reports an error: if rank 0 has met the same, it has reported it by then
-// and the launcher has ended all.
-inline constexpr auto kLastWords = std::chrono::seconds(2);
+// How long a rank other than 0 waits before it reports an error. If rank 0 has met the same error, it has reported it
+// by then, and the launcher has ended all ranks.
+inline constexpr auto kErrorGracePeriod = std::chrono::seconds(2);
 
-// Thrown where a rank ends and why has been said.
+// Thrown when a rank must end and the reason has been printed.
 struct RunEnded {
     int status = 0;
 };
 
-// Waits between looks for a message: 100 us, doubled up to 2 ms. A blocking wait of Open MPI would take a processor.
+// Sleeps between polls for a message: 100 us, doubling up to 2 ms. Open MPI's blocking wait would occupy a processor.
 class Backoff {
   public:
     void sleep();
@@ -42,31 +45,32 @@ class Backoff {
     std::chrono::microseconds next_ = kFirst;
 };
 
-// This process among them. All calls from one thread at a time.
+// All processes of the launch, including this one. Not thread-safe: at most one thread may call it at a time.
 class Team {
   public:
-    // Null: this process works alone. Loads the plug-in relief_mpi. Throws InputError where several processes were
-    // started and there is no MPI to join them by.
+    // Returns null if this process works alone. Otherwise loads the plug-in relief_mpi. Throws InputError if several
+    // processes were started and MPI is not available.
     static std::unique_ptr<Team> join();
-    // Ends all ranks, unless finish() was called: one that is lost ends the run.
+    // Ends all ranks unless finish() was called: the run cannot go on without this one.
     ~Team();
-    // The status that all ranks end with, where finish() is not called.
+    // Sets the exit status with which the destructor ends all ranks.
     void failed(int status) { status_ = status; }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
     int rank() const;
     int size() const { return static_cast<int>(hosts_.size()); }
-    const std::vector<std::string>& hosts() const { return hosts_; }  // of every rank
+    const std::vector<std::string>& hosts() const { return hosts_; }  // host name of each rank
 
     struct Letter {
         int from = 0;
         std::string text;
     };
+    // Sends a message to a rank; blocks until the text has been taken over.
     void send(int to, const std::string& text);
-    // The next message, if one is there.
-    std::optional<Letter> look();
-    // Waits for a message, asleep between looks (Backoff). Throws Cancelled.
+    // Returns the next message, or std::nullopt if none has arrived.
+    std::optional<Letter> poll();
+    // Waits for a message, sleeping between polls (Backoff). Throws Cancelled.
     Letter wait(const std::stop_token& stop);
     // Waits for the other ranks to end as well.
     void finish();

@@ -1,6 +1,5 @@
-// relief trace PICTURE|SCENARIO.json --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...) [-o
-// HITS.csv]
-// [--steps FILE.csv|json]
+// relief trace PICTURE|SCENARIO.json --tracer NAME (--rays FILE.csv | --ray S0,T0,A,B ... | --pixel X,Y ...)
+//     [-o HITS.csv] [--steps FILE.csv|json]
 #include <algorithm>
 
 #include "measuring/bench/child_counts.h"
@@ -16,9 +15,9 @@ namespace relief::app {
 
 namespace {
 
-// Rays whose steps are held in memory at a time.
+// Number of rays whose steps are held in memory at once.
 constexpr std::size_t kLoggedBlock = 4096;
-// Characters of a hit: three numbers of 17 digits, the outcome, the steps.
+// Characters of a hit's line: three numbers of 17 digits, the outcome, the steps.
 constexpr std::uint64_t kLongestLine = 88;
 constexpr int kDigits = 17;
 
@@ -31,42 +30,41 @@ struct TraceOptions {
     RunOptions run;
 };
 
-// Rays to trace, and which of the answers asked for each belongs to: a pixel that sees no polygon has an answer, but
-// no ray.
-struct Asked {
+// The rays to trace and, for each, the index of its answer: a pixel that sees no polygon has an answer but no ray.
+struct RaySelection {
     RayBlock rays;
-    std::vector<std::size_t> answer;  // empty: the same numbers
+    std::vector<std::size_t> answer;  // per ray; empty: the ray's own index
     std::size_t answers = 0;
 
     std::size_t answerOf(std::size_t ray) const { return answer.empty() ? ray : answer[ray]; }
 };
 
-Asked raysOfFile(const std::string& path, Session& session) {
-    Asked asked;
+RaySelection raysOfFile(const std::string& path, Session& session) {
+    RaySelection selection;
     const bool standardInput = path == "-";
     const std::string text = standardInput ? readStandardInput(session.stop()) : readTextFile(path);
-    asked.rays = parseRays(text, standardInput ? "standard input" : path);
-    asked.answers = asked.rays.size();
-    return asked;
+    selection.rays = parseRays(text, standardInput ? "standard input" : path);
+    selection.answers = selection.rays.size();
+    return selection;
 }
 
-Asked raysOfTexts(const std::vector<std::string>& texts) {
-    Asked asked;
-    for (const std::string& text : texts) asked.rays.push(parseRayText(text, "--ray"));
-    asked.answers = asked.rays.size();
-    return asked;
+RaySelection raysOfTexts(const std::vector<std::string>& texts) {
+    RaySelection selection;
+    for (const std::string& text : texts) selection.rays.push(parseRayText(text, "--ray"));
+    selection.answers = selection.rays.size();
+    return selection;
 }
 
-Asked raysOfPixels(const std::vector<PixelChoice>& pixels, const FrameRequest& request) {
-    Asked asked;
-    asked.answers = pixels.size();
+RaySelection raysOfPixels(const std::vector<PixelChoice>& pixels, const FrameRequest& request) {
+    RaySelection selection;
+    selection.answers = pixels.size();
     for (std::size_t p = 0; p < pixels.size(); ++p) {
         const auto ray = pixelRay(request, pixels[p].x, pixels[p].y);
         if (!ray) continue;
-        asked.rays.push(*ray);
-        asked.answer.push_back(p);
+        selection.rays.push(*ray);
+        selection.answer.push_back(p);
     }
-    return asked;
+    return selection;
 }
 
 std::vector<PixelChoice> chosenPixels(const TraceOptions& options, const Scenario& scenario) {
@@ -77,11 +75,11 @@ std::vector<PixelChoice> chosenPixels(const TraceOptions& options, const Scenari
     return pixels;
 }
 
-HitBlock answers(const Asked& asked, const HitBlock& traced) {
-    if (asked.answer.empty() && asked.answers == traced.size()) return traced;
-    HitBlock all(asked.answers);
+HitBlock answers(const RaySelection& selection, const HitBlock& traced) {
+    if (selection.answer.empty() && selection.answers == traced.size()) return traced;
+    HitBlock all(selection.answers);
     for (std::size_t r = 0; r < traced.size(); ++r) {
-        const std::size_t a = asked.answerOf(r);
+        const std::size_t a = selection.answerOf(r);
         all.set(a, traced[r]);
         all.steps[a] = traced.steps[r];
         all.reads[a] = traced.reads[r];
@@ -89,15 +87,15 @@ HitBlock answers(const Asked& asked, const HitBlock& traced) {
     return all;
 }
 
-// Traces again with the log, a block at a time: a million rays have more steps than memory should hold. Calls
-// body(log, first, count) for the rays from `first` on.
+// Traces the rays a second time with a step log, in blocks, because the steps of a million rays would not fit into
+// memory. Calls body(log, first, count) for each block, whose rays begin at index `first`.
 template <class Body>
-void overLogs(const Asked& asked, const Tracer& tracer, const char* title, Work& work, const Body& body) {
-    work.progress().begin(title, static_cast<std::int64_t>(asked.rays.size()));
-    for (std::size_t first = 0; first < asked.rays.size(); first += kLoggedBlock) {
-        const std::size_t count = std::min(kLoggedBlock, asked.rays.size() - first);
+void overLogs(const RaySelection& selection, const Tracer& tracer, const char* title, Work& work, const Body& body) {
+    work.progress().begin(title, static_cast<std::int64_t>(selection.rays.size()));
+    for (std::size_t first = 0; first < selection.rays.size(); first += kLoggedBlock) {
+        const std::size_t count = std::min(kLoggedBlock, selection.rays.size() - first);
         RayBlock block(count);
-        for (std::size_t r = 0; r < count; ++r) block.set(r, asked.rays[first + r]);
+        for (std::size_t r = 0; r < count; ++r) block.set(r, selection.rays[first + r]);
         HitBlock hits;
         StepLog log;
         tracer.trace(block, hits, log, work);
@@ -106,12 +104,12 @@ void overLogs(const Asked& asked, const Tracer& tracer, const char* title, Work&
     }
 }
 
-void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bool json, Session& session) {
+void writeSteps(const RaySelection& selection, const Tracer& tracer, TextOutput& output, bool json, Session& session) {
     std::string text = json ? "[" : std::string(kStepsHeader) + "\n";
     bool empty = true;
-    overLogs(asked, tracer, "steps", session.work(), [&](const StepLog& log, std::size_t first, std::size_t count) {
+    overLogs(selection, tracer, "steps", session.work(), [&](const StepLog& log, std::size_t first, std::size_t count) {
         for (std::size_t r = 0; r < count; ++r) {
-            const std::size_t ray = asked.answerOf(first + r);
+            const std::size_t ray = selection.answerOf(first + r);
             if (json) {
                 appendStepObjects(text, log, r, ray, empty);
             } else {
@@ -125,7 +123,8 @@ void writeSteps(const Asked& asked, const Tracer& tracer, TextOutput& output, bo
     output.write(text);
 }
 
-// The numbers behind each pixel, a line a pixel; one that sees no polygon has none.
+// Returns the mapping coefficients of each pixel, one line per pixel; fields are empty for a pixel that sees no
+// polygon.
 std::string coefficientLines(const std::vector<PixelChoice>& pixels, const FrameRequest& request) {
     std::string text;
     for (const NamedNumber& number : namedNumbers({})) text += std::string(number.name) + ",";
@@ -141,26 +140,26 @@ std::string coefficientLines(const std::vector<PixelChoice>& pixels, const Frame
     return text;
 }
 
-// Every pixel of the view that sees a polygon.
-Asked raysOfView(const FrameRequest& request) {
+// Returns the rays of all pixels of the view that see a polygon.
+RaySelection raysOfView(const FrameRequest& request) {
     const VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
                         request.width, request.height, request.field.reliefDepth(), request.mapping);
-    Asked asked;
+    RaySelection selection;
     for (int y = 0; y < request.height; ++y) {
         for (int x = 0; x < request.width; ++x) {
             const VisiblePolygon* const polygon = visible.at(x, y, request.width);
-            if (polygon != nullptr) asked.rays.push(polygon->entry(x, y).ray);
+            if (polygon != nullptr) selection.rays.push(polygon->entry(x, y).ray);
         }
     }
-    asked.answers = asked.rays.size();
-    return asked;
+    selection.answers = selection.rays.size();
+    return selection;
 }
 
-// Children entered at each level, of all rays.
-ChildrenByLevel childrenOf(const Asked& asked, const Tracer& tracer, Session& session) {
+// Returns the number of children entered at each level, summed over all rays.
+ChildrenByLevel childrenOf(const RaySelection& selection, const Tracer& tracer, Session& session) {
     ChildrenByLevel counts;
-    overLogs(asked, tracer, "children", session.work(), [&](const StepLog& log, std::size_t, std::size_t count) {
+    overLogs(selection, tracer, "children", session.work(), [&](const StepLog& log, std::size_t, std::size_t count) {
         for (std::size_t r = 0; r < count; ++r) addChildren(log.steps, log.begin[r], log.begin[r + 1], counts);
     });
     return counts;
@@ -178,7 +177,7 @@ void refuseTwoSources(const TraceOptions& options) {
     if (options.rays && !options.pixels.empty()) refuse("--rays", "--pixel");
     if (options.rays && !options.single.empty()) refuse("--rays", "--ray");
     if (!options.single.empty() && !options.pixels.empty()) refuse("--ray", "--pixel");
-    // Rays that are given do not depend on a view.
+    // Rays given as numbers do not depend on a view.
     const std::string view = options.scenario.viewOption();
     if (!view.empty() && options.rays) refuse(view, "--rays");
     if (!view.empty() && !options.single.empty()) refuse(view, "--ray");
@@ -191,15 +190,15 @@ int runTrace(const TraceOptions& options, Session& session) {
     if (options.steps) checkOutput(*options.steps, {"csv", "json"});
     refuseTwoSources(options);
     Scenario scenario = options.scenario.scenario();
-    // Only the heights matter to a ray.
+    // Tracing depends on the heights only.
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
     const bool given = options.rays || !options.single.empty();
-    // A count of children without a ray is one of the whole view.
+    // Without a ray or pixel, children are counted for the whole view.
     const bool wholeView = options.children && !given && options.pixels.empty();
     const std::vector<PixelChoice> pixels =
         given || wholeView ? std::vector<PixelChoice>{} : chosenPixels(options, scenario);
-    const Asked single = raysOfTexts(options.single);
+    const RaySelection single = raysOfTexts(options.single);
 
     Work& work = session.work();
     AssetStore store;
@@ -216,20 +215,21 @@ int runTrace(const TraceOptions& options, Session& session) {
         text.commit();
         return 0;
     }
-    // Rays that are given have no view to take it from; the tracer refuses them.
+    // Rays given as numbers have no view from which the base level could be chosen; the tracer refuses base=auto for
+    // them.
     if (!options.rays && options.single.empty()) noteBaseLevel(session, scenario, request);
-    const Asked asked = options.rays              ? raysOfFile(*options.rays, session)
-                        : !options.single.empty() ? single
-                        : wholeView               ? raysOfView(request)
-                                                  : raysOfPixels(pixels, request);
+    const RaySelection selection = options.rays              ? raysOfFile(*options.rays, session)
+                                   : !options.single.empty() ? single
+                                   : wholeView               ? raysOfView(request)
+                                                             : raysOfPixels(pixels, request);
 
-    // What is traced, the answers, and their lines in pieces and whole.
+    // Bytes per ray: the hits traced, the answers, and their lines in pieces and joined.
     constexpr std::uint64_t kBytes = 2 * HitBlock::kBytes + 2 * kLongestLine;
-    requireMemory(byteProduct({asked.answers, kBytes}), options.rays.value_or("--pixel"));
-    // Rays that come without a view have no pixels either, whose width base=auto could be taken from.
+    requireMemory(byteProduct({selection.answers, kBytes}), options.rays.value_or("--pixel"));
+    // Rays given as numbers have no pixel width, which base=auto needs.
     const auto tracer = makeTracer(given ? scenario.method : request.method, request.field, maps, work);
     if (options.children) {
-        const ChildrenByLevel counts = childrenOf(asked, *tracer, session);
+        const ChildrenByLevel counts = childrenOf(selection, *tracer, session);
         session.eraseBar();
         TextOutput text(output, session.stop());
         text.write(output != "-" && fileEnding(output) == "csv" ? childrenCsv(counts) : childrenText(counts));
@@ -238,14 +238,14 @@ int runTrace(const TraceOptions& options, Session& session) {
     }
     HitBlock traced;
     BlockCounts counts;
-    tracer->trace(asked.rays, traced, counts, work);
+    tracer->trace(selection.rays, traced, counts, work);
     std::unique_ptr<TextOutput> steps;
     if (options.steps) {
         steps = std::make_unique<TextOutput>(*options.steps, session.stop());
-        writeSteps(asked, *tracer, *steps, fileEnding(*options.steps) == "json", session);
+        writeSteps(selection, *tracer, *steps, fileEnding(*options.steps) == "json", session);
     }
     TextOutput hits(output, session.stop());
-    hits.write(std::string(kHitsHeader) + "\n" + hitLines(answers(asked, traced), work));
+    hits.write(std::string(kHitsHeader) + "\n" + hitLines(answers(selection, traced), work));
     session.eraseBar();
     hits.commit();
     if (steps) steps->commit();
@@ -263,7 +263,7 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
         "bottom), s and t are texels. Rays come from a file with the header s0,t0,a,b (where the ray enters the top "
         "plane, its run a unit of descent, texels), from the command line, or are those of pixels of a view.",
         "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
-    options->scenario.add(*parser, ScenarioOptions::Look::View);
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::View);
     addText(*parser, "--rays", options->rays, "FILE.csv", "rays, header s0,t0,a,b; - for standard input", "Rays");
     addTexts(*parser, "--ray", options->single, "S0,T0,A,B", "one ray; may be repeated", "Rays");
     addTexts(*parser, "--pixel", options->pixels, "X,Y",

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kHelp = "reliefscope --help";
 
-// "WxH", or "N" for NxN
+// Parses "WxH", or "N" for NxN. Returns false if the text is neither.
 bool parseSize(std::string_view text, int& width, int& height) {
     const std::size_t x = text.find('x');
     const auto whole = [](std::string_view part, int& value) {

@@ -1,4 +1,4 @@
-// What `reliefscope` is asked for.
+// The command-line arguments of `reliefscope`.
 #pragma once
 
 #include <string>
@@ -9,41 +9,41 @@ struct Arguments {
     bool help = false;
     bool version = false;
     bool checkDisplay = false;
-    bool anew = false;       // not where the last window left off
-    bool log = false;        // what held the window is told at its end
-    std::string file;        // scenario or picture; empty: the start
-    std::string screenshot;  // where to; empty: none
-    int width = 0;           // of the window; 0: as it likes
+    bool anew = false;       // do not restore the last session
+    bool log = false;        // when the window closes, print what blocked it
+    std::string file;        // scenario or picture; empty: the start scenario
+    std::string screenshot;  // output file; empty: none
+    int width = 0;           // of the window, in pixels; 0: default
     int height = 0;
-    std::string figure;  // the view to export; empty: the window is opened
-    std::string output;  // where to
+    std::string figure;  // the view to export; empty: open the window
+    std::string output;  // output file of the export
     double widthMm = 160;
     double dpi = 300;
     bool dark = false;
     bool caption = true;
     std::string pixel;                       // "X,Y"; empty: the scenario's
-    std::string tracers, filters, mappings;  // with commas between; empty: the scenario's
-    int pixelWidth = 0;                      // of the picture; 0: the scenario's
+    std::string tracers, filters, mappings;  // comma-separated; empty: the scenario's
+    int pixelWidth = 0;                      // of the picture, in pixels; 0: the scenario's
     int pixelHeight = 0;
-    // Of the view "distance".
-    std::string layer;  // of result
-    std::string map;    // the kind; empty: the method's
+    // Of the view "result" (layer) and of the view "distance" (the others).
+    std::string layer;
+    std::string map;  // kind of map; empty: the method's
     std::string minus;
-    std::string axis;  // "x", "y", "z"; empty: as the ray runs
-    int slice = -1;    // -1: the one at the step
+    std::string axis;  // "x", "y", "z"; empty: the ray's main axis
+    int slice = -1;    // -1: the slice of the current step
     // Of the view "rows".
-    std::string variants;  // with commas between; empty: its own choice
-    int rowWidth = 0;      // 0: the picture's
+    std::string variants;  // comma-separated; empty: the view's default
+    int rowWidth = 0;      // in pixels; 0: the picture's
     // Of the view "pareto".
-    std::string relief;     // rows of this relief only; empty: of all
-    std::string elevation;  // and of this elevation
-    std::string error;      // of "charts", too: the measure; empty: the mean
+    std::string relief;     // only rows of this relief; empty: all
+    std::string elevation;  // only rows of this elevation; empty: all
+    std::string error;      // error measure, also of "charts"; empty: the mean
 };
 
-// Throws InputError for what is not understood.
+// Throws InputError for unknown or invalid arguments.
 Arguments parseArguments(int count, char** arguments);
 
-// views: the lines that name what --export knows.
+// views: the lines of the help that list the values of --export.
 std::string helpText(const std::string& views);
 
 }  // namespace relief::app

@@ -1,4 +1,4 @@
-// The program `reliefscope`: the window. Everything that can be wrong with its arguments or its display is said in one
+// The program `reliefscope`, which opens the window. Every fault of its arguments or its display is reported in one
 // line before a window opens.
 #include <algorithm>
 #include <cmath>
@@ -45,11 +45,12 @@ namespace {
 
 constexpr int kWorkFailed = 1;
 constexpr int kBadUsage = 2;
-constexpr int kOtherLanguage = 1000;  // how the loop of events ends, no exit status
+// status with which the event loop ends to change the language; not an exit status
+constexpr int kOtherLanguage = 1000;
 
 struct Start {
     Scenario scenario;
-    AssetStore pictures;  // loaded already where they were named by the user
+    AssetStore pictures;  // already loaded if the user named them
 };
 
 bool endsInJson(const std::string& path) {
@@ -71,14 +72,14 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
         Work work;
         start.pictures.load(start.scenario.pictures, work);
     } catch (const InputError& error) {
-        // As it was typed.
+        // The message names the file as the user typed it.
         if (error.subject() == path) throw InputError(file, error.message());
         throw;
     }
     return start;
 }
 
-// Where the last window left off, if nothing else is asked for.
+// Returns the state of the last session, unless the arguments ask for something else.
 Start startOfWindow(const Arguments& arguments, const std::string& datasets, reliefui::SessionFiles* session) {
     if (arguments.file.empty() && session != nullptr && !arguments.anew) {
         Start start;
@@ -91,7 +92,7 @@ Start startOfWindow(const Arguments& arguments, const std::string& datasets, rel
     return chosenStart(arguments.file, datasets);
 }
 
-// The folder of the shipped pictures.
+// Returns the folder of the shipped pictures.
 std::string shippedPictures() {
     std::error_code error;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -110,7 +111,7 @@ std::vector<std::string> betweenCommas(const std::string& text) {
     return parts;
 }
 
-// The chart of a table of `relief bench tracers`.
+// Returns the chart of a table that `relief bench tracers` wrote.
 std::shared_ptr<const reliefui::Figure> paretoChart(const Arguments& arguments) {
     auto source = std::make_shared<reliefui::ParetoSource>();
     if (!arguments.error.empty()) source->measure = parseErrorMeasure(arguments.error, "--error");
@@ -124,7 +125,7 @@ std::shared_ptr<const reliefui::Figure> paretoChart(const Arguments& arguments) 
 
 reliefui::Layer chosenLayer(const std::string& name) {
     if (name.empty()) return reliefui::Layer::Color;
-    // As relief render names them, in the order of reliefui::Layer.
+    // Names as in `relief render`, in the order of reliefui::Layer.
     static const std::vector<std::string> kNames{"color",  "steps", "error",     "outcome", "depth",
                                                  "normal", "uv",    "footprint", "hidden"};
     const auto at = std::find(kNames.begin(), kNames.end(), name);
@@ -134,7 +135,7 @@ reliefui::Layer chosenLayer(const std::string& name) {
                              {{"what", MessageId::WordLayer}, {"name", name}, {"known", commaList(kNames)}}));
 }
 
-// What stands in the command goes before what the scenario says.
+// Command-line arguments take precedence over the scenario.
 void takeArguments(Scenario& scenario, const Arguments& arguments) {
     auto distance = reliefui::stateOf<reliefui::DistancePane>(scenario);
     auto rows = reliefui::stateOf<reliefui::RowsPane>(scenario);
@@ -151,7 +152,7 @@ void takeArguments(Scenario& scenario, const Arguments& arguments) {
     reliefui::setState(scenario, charts);
 }
 
-// "X,Y" within the picture. Throws InputError.
+// Parses "X,Y", a pixel within the picture. Throws InputError.
 PixelChoice chosenPixel(const std::string& text, const Scenario& scenario) {
     const std::vector<std::string> parts = betweenCommas(text);
     if (parts.size() != 2) throw InputError("--pixel", Message(MessageId::NotAPixel, {{"text", text}}));
@@ -167,7 +168,7 @@ PixelChoice chosenPixel(const std::string& text, const Scenario& scenario) {
     return {side(parts[0], scenario.width), side(parts[1], scenario.height)};
 }
 
-// "A,B,...": the scenario's own, and those that it is compared with.
+// Parses "A,B,...": the scenario's own variant, followed by those that it is compared with.
 void takeCompared(Scenario& scenario, CompareSubject subject, const std::string& list, const char* option) {
     if (list.empty()) return;
     std::vector<MethodChoice> choices;
@@ -187,7 +188,7 @@ void takeCompared(Scenario& scenario, CompareSubject subject, const std::string&
     scenario.comparison.dividers.clear();
 }
 
-// What stands in the command goes before what the scenario says. Throws InputError.
+// Applies the arguments that determine the view; they take precedence over the scenario. Throws InputError.
 void takeView(Scenario& scenario, const Arguments& arguments) {
     if (arguments.pixelWidth > 0) {
         scenario = reliefui::inSize(std::move(scenario), arguments.pixelWidth, arguments.pixelHeight);
@@ -201,7 +202,7 @@ void takeView(Scenario& scenario, const Arguments& arguments) {
     takeCompared(scenario, CompareSubject::Mappings, arguments.mappings, "--mappings");
 }
 
-// Before anything long: what can be wrong with the options.
+// Throws InputError for invalid options, before long work begins.
 void checkArguments(const Arguments& arguments) {
     for (const std::string& kind : {arguments.map, arguments.minus}) {
         if (!kind.empty()) methodOfMap(kind);  // throws
@@ -212,12 +213,12 @@ void checkArguments(const Arguments& arguments) {
     reliefui::requireRange("--row-width", arguments.rowWidth, 0, static_cast<double>(kWidestRow));
 }
 
-// For the help: "VIEW: ..." in lines.
+// Returns the lines of the help that describe the views, "VIEW: ...".
 std::string figureLines() {
     constexpr std::size_t kWidth = 110;
     const std::string indent(24, ' ');
     std::string lines = indent + "VIEW:";
-    std::size_t begin = 0;  // of the last line
+    std::size_t begin = 0;  // start of the last line
     for (const reliefui::FigureKind& kind : reliefui::figureList()) {
         const std::string word = " " + kind.name + (kind.vectors ? "," : " (PNG alone),");
         if (lines.size() - begin + word.size() > kWidth) {
@@ -270,14 +271,14 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     return 0;
 }
 
-// The window is made anew over the same workspace, in the other language.
+// Ends the event loop; run() then creates the window again for the same workspace in the other language.
 void changeLanguage(const QString& language) {
     QSettings().setValue(QStringLiteral("language"), language);
     QApplication::exit(kOtherLanguage);
 }
 
 void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, const Arguments& arguments) {
-    // A screenshot is no session.
+    // A screenshot neither restores nor stores a session.
     const bool shot = !arguments.screenshot.empty();
     if (arguments.width > 0) {
         const double fine = window.devicePixelRatioF();
@@ -291,7 +292,8 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
     }
     window.show();
     if (!shot) window.welcome();
-    // A lesson's pane comes to the front, when its pictures are there; a file is among the recent ones.
+    // When the first pictures are ready, brings a lesson's pane to the front, or adds the opened file to the recent
+    // files.
     const QString file = shot ? QString() : QString::fromStdString(arguments.file);
     auto first = std::make_shared<QMetaObject::Connection>();
     *first = QObject::connect(
@@ -311,7 +313,7 @@ int run(int count, char** values, const Arguments& arguments) {
     }
     if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();
-    // A screenshot is no session.
+    // A screenshot neither restores nor stores a session.
     const bool shot = !arguments.screenshot.empty();
     std::optional<reliefui::SessionFiles> session;
     std::vector<reliefui::SessionFiles> left;
@@ -325,7 +327,7 @@ int run(int count, char** values, const Arguments& arguments) {
     if (!shot) reliefui::installTranslations(reliefui::chosenLanguage());
     QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
     reliefui::Workspace workspace(std::make_shared<const reliefui::StateReaders>(reliefui::stateReaders()));
-    // Reads and draws while the window is being made.
+    // Loading and rendering begin while the window is being created.
     workspace.start(start.scenario, std::move(start.pictures));
     reliefui::MainWindow* shown = nullptr;
     QVariantMap layout;

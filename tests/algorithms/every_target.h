@@ -1,5 +1,5 @@
-// The instruction sets of this machine in turn (mapping/rows/row_lanes.h): all SIMD versions answer as their
-// references.
+// Selects the instruction sets of this machine in turn (mapping/rows/row_lanes.h): all SIMD versions must agree with
+// their references.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace relief::test {
 
-// SIMD versions use this one as long as it lives, then the best again.
+// SIMD versions use this instruction set during the object's lifetime, and afterwards the best one again.
 class ForcedTarget {
   public:
     explicit ForcedTarget(std::int64_t target) { forceLaneTarget(target); }

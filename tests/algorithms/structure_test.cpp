@@ -1,4 +1,4 @@
-// Laws of the sources themselves.
+// Properties of the sources themselves.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -15,8 +15,8 @@
 namespace relief::test {
 namespace {
 
-// A type that two sources define under one name is one type to the linker, which keeps the functions of either: what
-// then runs depends on what the compiler has inlined.
+// A type defined by two sources under one name is one type for the linker, which keeps the functions of either: which
+// of them runs then depends on the compiler's inlining.
 TEST(Structure, NoTypeIsDefinedTwice) {
     const std::regex opens("namespace ([A-Za-z_:]*) ?\\{"),
         defines("(?:class|struct) (\\w+)(?: final)?(?: : .*)? \\{.*");
@@ -49,7 +49,7 @@ std::filesystem::path folderOfSources(const std::string& top) {
     return std::filesystem::path(RELIEF_SOURCE) / top;
 }
 
-// The folders in the order of the README.md that lies there.
+// The folders in the order that README.md in the folder lists.
 std::vector<std::string> foldersInOrder(const std::string& top) {
     std::vector<std::string> folders;
     const std::regex row("\\| `([a-z/]+)/` \\|.*");
@@ -60,7 +60,7 @@ std::vector<std::string> foldersInOrder(const std::string& top) {
     return folders;
 }
 
-// The sources by their path in the folder, with what each includes of them.
+// For each source, by its path in the folder, the sources that it includes.
 std::map<std::string, std::vector<std::string>> includes(const std::string& top) {
     const std::filesystem::path root = folderOfSources(top);
     std::map<std::string, std::vector<std::string>> files;
@@ -122,7 +122,7 @@ TEST(Structure, NothingIsIncludedFromAFolderFurtherDown) {
     nothingIsIncludedFromFurtherDown("ui", 19, 500);
 }
 
-// Both are found by the same words, `relief/NAME.h`.
+// Both would be included as `relief/NAME.h`.
 TEST(Structure, NoPrivateHeaderHasTheNameOfAPublicOne) {
     for (const auto& [file, included] : includes("algorithms")) {
         if (!file.starts_with("include/")) continue;

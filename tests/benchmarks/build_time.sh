@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Measures what a newcomer waits for: a clone of this checkout's last commit, no compiler cache, no display.
-#   tests/benchmarks/build_time.sh [FOLDER]     the clone is made in FOLDER (a temporary one, removed afterwards)
-# Prints lines of the table in build_time.md: seconds of app/run to its pictures and to its end, of tests/run after it,
-# and of building the program again after one source was edited. Packages that are missing are installed, and that time
-# counts. Stop everything else first.
+# Measures how long a newcomer waits: builds a clone of this checkout's last commit, without compiler cache and display.
+#   tests/benchmarks/build_time.sh [FOLDER]     the clone is made in FOLDER (default: a temporary one, removed afterwards)
+# Prints lines of the table in build_time.md: seconds of app/run until its pictures are made and until it ends, of
+# tests/run after that, and of building the program again after editing one source. Missing packages are installed, and
+# that time is included. Stop everything else first.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -17,7 +17,7 @@ unset DISPLAY WAYLAND_DISPLAY
 git clone -q "$root" "$folder/reliefscope"
 cd "$folder/reliefscope"
 
-# timed NAME COMMAND...: a line of the table, the command's output in FOLDER/log.
+# timed NAME COMMAND...: prints a line of the table; the command's output goes to FOLDER/log.
 timed() {
     local name=$1 begin=$SECONDS status=0
     shift

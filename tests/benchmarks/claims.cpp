@@ -1,9 +1,9 @@
-// The tables of RESULTS.md. Those of distance and cone maps are measured here; the second form puts all of them into a
-// document, from the files in a folder (results_tables.h); measure.sh in this folder measures them all.
-//   relief_claims [--rays N] [--size N] [--threads N] [steps] [wrong] [gain] [cost]
-//   relief_claims tables RESULTS.md FOLDER
-// Six procedural reliefs (seed 1), relief depth 0.2, bilinear, repeat; rays with entry and azimuth uniform, elevation
-// uniform in 10 to 90 degrees. Exit status 1 if a method that promises the exact hit gave another.
+// Measures the tables of distance and cone maps in RESULTS.md; the second form inserts all tables into a document, from
+// the files in a folder (results_tables.h). measure.sh in this folder runs all measurements.
+//  relief_claims [--rays N] [--size N] [--threads N] [steps] [wrong] [gain] [cost]
+//  relief_claims tables RESULTS.md FOLDER
+// Six procedural reliefs (seed 1), relief depth 0.2, bilinear, repeat; rays with uniform entry and azimuth, and uniform
+// elevation in 10 to 90 degrees. Exit status 1 if a method with the exact guarantee gave another hit.
 #include <ctime>
 #include <iostream>
 #include <map>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kReliefDepth = 0.2;
 constexpr double kLowest = 10;        // degrees
-constexpr double kWrongTexels = 0.5;  // a hit farther off is another place
+constexpr double kWrongTexels = 0.5;  // a hit further away is wrong
 constexpr std::uint64_t kSeed = 1;
 
 struct Settings {
@@ -35,8 +35,8 @@ struct Settings {
 struct Measured {
     double steps = 0;
     double wrong = 0;    // share of the rays
-    double beyond = 0;   // of them, hits behind the surface's first
-    double seconds = 0;  // of all processors together: what else the machine does matters less
+    double beyond = 0;   // share of these that are behind the first hit
+    double seconds = 0;  // processor time of all threads, which depends less on other load
     std::size_t bytes = 0;
 };
 
@@ -104,7 +104,7 @@ Measured Claims::measure(const std::string& method, const Subject& subject) {
     for (std::size_t i = 0; i < subject.rays.size(); ++i) {
         const double length = std::max(1.0, std::hypot(subject.rays.a[i], subject.rays.b[i]));
         const double late = (hits.lambda[i] - subject.truth.lambda[i]) * length;
-        // NaN (no hit) is wrong; under repeat every ray hits.
+        // NaN (no hit) is wrong, since under repeat every ray hits.
         if (!(std::abs(late) <= kWrongTexels)) got.wrong += 1 / rays;
         if (!(late <= kWrongTexels)) got.beyond += 1 / rays;
         same = same && hits.lambda[i] == subject.truth.lambda[i];

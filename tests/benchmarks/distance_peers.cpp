@@ -1,10 +1,10 @@
-// Our Euclidean distance map beside vtkImageEuclideanDistance and, where it is installed, ITK's Maurer transform, in
-// one process, the rounds interleaved. All are exact and find the distance of each voxel's centre to the nearest solid
-// one.
-//   relief_distance_peers [--maps NAME,...] [--sizes WxL,...] [--rounds N] [--threads N] [-o FILE.csv|json]
-// The peers are given the binary volume, made outside their timing; ours begins with the heights, as a tracer would.
-// VTK's works on one thread whatever is asked. Rates are maps a second; error is the largest difference to ours, in
-// texels. Exit status 1 if one disagrees.
+// Compares our Euclidean distance map with vtkImageEuclideanDistance and, if it is installed, ITK's Maurer transform,
+// in one process with interleaved rounds. All are exact and compute the distance of each voxel's centre to the nearest
+// solid one.
+//  relief_distance_peers [--maps NAME,...] [--sizes WxL,...] [--rounds N] [--threads N] [-o FILE.csv|json]
+// The other programs receive the binary volume, which is made outside their timing; ours starts from the heights, as a
+// tracer would. VTK uses one thread, whatever number is requested. Rates are in maps per second; error is the largest
+// difference from our result, in texels. Exit status 1 if a result differs.
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -34,7 +34,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kReliefDepth = 0.1;
-// Texels: ours are roots of floats of squares of up to some thousand texels.
+// Texels: our distances are square roots, in float, of squares of up to some thousand texels.
 constexpr double kAgree = 1e-3;
 
 struct Settings {
@@ -49,7 +49,7 @@ double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-// 0 where solid, 1 elsewhere, with a layer below the slab, where all is solid.
+// Returns a volume with 0 where solid and 1 elsewhere, and an additional solid layer below the slab.
 vtkNew<vtkImageData> volumeOf(const HeightField& field, int layers) {
     vtkNew<vtkImageData> volume;
     volume->SetDimensions(field.width(), field.height(), layers + 1);
@@ -67,7 +67,7 @@ vtkNew<vtkImageData> volumeOf(const HeightField& field, int layers) {
     return volume;
 }
 
-// at(x, y, k): the peer's distance.
+// at(x, y, k): the other program's distance.
 template <class At>
 double largestDifference(const DistanceMap& ours, const At& at) {
     double worst = 0;
@@ -91,12 +91,12 @@ struct Contender {
     std::string method;
     int threads = 1;
     std::function<void()> build;
-    std::function<double(const DistanceMap&)> differs;  // after build
+    std::function<double(const DistanceMap&)> differs;  // largest difference from ours, after the build
     std::vector<double> rates;
     double difference = 0;
 };
 
-// What is compared in one cell, ours first.
+// The contenders of one cell of the table, ours first.
 class Cell {
   public:
     Cell(const std::string& name, int side, int layers, int threads)
@@ -105,7 +105,7 @@ class Cell {
                  kReliefDepth),
           volume_(volumeOf(field_, layers)) {
         parameters_.layers = layers;
-        parameters_.to = DistanceTo::Voxel;  // as the peers measure
+        parameters_.to = DistanceTo::Voxel;  // as the other programs measure it
         contenders.push_back({"euclidean",
                               threads,
                               [this] { ours_ = buildDistanceMap(DistanceKind::Euclidean, parameters_, field_, work_); },

@@ -15,9 +15,10 @@ namespace relief::peers {
 
 namespace {
 
-// Rays start this much of the slab above its top: Embree would lose surfaces that touch the top plane to rounding.
+// Rays start above the slab's top by this share of its height: otherwise Embree would miss surfaces in the top plane by
+// rounding.
 constexpr double kAbove = 1.0 / 1024;
-// Rays of one task, a tile of a frame.
+// Rays per task, a tile of a frame.
 constexpr std::size_t kGrain = 1024;
 
 bool countBytes(void* total, ssize_t bytes, bool) {
@@ -25,7 +26,7 @@ bool countBytes(void* total, ssize_t bytes, bool) {
     return true;
 }
 
-// Embree's manual asks for it where rays are traced.
+// Sets the processor's flush-to-zero flags, as Embree's manual requires while tracing.
 class FlushDenormals {
   public:
     FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040U); }
@@ -37,7 +38,7 @@ class FlushDenormals {
     unsigned before_;
 };
 
-// The vertices' places along one axis.
+// Coordinates of the vertices along one axis.
 struct Places {
     std::vector<float> at;
     std::vector<std::int64_t> texel;
@@ -106,7 +107,7 @@ void tracePackets(const EmbreeRays& rays, Piece piece, float* lambda, const Inte
         const int count = static_cast<int>(std::min<std::size_t>(kLanes, piece.last - begin));
         alignas(64) RayHit packet;
         alignas(64) int valid[kLanes];
-        // Lanes beyond the end repeat the last ray, switched off.
+        // Lanes beyond the end repeat the last ray, and are masked out.
         for (int lane = 0; lane < kLanes; ++lane) {
             valid[lane] = lane < count ? -1 : 0;
             setLane(packet, lane, rays, begin + static_cast<std::size_t>(std::min(lane, count - 1)));

@@ -1,5 +1,6 @@
-// A height field as Embree traces it: the surface's vertices joined by triangles or as Embree's grid, not by bilinear
-// patches. Between vertices the two models differ by up to a quarter of the cell's twist; at vertices they agree.
+// A height field as Embree traces it: the surface's vertices connected by triangles or as Embree's grid, in place of
+// bilinear patches. Between vertices the two models differ by up to a quarter of the cell's twist; at vertices they
+// agree.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace relief::peers {
 
-// The texels whose centres are the mesh's vertices.
+// The range of texels whose centres are the mesh's vertices.
 struct MeshExtent {
     int i0 = 0, j0 = 0, i1 = 0, j1 = 0;  // first and last texel, unwrapped
 };
@@ -31,19 +32,19 @@ struct EmbreeVariant {
 };
 std::vector<EmbreeVariant> embreeVariants(const std::vector<EmbreeShape>& shapes);
 
-// As floats, what Embree is given; made once for a view, outside the timing.
+// Rays in float, as Embree takes them; converted once per view, outside the timing.
 struct EmbreeRays {
     std::vector<float> s, t, a, b;
-    float top = 0;   // height of the start, texels
-    float down = 0;  // of the direction, texels
+    float top = 0;   // start height in texels
+    float down = 0;  // vertical component of the direction, in texels
 };
 EmbreeRays embreeRays(const HeightField& field, const RayBlock& rays);
 
-// One geometry committed; immutable.
+// A committed geometry; immutable.
 class EmbreeScene {
   public:
-    // config: added to the device's settings (isa=avx2). Under border the surface reaches from edge to edge of the
-    // picture; under clamp and repeat the mesh has the texels of the extent.
+    // config: additional device settings (isa=avx2). Under border the surface extends from edge to edge of the picture;
+    // under clamp and repeat the mesh contains the texels of the extent.
     EmbreeScene(const HeightField& field, EmbreeShape shape, const MeshExtent& extent, int threads,
                 const std::string& config);
     ~EmbreeScene();
@@ -51,9 +52,9 @@ class EmbreeScene {
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
     EmbreeShape shape() const;
-    std::size_t bytes() const;  // of everything that Embree holds, vertices included
+    std::size_t bytes() const;  // everything that Embree allocates, including vertices
     double buildSeconds() const;
-    // Lambda of each ray's first hit, NaN where it misses; `lambda` has the size of the rays.
+    // Writes lambda of each ray's first hit, NaN for a miss; `lambda` must have the size of the rays.
     void trace(const EmbreeVariant& variant, const EmbreeRays& rays, std::vector<float>& lambda, Work& work) const;
 
   private:

@@ -1,11 +1,12 @@
-// Our elliptical filter beside OpenImageIO's TextureSystem (anisotropic 16), in one process, rounds interleaved, one
-// thread: rate, and error against a Gaussian pixel (sigma 0.5) that is integrated over the exact perspective of the
-// plane.
-//   relief_filter_peers [--size N] [--width N] [--height N] [--rounds N] [--pictures zone,bricks,checker]
-//                       [--elevations 60,25,8] [--azimuth A] [--seed N] [-o FILE.csv|json]
-// OpenImageIO gets the same derivatives, a tiled float texture with its own pyramid, all in its cache; each of its
-// derivative multipliers below, by single lookups and in batches of 16 (blur and width set in each lane); its rate is
-// the best of those in the same round, its error the least of all. In the file error is RMSE in linear light.
+// Compares our elliptical filter with OpenImageIO's TextureSystem (anisotropic 16), in one process with interleaved
+// rounds and one thread: rate, and error against a Gaussian pixel (sigma 0.5) that is integrated over the exact
+// perspective of the plane.
+//  relief_filter_peers [--size N] [--width N] [--height N] [--rounds N] [--pictures zone,bricks,checker]
+//                      [--elevations 60,25,8] [--azimuth A] [--seed N] [-o FILE.csv|json]
+// OpenImageIO receives the same derivatives, with each of the multipliers below, and a tiled float texture with its own
+// pyramid, all in its cache; it is measured with single lookups and with batches of 16 (blur and width set in each
+// lane). Its rate is the best of those in the same round, its error the smallest of all. In the file, error is the RMSE
+// in linear light.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -39,7 +40,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kSigma = 0.5;  // pixels
 constexpr int kSamples = 33;    // along each side of 3 sigma
-constexpr int kCounted = 4000;  // pixels whose error is measured, evenly spread
+constexpr int kCounted = 4000;  // pixels whose error is measured, uniformly distributed
 constexpr std::size_t kTile = 1024;
 const std::vector<float> kWidths{0.6F, 0.8F, 1.0F, 1.2F, 1.4F, 1.7F, 2.0F};
 
@@ -54,7 +55,7 @@ struct Settings {
 
 std::shared_ptr<const ColorImage> pictureOf(const std::string& name, const Settings& settings) {
     if (name != "zone") return filterScene(name, settings.size, settings.seed).color;
-    // Rings that get finer towards the rim, up to one cycle in four texels.
+    // Rings that become finer towards the rim, up to one cycle in four texels.
     auto picture = std::make_shared<ColorImage>(settings.size, settings.size);
     const double middle = 0.5 * settings.size;
     for (int y = 0; y < settings.size; ++y) {
@@ -74,7 +75,7 @@ struct View {
     std::vector<Color> truth;
 };
 
-// A plane at the top of the slab: places are exact perspective.
+// A plane at the top of the slab, so that positions are exact perspective.
 View viewOf(const std::shared_ptr<const ColorImage>& picture, const Settings& settings, double elevation, Work& work) {
     FrameRequest request(HeightField(std::make_shared<const FloatImage>(picture->width(), picture->height(), 1.0F)));
     request.width = settings.width;
@@ -129,7 +130,7 @@ double errorOf(const View& view, const std::vector<Color>& colors) {
     return std::sqrt(sum / (3 * static_cast<double>(view.counted.size())));
 }
 
-// The texture in a file of its own, removed with it.
+// The texture, in a file that is removed with the object.
 class Peer {
   public:
     explicit Peer(const ColorImage& picture) : width_(picture.width()), height_(picture.height()) {

@@ -1,8 +1,8 @@
-// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [--budget MS] [--no-shadows] [-o FILE.csv|json]: frames a
-// second of the shipped pictures at 800 x 600 while the camera turns: traced exactly, filtered anisotropically with
-// regard to the relief, lit, with shadows and without. Each view for SECONDS (default 2); a row a view: the median
-// frame, the tenth fastest and the tenth slowest, and each stage's milliseconds, of all threads together (median).
-// PICTURE: the beginning of its folder's name; that one alone.
+// relief_frames [SECONDS] [PICTURE [ELEVATION [FILTER]]] [--budget MS] [--no-shadows] [-o FILE.csv|json]
+//  Measures frames per second of the shipped pictures at 800 x 600 while the camera rotates: traced exactly, filtered
+//  anisotropically with regard to the relief, lit, with and without shadows. Each view is rendered for SECONDS (default
+//  2) and gives one row: the median, the 10th and the 90th percentile of the frame times, and the median milliseconds
+//  of each stage, summed over all threads. PICTURE: the beginning of a picture's folder name; restricts the run to it.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -36,14 +36,14 @@ constexpr Pictures kPictures[]{{"gray_rocks", "height.png", "color.jpg"},
                                {"stone_wall_bricks102", "height.jpg", "color.jpg"},
                                {"brick_tiles037", "height.jpg", "color.jpg"},
                                {"terrain_srtm_east_africa", "height.png", "color.png"}};
-constexpr double kTurn = 0.5;  // degrees a frame
+constexpr double kTurn = 0.5;  // degrees per frame
 
 std::string levelText(const MovingLevel& level) {
     return filterText(level.filter) + (level.factor > 1 ? " / " + std::to_string(level.factor) : "");
 }
 
-// The coarse picture of this view, enlarged, beside the full one that follows it.
-void tellCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
+// Prints the error of the enlarged coarse picture of this view against the full one that follows it.
+void printCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
     const ProgressiveRenderer::Picture coarse = renderer.moving(request, work);
     if (coarse.level.number == 0) return;
     const std::shared_ptr<const Frame> full = renderer.settled(request, work).frame;
@@ -63,7 +63,7 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
                        double budget) {
     Work work;
     ProgressiveRenderer renderer(maps, budget);
-    // Until what pays only after some frames has been made.
+    // Warm-up: until data that pay off only after some frames have been built.
     const double pixels = static_cast<double>(request.width) * request.height;
     const double enough = static_cast<double>(PackedConeHits::kRaysPerTexel * request.field.heights().size()) / pixels;
     for (int n = 0; n <= enough; ++n) {
@@ -96,7 +96,7 @@ peers::PeerRow measure(FrameRequest request, const std::shared_ptr<MapCache>& ma
     if (std::isfinite(budget)) {
         for (const auto& [number, level] : levels) std::printf("  %d frames %s\n", level.second, level.first.c_str());
         request.camera.azimuth += kTurn;
-        tellCoarse(renderer, request, work);
+        printCoarse(renderer, request, work);
     }
     std::fflush(stdout);
     peers::PeerRow row{name, "800x600", numberText(request.camera.elevation),
@@ -112,7 +112,7 @@ struct Settings {
     std::string picture;
     std::vector<double> elevations{60, 45, 25};
     std::vector<std::string> filters{"elliptical", "elliptical-visible:form=grid"};
-    double budget = std::numeric_limits<double>::infinity();  // seconds a frame
+    double budget = std::numeric_limits<double>::infinity();  // seconds per frame
     bool lightAlone = false;
     std::string output;
 };

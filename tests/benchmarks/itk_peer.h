@@ -1,4 +1,4 @@
-// ITK's Euclidean distance transform (Maurer's), behind a face that needs none of its headers.
+// Wraps ITK's Euclidean distance transform (Maurer's) in an interface without ITK's headers.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,16 @@ namespace relief::peers {
 
 class ItkDistance {
   public:
-    // Solid voxels are 1 in a volume of nx x ny x (layers + 1), x fastest, its lowest layer wholly solid; a layer is
-    // dz texels high.
+    // solid: 1 for solid voxels, in a volume of nx x ny x (layers + 1), x fastest, whose lowest layer is wholly solid.
+    // dz: height of a layer in texels.
     ItkDistance(const unsigned char* solid, int nx, int ny, int layers, double dz, int threads);
     ~ItkDistance();
     ItkDistance(const ItkDistance&) = delete;
     ItkDistance& operator=(const ItkDistance&) = delete;
 
     void build();
-    // Texels, of the voxel in layer k of ours (the lowest, solid layer is -1); 0 where solid.
+    // Returns the distance in texels for the voxel in layer k of our map (the lowest, solid layer is -1); 0 where
+    // solid.
     double at(int x, int y, int k) const;
     static std::string version();
 

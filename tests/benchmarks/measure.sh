@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Measures every table of RESULTS.md and writes it there: no number between its marks is typed by hand.
+# Measures every table of RESULTS.md and writes it there: numbers between the page's marks are never typed by hand.
 #   tests/benchmarks/measure.sh [FOLDER [BUILD]]     default: build/measured build
-# Resumes after an interruption: what is in FOLDER is not measured again. Takes hours on two cores; nothing else should
-# run on the machine. Afterwards read the text between the tables, which quotes them.
+# Resumes after an interruption: results in FOLDER are not measured again. Takes hours on two cores; nothing else should
+# run on the machine. Afterwards review the text between the tables, which quotes them.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -11,7 +11,7 @@ folder=${1:-build/measured}
 bin=${2:-build}/bin
 mkdir -p "$folder"
 
-# NAME COMMAND...: a sweep into FOLDER/NAME.csv, unless it is there.
+# NAME COMMAND...: runs a sweep into FOLDER/NAME.csv, unless that exists.
 sweep() {
     local file=$folder/$1.csv
     shift
@@ -20,7 +20,7 @@ sweep() {
     [ -e "$file.part" ] && resume=(--resume)
     "$bin/relief" bench "$@" "${resume[@]}" -o "$file"
 }
-# NAME COMMAND...: what it prints into FOLDER/NAME.md, unless it is there.
+# NAME COMMAND...: writes the command's output to FOLDER/NAME.md, unless that exists.
 printed() {
     local file=$folder/$1.md
     shift
@@ -42,11 +42,11 @@ sweep filters_wall filters --height datasets/stone_wall_bricks102/height.jpg --r
     cat "$folder/filters_procedural.csv"
     tail -n +2 "$folder/filters_wall.csv"
 } >"$folder/filters_relief.csv"
-# Hundreds of times slower than the others: one round.
+# These are hundreds of times slower than the others: one round.
 position=elliptical,elliptical-visible:form=position,elliptical-visible:form=position-area
 sweep filters_position filters --scenes bricks,city,hills --size 160x120 --threads 1 --rounds 1 --filters $position \
     --pixel-models gaussian
-# NAME PROGRAM...: beside other programs, where those are installed.
+# NAME PROGRAM...: compares with other programs, if those are installed.
 beside() {
     local file=$folder/$1.csv
     shift
@@ -57,7 +57,8 @@ beside peers "$bin/relief_peers" --rounds 7
 beside filter_peers "$bin/relief_filter_peers"
 beside distance_peers "$bin/relief_distance_peers" --rounds 7
 beside frames "$bin/relief_frames" 3
-# Advice held against full tables: processor time and counts, so others on the machine matter little.
+# Compares the advice with full tables. It uses processor time and counts, so other processes on the machine matter
+# little.
 advice() {
     printf '~~~\n'
     local form map
@@ -78,6 +79,6 @@ printed wrong "$bin/relief_claims" --rays 100000 wrong
 printed gain "$bin/relief_claims" --rays 100000 gain
 printed cost "$bin/relief_claims" --rays 100000 cost
 printed claims "$bin/relief" claims --measure --json -q
-# The table that the program ships: it is part of the next build.
+# The table shipped with the program: it becomes part of the next build.
 { printf 'R"json('; cat "$folder/claims.md"; printf ')json"\n'; } >algorithms/measuring/bench/claims_shipped.inc
 "$bin/relief_claims" tables tests/benchmarks/RESULTS.md "$folder"

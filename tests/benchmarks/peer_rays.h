@@ -1,4 +1,5 @@
-// The rays that tracers and their peers are given: of a perspective view, in the order of a frame's tiles, or random.
+// The rays on which our tracers and others are compared: those of a perspective view in the order of a frame's tiles,
+// or random ones.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +15,11 @@ namespace relief::peers {
 struct PeerView {
     int width = 800;
     int height = 600;
-    double distance = 1;   // of the camera from the middle of the floor, texture widths
+    double distance = 1;   // from the camera to the middle of the floor, in texture widths
     double azimuth = 30;   // degrees
     double fov = 40;       // degrees, vertical
-    double lowest = 10;    // of random rays, degrees
-    std::size_t rays = 0;  // 0: every pixel; else tiles are left out evenly until about so many rays remain
+    double lowest = 10;    // lowest elevation of random rays, in degrees
+    std::size_t rays = 0;  // 0: every pixel; otherwise tiles are omitted uniformly until about this many rays remain
     std::uint64_t seed = 1;
 };
 
@@ -26,7 +27,7 @@ inline std::size_t pixelCount(const PeerView& view) {
     return static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
 }
 
-// Rays of the pixels that see the floor, tile after tile of a frame, each tile in block order.
+// Returns the rays of the pixels that see the floor, tile by tile as in a frame, each tile in block order.
 inline RayBlock perspectiveRays(const HeightField& field, double elevation, const PeerView& view) {
     Camera camera;
     camera.elevation = elevation;

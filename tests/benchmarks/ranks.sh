@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# What ranks of MPI bring on this machine, as a table: seconds of the same work by 1, 2, 4, ... ranks, each with one
-# thread, in turn, the median of three rounds; efficiency, messages, memory of rank 0.
+# Measures the benefit of MPI ranks on this machine, as a table: seconds for the same work by 1, 2, 4, ... ranks with
+# one thread each, interleaved, the median of three rounds; efficiency, messages, memory of rank 0.
 #   tests/benchmarks/ranks.sh [BUILD]     default: build
-# As many ranks as there are processors, and twice as many. Some minutes; nothing else should run meanwhile.
+# Uses up to as many ranks as there are processors, and then twice as many. Takes some minutes; nothing else should run
+# meanwhile.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -15,7 +16,7 @@ processors=$(nproc)
 ranks=(1)
 while [ "${ranks[-1]}" -le "$processors" ]; do ranks+=($((ranks[-1] * 2))); done
 
-# NAME COMMAND...: a row for each number of ranks.
+# NAME COMMAND...: prints a row for each number of ranks.
 # shellcheck disable=SC2094  # the name is only an argument
 rows() {
     local name=$1 round count

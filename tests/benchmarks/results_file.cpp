@@ -31,7 +31,7 @@ std::vector<std::string> fieldsOf(const std::string& line) {
     return fields;
 }
 
-// When the file was last written, local time: "2026-11-26".
+// Returns the local date on which the file was last written: "2026-11-26".
 std::string dayOf(const std::string& path) {
     const auto written = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(path));
     const std::time_t time = std::chrono::system_clock::to_time_t(written);

@@ -1,4 +1,4 @@
-// A file of a benchmark as the tables of RESULTS.md read it, and how they are written.
+// Reads the files of benchmarks for the tables of RESULTS.md, and formats these.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace relief::claims {
 
-// The file is not what a benchmark writes. Throws InputError.
+// Throws InputError: the file is not what a benchmark writes.
 [[noreturn]] void fail(const std::string& file, const std::string& why);
 
 std::vector<std::string> linesOf(const std::string& text);
@@ -27,18 +27,17 @@ class Table {
 
     const std::vector<Row>& rows() const { return rows_; }
     const std::string& path() const { return path_; }
-    // The only row with these values.
-    const Row& at(const Row& wanted) const {
+    // Returns the only row with these values.
+    const Row& at(const Row& key) const {
         const Row* found = nullptr;
         for (const Row& row : rows_) {
-            if (!std::all_of(wanted.begin(), wanted.end(),
-                             [&](const auto& w) { return text(row, w.first) == w.second; })) {
+            if (!std::all_of(key.begin(), key.end(), [&](const auto& w) { return text(row, w.first) == w.second; })) {
                 continue;
             }
-            if (found != nullptr) fail(path_, "two rows " + told(wanted));
+            if (found != nullptr) fail(path_, "two rows " + textOf(key));
             found = &row;
         }
-        if (found == nullptr) fail(path_, "no row " + told(wanted));
+        if (found == nullptr) fail(path_, "no row " + textOf(key));
         return *found;
     }
     const std::string& text(const Row& row, const std::string& column) const {
@@ -47,7 +46,7 @@ class Table {
         return found->second;
     }
     double number(const Row& row, const std::string& column) const { return parseNumber(text(row, column), path_); }
-    // Different values of a column, in the order of the rows.
+    // Returns the distinct values of a column, in the order of the rows.
     std::vector<std::string> values(const std::string& column) const {
         std::vector<std::string> all;
         for (const Row& row : rows_) {
@@ -57,9 +56,9 @@ class Table {
     }
 
   private:
-    static std::string told(const Row& wanted) {
+    static std::string textOf(const Row& key) {
         std::string out;
-        for (const auto& [name, value] : wanted) out += (out.empty() ? "" : ", ") + name + " = " + value;
+        for (const auto& [name, value] : key) out += (out.empty() ? "" : ", ") + name + " = " + value;
         return out;
     }
 
@@ -67,7 +66,7 @@ class Table {
     std::vector<Row> rows_;
 };
 
-// Smallest and largest of some numbers, and their geometric mean.
+// The smallest and largest of some numbers, and their geometric mean.
 class Range {
   public:
     void add(double value) {
@@ -90,16 +89,16 @@ class Range {
 };
 
 std::string line(const std::vector<std::string>& cells);
-// Names of columns, the first `left` of them set to the left.
+// Returns the head of a table; the first `left` columns are left-aligned.
 std::string head(const std::vector<std::string>& names, std::size_t left);
-// Three digits.
+// Returns the number with three significant digits.
 std::string three(double value);
 // "1 / 2 / 3"
 std::string joined(const std::vector<std::string>& parts);
-// Where and when it was measured, as the last line; the date is that of the file.
+// Returns the last line, which names the machine and the date, that of the file.
 std::string origin(const Table& table);
 
-// Tables of comparisons with other programs.
+// Tables of the comparisons with other programs.
 std::string peersTable(const Table& table);
 std::string filterPeersTable(const Table& table);
 std::string distancePeersTable(const Table& table);

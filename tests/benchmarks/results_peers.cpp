@@ -1,9 +1,9 @@
-// The tables of RESULTS.md of comparisons with other programs.
+// Tables of RESULTS.md with the comparisons with other programs.
 #include "results_file.h"
 
 namespace relief::claims {
 
-// Our best method over Embree's best variant, a cell each view.
+// The ratio of our best method to Embree's best variant, one cell per view.
 std::string peersTable(const Table& table) {
     std::string out = head({"map", "view", "method", "Mrays/s", "+-%", "Embree's fastest", "Mrays/s", "+-%", "ratio",
                             "Embree off, texels"},
@@ -45,7 +45,7 @@ std::string peersTable(const Table& table) {
            origin(table);
 }
 
-// Elliptical filter in lanes and scalar beside OpenImageIO.
+// The elliptical filter, SIMD and scalar, compared with OpenImageIO.
 std::string filterPeersTable(const Table& table) {
     std::string out = head({"picture", "elevation", "form", "Mpixels/s", "+-%", "of OpenImageIO's best", "+-%",
                             "error x 1000", "of its least error"},

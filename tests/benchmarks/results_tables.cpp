@@ -17,7 +17,7 @@ namespace relief::claims {
 
 namespace {
 
-// What [PERSP] counts for a pixel.
+// Returns the operation counts per pixel that [PERSP] states.
 std::string paperCounts(const std::string& variant) {
     static const std::map<std::string, std::string> counts{
         {"direct", "8 / 8 / 2"},
@@ -30,18 +30,18 @@ std::string paperCounts(const std::string& variant) {
     return found == counts.end() ? "" : found->second;
 }
 
-// What the whole of the file says, beyond the part that is shown.
+// Returns sentences about the whole file, beyond the rows that the table shows.
 std::string rowsSentences(const Table& table) {
     Range restarted, drifting, streams, narrow, iterative, cached;
     for (const Row& row : table.rows()) {
         if (table.text(row, "precision") != "float") continue;
         const std::string& variant = table.text(row, "variant");
         const auto rateOf = [&](const std::string& other) {
-            Row wanted{{"width", table.text(row, "width")},
-                       {"elevation", table.text(row, "elevation")},
-                       {"precision", "float"},
-                       {"variant", other}};
-            return table.number(table.at(wanted), "rate");
+            Row key{{"width", table.text(row, "width")},
+                    {"elevation", table.text(row, "elevation")},
+                    {"precision", "float"},
+                    {"variant", other}};
+            return table.number(table.at(key), "rate");
         };
         const bool restarts = table.text(row, "anchor") != "0";
         if (variant == "incremental" && !restarts) drifting.add(table.number(row, "error_max"));
@@ -86,7 +86,7 @@ std::string rowsTable(const Table& table) {
             continue;
         }
         const std::string& variant = table.text(row, "variant");
-        // As --variants and --mapping spell it.
+        // Spelled as --variants and --mapping take it.
         const bool never = variant.starts_with("incremental") && table.text(row, "anchor") == "0";
         std::string name = "`" + variant + (never ? ":anchor=0`" : "`");
         if (variant == "streams") name += ", " + table.text(row, "streams");
@@ -107,7 +107,7 @@ std::string rowsTable(const Table& table) {
     return out + rowsSentences(table) + origin(table);
 }
 
-// A filter's name with the options that it was given, as the benchmark takes it.
+// Returns a filter's name with the options that were given, as the benchmark takes it.
 std::string filterName(const Table& table, const Row& row) {
     const std::string& name = table.text(row, "filter");
     if (!name.starts_with("elliptical") || name.starts_with("elliptical-visible")) return name;
@@ -120,15 +120,15 @@ std::string filterName(const Table& table, const Row& row) {
            (levels == "exhaustive" ? ":levels=exhaustive" : "");
 }
 
-// value of the rows of one filter at each elevation: "314 / 353 / 409".
-std::string overElevations(const Table& table, const std::string& filter, Row wanted,
+// Returns the values of one filter at each elevation: "314 / 353 / 409".
+std::string overElevations(const Table& table, const std::string& filter, Row key,
                            const std::function<std::string(const Row&)>& value) {
     std::vector<std::string> parts;
     for (const std::string& elevation : table.values("elevation")) {
-        wanted["elevation"] = elevation;
+        key["elevation"] = elevation;
         for (const Row& row : table.rows()) {
             const bool fits = filterName(table, row) == filter &&
-                              std::all_of(wanted.begin(), wanted.end(),
+                              std::all_of(key.begin(), key.end(),
                                           [&](const auto& w) { return table.text(row, w.first) == w.second; });
             if (!fits) continue;
             parts.push_back(value(row));
@@ -147,7 +147,7 @@ std::vector<std::string> filterNames(const Table& table) {
     return names;
 }
 
-// first's column over second's, in all cells that both have.
+// Returns the range of the ratios of the column for `first` to that for `second`, over all cells that contain both.
 Range ratiosOf(const Table& table, const std::string& column, const std::string& first, const std::string& second,
                const std::string& pixelModel) {
     Range ratios;
@@ -183,7 +183,7 @@ std::string checkerSentences(const Table& table) {
     return "\n" + out + ".\n";
 }
 
-// Errors and costs of the forms that see the relief, as multiples of plain filtering's.
+// Errors and costs of the forms that take the relief into account, as multiples of those of plain filtering.
 std::string reliefSentences(const Table& table) {
     std::string out;
     for (const std::string& name : filterNames(table)) {

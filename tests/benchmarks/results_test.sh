@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the tables of small sweeps into a document and holds their numbers against the files.
+# Inserts the tables of small sweeps into a document and compares their numbers with the files.
 #   results_test.sh RELIEF RELIEF_CLAIMS
 set -euo pipefail
 
@@ -37,7 +37,7 @@ if grep -q 'old' "$folder/document.md"; then fail "an old table is left"; fi
 # The error of the file's second row (streams), to two digits.
 error=$(sed -n 3p "$folder/rows.csv" | cut -d, -f14 | xargs printf '%.1e' | sed 's/e.*//')
 grep -F '`streams`' "$folder/document.md" | sed 's/[0.]//g' | grep -qF "${error//./}" || fail "not the file's error: $error"
-# Again: nothing changes.
+# A second run changes nothing.
 cp "$folder/document.md" "$folder/once"
 "$2" tables "$folder/document.md" "$folder"
 cmp "$folder/once" "$folder/document.md"

@@ -1,12 +1,12 @@
-// Our tracers beside Embree, in one process, the rounds of all interleaved. On the same rays: 800 x 600 perspective
-// views of the floor as a frame's tiles give them, and random rays; relief depth 0.1.
-//   relief_peers [--methods NAME,...] [--maps NAME[:SEED]|FILE,...] [--sizes N,...] [--views DEGREES|random,...]
-//                [--rays N] [--rounds N] [--threads N] [--address border|clamp|repeat] [--depth D] [--distance D]
-//                [--azimuth A] [--fov A] [--lowest A] [--seed S] [--lanes AVX3|AVX2|SSE4|...] [--embree CONFIG]
-//                [--shapes triangles,grid] [-o FILE.csv|json]
-// A ratio is our rate over that of the fastest of Embree's variants (triangles, grid; packets of 1, 8, 16; told that
-// rays are coherent or not) in the same round; the median of the rounds. Exit status 1 if a method of ours that
-// promises the exact hit gave another.
+// Compares our tracers with Embree in one process, with interleaved rounds, on the same rays: 800 x 600 perspective
+// views of the floor in the order of a frame's tiles, and random rays; relief depth 0.1.
+//  relief_peers [--methods NAME,...] [--maps NAME[:SEED]|FILE,...] [--sizes N,...] [--views DEGREES|random,...]
+//               [--rays N] [--rounds N] [--threads N] [--address border|clamp|repeat] [--depth D] [--distance D]
+//               [--azimuth A] [--fov A] [--lowest A] [--seed S] [--lanes AVX3|AVX2|SSE4|...] [--embree CONFIG]
+//               [--shapes triangles,grid] [-o FILE.csv|json]
+// A ratio is our rate divided by that of the fastest of Embree's variants (triangles, grid; packets of 1, 8, 16; with
+// and without the hint that rays are coherent) in the same round; the median of the rounds. Exit status 1 if one of our
+// methods with the exact guarantee gave another hit.
 #include <algorithm>
 #include <iostream>
 

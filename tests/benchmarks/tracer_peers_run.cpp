@@ -18,16 +18,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kModelTexels = 0.05;              // farther off is another place: the models differ
-constexpr double kMostDiffer = 0.6;                // share of the rays; a third is usual on maps of steep walls
-constexpr double kLeastSeconds = 0.01;             // of one timing; small blocks are traced again until then
+constexpr double kModelTexels = 0.05;              // a larger difference is another place: the models differ
+constexpr double kMostDiffer = 0.6;                // share of the rays; a third is usual on maps with steep walls
+constexpr double kLeastSeconds = 0.01;             // per timing; small blocks are traced repeatedly for that long
 constexpr const char* kReference = "max-pyramid";  // held to `exact`, bit for bit, by the tests; `exact` takes hours
 
 double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-// Rays a second of body(), which traces `rays` of them.
+// Returns the rays per second of body(), which traces `rays` rays.
 template <class Body>
 double rateOf(std::size_t rays, const Body& body) {
     const auto begun = Clock::now();
@@ -55,7 +55,7 @@ struct Variant {
     std::vector<double> rates;
 };
 
-// A view of the map: rays, and the exact answers.
+// A view of the map: its rays, and the exact hits.
 struct Subject {
     Elevation view;
     RayBlock rays;
@@ -97,12 +97,12 @@ bool isPeer(const BenchRow& row) {
     return row.method.name.starts_with("embree");
 }
 
-// Embree does not tell its steps.
+// Embree does not report its steps.
 BenchValue stepsValue(const BenchRow& row, std::int64_t steps) {
     return isPeer(row) ? BenchValue(std::nan("")) : BenchValue(steps);
 }
 
-// Where rays are: from their entries to their hits.
+// Returns the extent of the rays, from their entries to their hits.
 MeshExtent reached(const std::vector<Subject>& subjects) {
     double low[2] = {1e300, 1e300};
     double high[2] = {-1e300, -1e300};
@@ -184,7 +184,7 @@ class Comparison {
         for (const Elevation& view : options_.views) {
             Subject subject{view, peerRays(field, view, options_.view), {}};
             BlockCounts counts;
-            // The counting form is the reference.
+            // The overload that counts is the reference implementation.
             reference->trace(subject.rays, subject.truth, counts, work_);
             subjects.push_back(std::move(subject));
         }
@@ -225,7 +225,7 @@ class Comparison {
             method->hits = HitBlock(subject.rays.size());
             method->rates.clear();
         }
-        // The first round warms up.
+        // The first round is a warm-up.
         for (int round = -1; round < options_.rounds; ++round) {
             const auto note = [&](std::vector<double>& rates, double rate) {
                 if (round >= 0) rates.push_back(rate);
@@ -243,7 +243,7 @@ class Comparison {
         const auto best = std::max_element(variants.begin(), variants.end(), [](const Variant& x, const Variant& y) {
             return quantile(x.rates, 0.5) < quantile(y.rates, 0.5);
         });
-        std::vector<double> fastest;  // of each round
+        std::vector<double> fastest;  // rate in each round
         for (std::size_t r = 0; r < best->rates.size(); ++r) {
             double most = 0;
             for (const Variant& variant : variants) most = std::max(most, variant.rates[r]);
@@ -275,7 +275,7 @@ class Comparison {
             cell.differs = differs;
             cell.wrong = differing(subject.truth, method->hits);
             if (method->tracer->guarantee() == Guarantee::Exact && cell.wrong > 0) kept_ = false;
-            // No difference of models: one of the two was given something else.
+            // This is no difference of the models: one of the two was given other data.
             if (differs > kMostDiffer) kept_ = false;
             const BenchRow row = ourRow(*method, subject);
             cell.bytes = sizeof(float) * row.readsMean;
@@ -331,7 +331,8 @@ class Comparison {
         rows_.push_back(std::move(row));
     }
 
-    // The columns of relief bench tracers; options as they are, since no list of ours knows the peers.
+    // Writes the columns of relief bench tracers; options are written literally, since Embree's methods are in no list
+    // of ours.
     void writeRows() const {
         std::vector<BenchColumn> columns = benchColumns();
         for (BenchColumn& column : columns) {

@@ -16,7 +16,7 @@ std::string viewText(Elevation view) {
     return view ? elevationText(view) : "random";
 }
 
-// Of the ratios, in logarithms; and the smallest.
+// Geometric mean and minimum of ratios.
 struct Mean {
     double sum = 0;
     int count = 0;
@@ -38,7 +38,7 @@ void printMeans(const std::string& title, const std::vector<PeerCell>& cells, co
     const auto remember = [](std::vector<std::string>& names, const std::string& name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     };
-    std::map<std::string, Mean> best;  // the better of our methods in each cell
+    std::map<std::string, Mean> best;  // the best of our methods in each cell
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const PeerCell& cell = cells[c];
         remember(methods, cell.method);
@@ -69,7 +69,7 @@ void printMeans(const std::string& title, const std::vector<PeerCell>& cells, co
     out << "\nRatio to the fastest Embree, geometric mean, and the least of the cells\n" << textTable(rows);
 }
 
-// How much slower a ray is on the largest map than on the smallest.
+// Prints how much slower a ray is on the largest map than on the smallest.
 void printGrowth(const std::vector<PeerCell>& cells, std::ostream& out) {
     std::vector<TableRow> rows{{"map", "view", "method", "sizes", "growth", "Embree's", "bytes a ray"}};
     for (const PeerCell& small : cells) {

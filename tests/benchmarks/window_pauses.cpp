@@ -1,7 +1,7 @@
-// A session in the window, driven by hand as it were, and what held the window's thread meanwhile: for each part of it
-// the longest computation of ours in one event, and the longest pause with painting.
+// Runs a typical session in the window, operated as by a person, and reports what blocked the window's thread: for each
+// part of the session the longest computation of ours in one event, and the longest pause including painting.
 //
-//     relief_window_pauses [--picture FILE | --recipe NAME --size N] [--only 1|2|3]
+//    relief_window_pauses [--picture FILE | --recipe NAME --size N] [--only 1|2|3]
 #include <cstdio>
 #include <string>
 
@@ -117,7 +117,7 @@ class Session {
             }
             workspace_.choosePixel(pixel.x, pixel.y);
         });
-        // Large maps' distances take minutes to be built.
+        // Distance maps of large pictures take minutes to build.
         const bool large = workspace_.scenario().pictures.recipeWidth > kLargest;
         for (const char* method : {"cone", "layers", "distance", "distance-refined", "exact", "max-pyramid"}) {
             if (large && std::string(method).starts_with("distance")) continue;
@@ -143,7 +143,7 @@ class Session {
                 s.reliefDepth = 0.2;
             });
         });
-        // Of some pixels the one with most steps.
+        // Selects the pixel with the most steps out of some.
         std::size_t most = 0;
         relief::PixelChoice longest = pixel;
         for (int y = 20; y < workspace_.scenario().height; y += 45) {

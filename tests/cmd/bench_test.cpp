@@ -1,4 +1,4 @@
-// relief bench and relief stress: tables for scripts, exit status, what is left behind.
+// relief bench and relief stress: tables for scripts, exit status, files left behind.
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -51,7 +51,7 @@ TEST_P(MeasureTest, TablesInFilesAndOnStandardOutput) {
     const auto json = nlohmann::json::parse(read("b.json"));
     ASSERT_EQ(json.size(), csv.size() - 1);
     EXPECT_EQ(json[2]["method"], "layers");
-    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part is left";
+    EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part file remains";
 }
 
 TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
@@ -65,7 +65,7 @@ TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
         return scalar;
     };
     EXPECT_EQ(scalarOnes("scalar"), 8U);
-    EXPECT_EQ(scalarOnes("simd"), 2U) << "exact has no other";
+    EXPECT_EQ(scalarOnes("simd"), 2U) << "exact has no other form";
     EXPECT_EQ(scalarOnes("lanes"), 2U) << "as earlier versions named it";
     auto wrong = what;
     wrong.insert(wrong.end(), {"--form", "wide"});
@@ -75,7 +75,7 @@ TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
 TEST_P(MeasureTest, BrokenOffRunsKeepTheirRows) {
     RunSetup setup;
     setup.interruptAfterMilliseconds = 60000;
-    setup.interruptWhen = [&] {  // something has been kept
+    setup.interruptWhen = [&] {  // after a result has been saved
         const std::string journal = read("b.csv.part");
         return std::count(journal.begin(), journal.end(), '\n') >= 2;
     };
@@ -126,8 +126,8 @@ TEST_P(MeasureTest, RowsInFilesAndOnStandardOutput) {
     EXPECT_EQ(fields(csv[3])[13], "") << "a fill has no error";
     EXPECT_EQ(runFine(with(path("r.json"))), "");
     EXPECT_EQ(nlohmann::json::parse(read("r.json")).size(), 6U);
-    EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part is left";
-    // Rows timed together, so many at a time.
+    EXPECT_EQ(files(), (std::vector<std::string>{"r.csv", "r.json"})) << "no .part file remains";
+    // Rows timed together, in blocks of this size.
     std::vector<std::string> blocks = what;
     blocks.insert(blocks.end(), {"--rows", "1,3"});
     const auto together = lines(runFine(blocks));
@@ -207,7 +207,7 @@ TEST_P(MeasureTest, FiltersAgainstTheReference) {
     EXPECT_LT(elliptical, 0.5 * bilinear);
     EXPECT_EQ(fields(rows[5])[4], "map");
     EXPECT_EQ(fields(rows[5])[5], "64");
-    // Pictures of one's own, as deep as one says.
+    // The user's own pictures, with a given depth.
     runFine({"make", "bricks", "--size", "24", "-o", path("h.png")});
     runFine({"make", "checker", "--size", "24", "-o", path("c.png")});
     std::vector<std::string> errors;

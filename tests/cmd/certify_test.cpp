@@ -1,4 +1,4 @@
-// relief certify: proven, refuted with a scenario that shows it, damaged maps found.
+// relief certify: maps are proved safe, refuted with a scenario that shows the error, and damaged ones detected.
 #include <cmath>
 
 #include "command_test.h"
@@ -28,7 +28,7 @@ TEST_P(CertifyTest, SafeMapsAreProven) {
     }
 }
 
-// Rays refute safety, they do not prove it; neither does a check that could not be carried out.
+// Rays can refute safety but not prove it; a check that could not be carried out decides nothing either.
 TEST_P(CertifyTest, WhatIsNeitherProvenNorRefutedIsUndecided) {
     const std::string height = walls();
     for (const char* tracer : {"exact", "flat"}) {
@@ -44,7 +44,7 @@ TEST_P(CertifyTest, WhatIsNeitherProvenNorRefutedIsUndecided) {
     expectRefusal({"certify", height, "--tracer", "cone", "--rays", "100"}, 3, {"standard output"}, full);
 }
 
-// Status 1, one block; the scenario's pixel and the printed ray show the same again.
+// Status 1, and the error is reproduced by both the scenario's pixel and the printed ray.
 TEST_P(CertifyTest, UnsafeOnesAreRefuted) {
     const std::string height = walls();
     for (const char* tracer : {"cone-dummer", "distance", "distance-refined-sampled"}) {
@@ -72,7 +72,7 @@ TEST_P(CertifyTest, UnsafeOnesAreRefuted) {
 }
 
 TEST_P(CertifyTest, DamagedMapsAreFound) {
-    // More than surface voxels, as bricks have.
+    // Other than bricks, hills have not only surface voxels.
     const std::string height = makeRelief("hills", "hills.png", {"--size", "48"});
     Work work;
     const HeightField field(std::make_shared<FloatImage>(readHeight(height, {}, work).heights));
@@ -82,8 +82,8 @@ TEST_P(CertifyTest, DamagedMapsAreFound) {
         runFine({"map", kind, "--height", height, "--set", "precision=u8", "-o", map});
         expectPart(runFine({"certify", "--height", height, "--map", map, "--rays", "2000"}), "safe: proven");
         const StoredMap whole = loadMap(map, field, std::size_t{1} << 28, work);
-        // One place in the middle of what can be walked freely. The certificate's bound of refined maps is sharper than
-        // the builder's, so there one quantum may still be safe.
+        // Changes one value in the middle of free space. The certificate's bound for refined maps is tighter than the
+        // builder's, so that one code more may still be safe there.
         const auto alter = [](const StoredValues& values, int by, double share) {
             auto codes = values.codes();
             auto& all = std::get<std::vector<std::uint8_t>>(codes);

@@ -18,13 +18,13 @@ TEST_P(ClaimsTest, TheTableThatShipsInBothLanguagesAndAsJson) {
     const std::string ukrainian = runFine({"claims", "--language", "uk"});
     EXPECT_NE(english, ukrainian);
     EXPECT_EQ(lines(english).size(), lines(ukrainian).size());
-    // A line each behind two of a head, which ends in the verdict.
+    // After the two lines of the head there is a line per claim, which ends in the verdict.
     const auto rows = lines(english);
     ASSERT_EQ(rows.size(), table["claims"].size() + 2);
-    std::multiset<std::string> said, wanted;
-    for (const auto& claim : table["claims"]) wanted.insert(claim["verdict"].get<std::string>());
+    std::multiset<std::string> said, expected;
+    for (const auto& claim : table["claims"]) expected.insert(claim["verdict"].get<std::string>());
     for (std::size_t n = 2; n < rows.size(); ++n) said.insert(rows[n].substr(rows[n].rfind(" | ") + 3));
-    EXPECT_EQ(said, wanted);
+    EXPECT_EQ(said, expected);
     runFine({"claims", "-o", path("claims.json")});
     EXPECT_EQ(nlohmann::json::parse(read("claims.json")), table);
     runFine({"claims", "-o", path("claims.txt"), "--language", "en"});

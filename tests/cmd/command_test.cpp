@@ -46,7 +46,7 @@ bool servable([[maybe_unused]] const RunSetup& setup) {
 #endif
 }
 
-// In the child, between fork and exec.
+// Runs in the child, between fork and exec.
 [[noreturn]] void execute(const std::vector<std::string>& arguments, const RunSetup& setup, const std::string& locale,
                           int input, const std::string& out, const std::string& err) {
     dup2(input, STDIN_FILENO);
@@ -128,7 +128,7 @@ Result CommandTest::run(const std::vector<std::string>& arguments, const RunSetu
         served.variables.insert(served.variables.end(), setup.variables.begin(), setup.variables.end());
         const int status = runByServer(served);
         if (status != -1) return seen(status);
-        ADD_FAILURE() << "the program server is gone";
+        ADD_FAILURE() << "the program server has ended";
         return {};
     }
     int pipeEnds[2] = {-1, -1};

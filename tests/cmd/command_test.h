@@ -1,5 +1,5 @@
-// Runs the program in a folder of its own and keeps what it wrote. Every test runs in a folder with Cyrillic letters
-// and spaces under a Ukrainian locale (comma as decimal point): whatever goes wrong plainly goes wrong there, too.
+// Runs the program in a folder of its own and captures its output. Every test uses a folder name with Cyrillic letters
+// and spaces and a Ukrainian locale (decimal comma), since whatever fails in a plain setting fails there, too.
 #pragma once
 
 #include <sys/types.h>
@@ -22,22 +22,22 @@ struct Place {
 };
 
 struct Result {
-    int status = -1;  // exit status; 128 + signal where it was killed
+    int status = -1;  // exit status; 128 + signal if the program was killed
     std::string out;
     std::string err;
 };
 
-// What is not plain about a run.
+// Deviations from a plain run.
 struct RunSetup {
     std::vector<std::string> launcher;    // starts the program: mpirun, with its options
-    std::string program;                  // another than the one that was built
+    std::string program;                  // in place of the program under test
     std::string input;                    // standard input
-    std::string output;                   // write standard output into this file instead of Result::out
-    std::int64_t largestFile = -1;        // bytes a file may grow to
-    std::int64_t addressSpace = -1;       // bytes the program may map
-    int interruptAfterMilliseconds = 0;   // SIGINT then; standard input stays open until the end
-    std::function<bool()> interruptWhen;  // SIGINT as soon as this holds, if that is earlier
-    std::vector<std::pair<std::string, std::string>> variables;  // of the environment
+    std::string output;                   // redirects standard output to this file, instead of Result::out
+    std::int64_t largestFile = -1;        // limit of a file's size, in bytes
+    std::int64_t addressSpace = -1;       // limit of the address space, in bytes
+    int interruptAfterMilliseconds = 0;   // sends SIGINT after this time; standard input stays open until the end
+    std::function<bool()> interruptWhen;  // sends SIGINT as soon as this returns true, if that is earlier
+    std::vector<std::pair<std::string, std::string>> variables;  // added to the environment
 };
 
 class CommandTest : public testing::TestWithParam<Place> {
@@ -46,20 +46,20 @@ class CommandTest : public testing::TestWithParam<Place> {
     void TearDown() override;
 
     Result run(const std::vector<std::string>& arguments, const RunSetup& setup = {}) const;
-    // Runs and expects success without a word on standard error.
+    // Runs the program; expects success and no output on standard error. Returns standard output.
     std::string runFine(const std::vector<std::string>& arguments, const RunSetup& setup = {}) const;
-    // Expects this status, nothing on standard output, and one line on standard error that starts with "relief: " and
-    // holds each of the parts.
+    // Expects this status, no output on standard output, and one line on standard error that starts with "relief: " and
+    // contains each of the parts.
     void expectRefusal(const std::vector<std::string>& arguments, int status, const std::vector<std::string>& parts,
                        const RunSetup& setup = {}) const;
 
-    // A path in the test's folder.
+    // Returns a path in the test's folder.
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     std::string write(const std::string& name, const std::string& bytes) const;
     std::string read(const std::string& name) const;
-    // Names in the folder, sorted.
+    // Returns the file names in the folder, sorted.
     std::vector<std::string> files() const;
-    // A procedural relief as a height map.
+    // Writes a procedural relief as a height map. Returns its path.
     std::string makeRelief(const std::string& recipe, const std::string& name,
                            const std::vector<std::string>& more = {}) const;
 
@@ -70,17 +70,17 @@ class CommandTest : public testing::TestWithParam<Place> {
 
 std::vector<std::string> lines(const std::string& text);
 std::vector<std::string> fields(const std::string& line);
-// The bytes of an OpenEXR or TIFF file but for the second that it was written in.
+// Returns the bytes of an OpenEXR or TIFF file without the time of writing.
 std::string withoutDate(const std::string& bytes);
 
-// A grey float OpenEXR picture, uncompressed, as bytes.
+// Returns a grey float OpenEXR picture, uncompressed, as bytes.
 std::string exrBytes(int width, int height, const std::vector<float>& values);
-// Signature and header of a grey 8-bit PNG of that size, nothing behind it.
+// Returns signature and header of a grey 8-bit PNG of that size, without data.
 std::string pngHeaderBytes(std::uint32_t width, std::uint32_t height);
 
-// A plain one and the Ukrainian one.
+// A plain place and the Ukrainian one.
 std::vector<Place> everyPlace();
-// The Ukrainian one; with RELIEF_LONG every place.
+// The Ukrainian place; with RELIEF_LONG every place.
 std::vector<Place> places();
 void PrintTo(const Place& place, std::ostream* out);
 std::string placeName(const testing::TestParamInfo<Place>& info);

@@ -1,4 +1,4 @@
-// What a newcomer types first, and what is answered to a slip of the finger.
+// The first commands that a newcomer types, and the answers to typing errors.
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
@@ -22,7 +22,7 @@ TEST_P(HelpTest, EveryCommandExplainsItself) {
 }
 
 TEST_P(HelpTest, OptionsNameUnitsRangesAndDefaults) {
-    std::string help;  // as if it were not wrapped
+    std::string help;  // with line breaks removed
     for (const char c : runFine({"render", "--help"})) {
         if (c != ' ' && c != '\n')
             help += c;
@@ -83,7 +83,7 @@ TEST_P(HelpTest, HelpAndListExplainOneThing) {
     EXPECT_EQ(runFine({"list", "reliefs"}).find("Tracers"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(runFine({"list", "filters", "--json"})).size(), 1U);
     expectRefusal({"list", "briks"}, 2, {"did you mean \"bricks\""});
-    // All of it is the sum of its kinds.
+    // The whole list is the concatenation of its sections.
     std::string all;
     for (const std::string kind : {"tracers", "shading", "meshes", "any-hit", "maps", "rows", "filters", "reliefs",
                                    "numbers", "render-layers"}) {
@@ -113,7 +113,7 @@ TEST_P(HelpTest, InfoForPrograms) {
     expectRefusal({"info", path("r.json"), "--channel", "0"}, 2, {"--channel", "r.json"});
 }
 
-TEST_P(HelpTest, InfoSaysWhatAScenarioLooksAt) {
+TEST_P(HelpTest, InfoDescribesAScenario) {
     runFine({"render", "--relief", "bricks", "--eye", "1,2,3", "--target", "0,0,0.5", "--fov", "40", "--size", "32x24",
              "-o", path("p.png"), "--report", path("r.json")});
     auto scenario = nlohmann::json::parse(read("r.json"))["scenario"];

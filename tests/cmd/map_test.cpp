@@ -116,7 +116,7 @@ TEST_P(MapTest, WrongUse) {
     EXPECT_EQ(files(), before);
 }
 
-// Read back by this program's own reader of pictures: level 0 are the heights.
+// The program's own reader of pictures reads the file: level 0 is the height map.
 TEST_P(MapTest, PyramidsAreWrittenAsPictures) {
     const std::string height = makeRelief("paper8x8", "paper.png", {});
     for (const std::string kind : {"max-pyramid", "mean-pyramid"}) {

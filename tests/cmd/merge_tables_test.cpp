@@ -1,5 +1,5 @@
-// relief merge on tables made by hand, called as functions: the order of rows, what is missing or there twice, and the
-// kind of every value.
+// relief merge on hand-made tables, called as functions: the order of rows, missing and repeated cells, and the types
+// of values.
 #include "merge_tables.h"
 
 #include <filesystem>
@@ -30,7 +30,7 @@ PartFile fileOf(int number, int of, const Json& run = runOf()) {
     return file;
 }
 
-// A part as merge.cpp reads it; rows: of which cells, as JSON; table: the header and all rows.
+// Returns a part as merge.cpp reads it. rows: cells with their row counts, as JSON. table: the header and all rows.
 TextPart partOf(int number, int of, const std::string& rows, const std::string& table,
                 const Json& more = Json::object()) {
     TextPart part;
@@ -52,7 +52,7 @@ class MergeTablesTest : public ::testing::Test {
         return bytesOf(folder_ / name);
     }
     Json rowsOf(const std::vector<TextPart>& parts) { return Json::parse(merged(parts, "t.json")); }
-    // The message with which they are refused; no file may be left.
+    // Returns the message of the refusal; no file may be left.
     std::string refusal(const std::vector<TextPart>& parts, const std::string& name = "refused.csv") {
         const std::string text = faultOf([&] { mergeTables(parts, folder_ / name, session_); });
         EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << text;
@@ -63,7 +63,7 @@ class MergeTablesTest : public ::testing::Test {
     Session session_{Language::English, std::stop_token()};
 };
 
-// Cells come in any order within a part, parts in any order; rows of one cell keep theirs.
+// Cells may be in any order within a part, and parts in any order; the rows of a cell keep theirs.
 TEST_F(MergeTablesTest, RowsComeInTheOrderOfTheCells) {
     const TextPart odd = partOf(1, 2, "[[4,1],[0,2],[2,0]]", "name,value\ne,5\na,9\na,1\n");
     const TextPart even = partOf(2, 2, "[[3,1],[1,1]]", "name,value\nd,4\nb,2\n");
@@ -77,12 +77,13 @@ TEST_F(MergeTablesTest, TablesWithoutRows) {
     const TextPart one = partOf(1, 2, "[[0,0],[2,0]]", "name,value\n"), two = partOf(2, 2, "[[1,0]]", "name,value\n");
     EXPECT_EQ(merged({one, two}, "t.csv"), "name,value\n");
     EXPECT_EQ(merged({one, two}, "t.json"), "[]\n");
-    // More parts than cells: some have none.
+    // With more parts than cells some have none.
     EXPECT_EQ(merged({partOf(1, 2, "[[0,1]]", "name,value\na,1\n"), partOf(2, 2, "[]", "name,value\n")}, "u.csv"),
               "name,value\na,1\n");
 }
 
-// The whole file, as one process writes it: names in the header's order, one space a level, no number null.
+// The whole file, as one process writes it: names in the header's order, indented by one space per level, null for
+// missing numbers.
 TEST_F(MergeTablesTest, JsonIsThatOfOneProcess) {
     const Json kinds{{"words", {"map"}}, {"reals", {"rate"}}};
     const TextPart one = partOf(1, 2, "[[0,1]]", "map,rays,rate\nhills,7,1.5\n", kinds);
@@ -92,7 +93,7 @@ TEST_F(MergeTablesTest, JsonIsThatOfOneProcess) {
               " {\n  \"map\": \"7\",\n  \"rays\": null,\n  \"rate\": null\n }\n]\n");
 }
 
-// A column of words keeps them whatever they look like, quoted or not.
+// Values in a column of words stay strings whatever they look like, quoted or not.
 TEST_F(MergeTablesTest, WordsStayWords) {
     const Json rows =
         rowsOf({partOf(1, 1, "[[0,9]]", "w\n007\n1e5\n\nnan\ntrue\nnull\n\"a,b\"\n\"say \"\"so\"\"\"\n\"two\nlines\"\n",
@@ -101,12 +102,12 @@ TEST_F(MergeTablesTest, WordsStayWords) {
     for (const Json& row : rows) found.push_back(row.at("w").get<std::string>());
     EXPECT_EQ(found,
               (std::vector<std::string>{"007", "1e5", "", "nan", "true", "null", "a,b", "say \"so\"", "two\nlines"}));
-    // In CSV they stay as they stand.
+    // In CSV they are copied unchanged.
     EXPECT_EQ(merged({partOf(1, 1, "[[0,2]]", "w,x\n\"two\nlines\",1\n\"a,\"\"b\",2\n")}, "t.csv"),
               "w,x\n\"two\nlines\",1\n\"a,\"\"b\",2\n");
 }
 
-// Numbers to the last of 17 digits; whole ones beyond what a double holds; no number, and words among numbers.
+// All 17 digits of real numbers; integers beyond the range of double; missing numbers, and words among numbers.
 TEST_F(MergeTablesTest, NumbersKeepEveryDigit) {
     const std::string reals = "r\n0.30000000000000004\n60\n-0\n5e-324\n1.7976931348623157e+308\n\nrandom\ninf\n";
     const Json rows = rowsOf({partOf(1, 1, "[[0,8]]", reals, {{"words", {"r"}}, {"reals", {"r"}}})});
@@ -131,10 +132,10 @@ TEST_F(MergeTablesTest, NumbersKeepEveryDigit) {
     EXPECT_EQ(whole[2].dump(), "{\"n\":-9223372036854775808}");
     EXPECT_EQ(whole[3].dump(), "{\"n\":0}");
     EXPECT_TRUE(whole[4].at("n").is_null());
-    EXPECT_EQ(whole[5].at("n"), "7") << "what is quoted is a word";
+    EXPECT_EQ(whole[5].at("n"), "7") << "a quoted value is a word";
 }
 
-// Which kind a column is may show in one part alone: all parts together decide.
+// The type of a column may show in a single part: all parts together determine it.
 TEST_F(MergeTablesTest, AColumnHasOneKindInAllParts) {
     const TextPart one = partOf(1, 3, "[[0,1]]", "a,b,c\n60,8,8\n");
     const TextPart two = partOf(2, 3, "[[1,1]]", "a,b,c\n25.5,9,9\n", {{"reals", {"a"}}, {"words", Json::array()}});
@@ -176,7 +177,7 @@ TEST_F(MergeTablesTest, WhatIsCutShortIsRefused) {
          {"7", "null", "{}", "[1]", "[[1]]", "[[1,1,1]]", "[[1,-1]]", "[[-1,1]]", "[[1.5,1]]", "[[1,\"1\"]]"}) {
         EXPECT_EQ(with(rows, "a,b\n1,2\n"), damaged + "line 1 is wrong") << rows;
     }
-    // So many rows that their sum would not fit.
+    // The sum of the row counts overflows.
     EXPECT_EQ(with("[[1,1],[3,18446744073709551615]]", "a,b\n1,2\n").substr(0, damaged.size()), damaged);
 }
 
@@ -200,7 +201,7 @@ TEST_F(MergeTablesTest, TheEndingSaysWhatIsWritten) {
     EXPECT_EQ(Json::parse(merged({one}, "T.JSON")).size(), 1U);
 }
 
-// --- Which parts make a run
+// --- Which parts make up a run
 
 std::string wholeRunFault(const std::vector<PartFile>& files) {
     return faultOf([&] { requireWholeRun(files); });
@@ -215,7 +216,7 @@ TEST(MergeParts, AllPartsOfOneRunOnceEach) {
     EXPECT_EQ(wholeRunFault({fileOf(1, 3), fileOf(2, 3), again}), "again.csv: is part 2 of 3, and so is 2of3.csv");
     EXPECT_EQ(wholeRunFault({fileOf(1, 2), fileOf(2, 3)}),
               "2of3.csv: belongs to another run than 1of2.csv: --part is 2/3 here, 1/2 there");
-    // Twenty are named.
+    // The message lists twenty.
     std::string twenty;
     for (int n = 2; n <= 21; ++n) twenty += std::to_string(n) + ", ";
     EXPECT_EQ(wholeRunFault({fileOf(1, 22)}), "1of22.csv: is one of 22 parts; missing: " + twenty + "...");
@@ -239,7 +240,7 @@ TEST(MergeParts, PartsOfOtherRunsAreNamedByWhatDiffers) {
     EXPECT_EQ(with({{"seed", "1"}, {"sizes", {8, 16}}}), other + "rays is null here, 64 there");
     EXPECT_EQ(with({{"rays", 64}, {"seed", "1"}, {"sizes", {8, 16}}, {"more", true}}),
               other + "more is true here, null there");
-    EXPECT_EQ(with({{"sizes", {8, 16}}, {"seed", "1"}, {"rays", 64}}), "") << "the order of members says nothing";
+    EXPECT_EQ(with({{"sizes", {8, 16}}, {"seed", "1"}, {"rays", 64}}), "") << "the order of members does not matter";
     Json cells = runOf();
     cells["cells"] = "ffeeddcc99887766";
     EXPECT_EQ(fault(cells), other + "cells is \"ffeeddcc99887766\" here, \"00112233aabbccdd\" there");
@@ -255,7 +256,7 @@ TEST(MergeParts, DifferencesWithinOptionsHaveTheirPath) {
     EXPECT_EQ(camera->what, "camera.elevation");
     EXPECT_EQ(camera->here, "20.0");
     EXPECT_EQ(camera->there, "25.0");
-    // Long values are cut after sixty letters.
+    // Long values are truncated to sixty characters.
     const auto name = runDifference(run(20, std::string(100, 'x')), run(20, "b"));
     ASSERT_TRUE(name);
     EXPECT_EQ(name->here, "\"" + std::string(59, 'x') + "...");
@@ -292,7 +293,7 @@ TEST(MergeParts, PartLinesAreReadBack) {
     }
 }
 
-// Bands of a picture: all rows once, in order, and none has two more than another.
+// Bands of a picture: every row once, in order, and their heights differ by one row at most.
 TEST(MergeParts, BandsShareTheRows) {
     for (const int height : {1, 2, 7, 61, 1080, 32768}) {
         for (const int of : {1, 2, 3, 5, 7, 61, 1000}) {

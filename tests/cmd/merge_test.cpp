@@ -1,5 +1,5 @@
-// Parts of one run (--part K/N) and relief merge: what comes out is what one process would have written, and what does
-// not belong together is refused by name.
+// Parts of one run (--part K/N) and relief merge: the result is what one process would have written; parts that do not
+// belong together are refused, naming the file.
 #include <cstdlib>
 #include <regex>
 
@@ -20,7 +20,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-// Of a table: the part line that bench writes, with this seed.
+// Returns the part line that `bench` writes into a table, with this seed.
 std::string partLine(int part, int of, const std::string& rows, const std::string& seed) {
     const Json line{{"relief part", part},
                     {"of", of},
@@ -46,7 +46,7 @@ class MergeTest : public CommandTest {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    // The files of all parts of a picture, from the last to the first.
+    // Renders all parts of a picture; returns their files in descending order.
     std::vector<std::string> rendered(int of, const std::string& ending, const std::vector<std::string>& look) const {
         std::vector<std::string> names;
         for (int part = of; part >= 1; --part) {
@@ -78,7 +78,7 @@ class MergeTest : public CommandTest {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    // Records of all parts, of a small run.
+    // Runs all parts of a small stress run; returns their records.
     std::vector<std::string> stressed(int of) const {
         std::vector<std::string> names;
         for (int part = 1; part <= of; ++part) {
@@ -88,7 +88,7 @@ class MergeTest : public CommandTest {
         }
         return names;
     }
-    // Every case of the record breaks the same promise.
+    // Makes every case of the record report the same kind of violation.
     void violate(const std::string& name) const {
         std::string text;
         for (const std::string& line : lines(read(name))) {
@@ -107,7 +107,7 @@ class MergeTest : public CommandTest {
         }
         write(name, text);
     }
-    // Two parts of a table of four cells; the third has no row.
+    // Writes two parts of a table of four cells; the third cell has no row.
     std::vector<std::string> tables() const {
         return {write("odd.csv", partLine(1, 2, "[[0,2],[2,0]]", "1") + kHeader + "\"a,b\",7,60,1.5\n\"a,b\",8,60,\n"),
                 write("even.csv", partLine(2, 2, "[[1,1],[3,1]]", "1") + kHeader + "c,9,random,2\nd,10,25,3e-05\n")};
@@ -115,7 +115,7 @@ class MergeTest : public CommandTest {
 };
 INSTANTIATE_TEST_SUITE_P(Places, MergeTest, testing::ValuesIn(places()), placeName);
 
-// Also with violations: each part keeps the first of a kind, together they are more than are listed.
+// Also with violations: each part keeps the first of a kind; together they are more than may be listed.
 TEST_P(MergeTest, PartsOfAStressTestMakeTheReportOfOneProcess) {
     const std::string whole = runFine(stress("whole.jsonl", {}));
     const std::vector<std::string> parts = stressed(3);
@@ -146,7 +146,7 @@ TEST_P(MergeTest, PartsOfAStressTestMakeTheReportOfOneProcess) {
 }
 
 TEST_P(MergeTest, BandsMakeTheWholePicture) {
-    // Points on a grid look at hits above and below the band: bands end where rows of tiles do.
+    // The grid filter uses hits above and below the band; bands end at tile rows.
     size_ = "24x160";
     const std::vector<std::string> look{"--filter",  "elliptical-visible", "--filter-set", "form=grid",
                                         "--shadows", "--no-skip",          "--camera",     "elevation=20"};
@@ -155,13 +155,13 @@ TEST_P(MergeTest, BandsMakeTheWholePicture) {
     runFine(merge(parts, "merged.png"));
     EXPECT_TRUE(read("merged.png") == read("whole.png"));
     size_ = "90x61";
-    // Pixels see samples of the rows around them, which are in the next row of tiles for the upper half.
+    // Pixels use samples of neighbouring rows, which for the upper half are in the next row of tiles.
     const std::vector<std::string> samples{"--supersample", "2", "--pixel-model", "gaussian"};
     runFine(render("whole.png", samples));
     const auto halves = rendered(2, ".png", samples);
     runFine(merge(halves, "merged.png"));
     EXPECT_TRUE(read("merged.png") == read("whole.png"));
-    // What does not belong together.
+    // Parts that do not belong together.
     const auto refuse = [&](const std::vector<std::string>& files, const std::vector<std::string>& words) {
         expectRefusal(merge(files, "m.png"), 2, words);
         EXPECT_FALSE(std::filesystem::exists(path("m.png")));
@@ -225,7 +225,7 @@ TEST_P(MergeTest, TablesGetTheirRowsInTheOrderOfTheCells) {
     refuse(replaced(odd, "height,method", "height,form"), "line 2");
 }
 
-// Four cells in three parts, one of which has two of them; and of seven parts three have none.
+// Four cells in three parts, one of which has two; with seven parts three have none.
 TEST_P(MergeTest, PartsOfASweepMakeItsTable) {
     const auto bench = [&](const std::string& output, const std::vector<std::string>& more) {
         std::vector<std::string> all{"bench",    "rows",         "--widths",  "100,200",    "--elevations",
@@ -235,7 +235,7 @@ TEST_P(MergeTest, PartsOfASweepMakeItsTable) {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     };
-    // Without rate, spread and concurrent, which is not known of a part.
+    // Without rate, spread and concurrent, which is unknown for a part.
     const auto rowsOf = [&](const std::string& name) {
         std::vector<std::vector<std::string>> rows;
         for (const std::string& line : lines(read(name))) {
@@ -265,7 +265,7 @@ TEST_P(MergeTest, PartsOfASweepMakeItsTable) {
     expectRefusal(bench("p.csv", {"--concurrent", "2"}), 2, {"--concurrent", "--part"});
 }
 
-// Numbers, whole numbers, words, and both in one column, which one of the parts does not show.
+// Columns of real numbers, integers, words, and of both, which shows in only one of the parts.
 TEST_P(MergeTest, PartsMakeTheJsonOfOneProcess) {
     const auto bench = [&](const std::string& output, const std::vector<std::string>& more) {
         std::vector<std::string> all{
@@ -326,7 +326,7 @@ TEST_P(MergeTest, WrongPartsAreRefused) {
     }
 }
 
-// README's examples: the shell's own jobs, and GNU parallel.
+// The examples of README: the shell's background jobs, and GNU parallel.
 TEST_P(MergeTest, SchedulersWithoutMpi) {
     const std::string begin = "cd \"$1\" && export PATH=\"$(dirname \"" RELIEF_PROGRAM "\"):$PATH\" && set -e && ";
     const auto shell = [&](const std::string& script) {

@@ -1,4 +1,4 @@
-// Sweeps and pictures that the ranks of an MPI run share: what comes out is what one process makes.
+// Sweeps and pictures shared by the ranks of an MPI run have the results of one process.
 #include <fstream>
 
 #include "sweep_fixture.h"
@@ -11,7 +11,8 @@ std::vector<std::string> mpirun(int ranks) {
     return {"mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n", std::to_string(ranks)};
 }
 
-// Open MPI leaves memory behind in plug-ins that it has unloaded: the address sanitizer has no name to suppress it by.
+// Open MPI leaks memory in plug-ins that it has unloaded, so the address sanitizer has no symbol by which to suppress
+// it.
 class LeaksOfMpi {
   public:
     LeaksOfMpi() {
@@ -28,7 +29,7 @@ class LeaksOfMpi {
     std::string before_;
 };
 
-// Processes that this one has started, and theirs, that run the program.
+// Returns the descendants of the process that run the program.
 std::vector<pid_t> ranksOf(pid_t parent) {
     std::vector<pid_t> ranks;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -75,7 +76,7 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
     ASSERT_EQ(said.size(), 1U) << shared.err;
     for (const char* const rank : {"rank 0 ", "rank 1 ", "rank 2 ", "rank 3 "})
         EXPECT_NE(said[0].find(rank), std::string::npos) << said[0];
-    // What is timed was timed: one rank's rates are not all.
+    // Rates were measured: not all are those of one rank.
     for (std::size_t row = 1; row <= 2 * kCells; ++row) {
         EXPECT_GT(std::stod(fields(lines(read("b.csv"))[row]).at(11)), 0) << row;
     }
@@ -90,7 +91,7 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
     EXPECT_FALSE(std::filesystem::exists(path("c.csv")));
     const std::size_t before = done("c.csv").size();
     ASSERT_GE(before, 3U);
-    EXPECT_NE(read("c.csv.part").find("{\"counted\":"), std::string::npos) << "what was counted is lost";
+    EXPECT_NE(read("c.csv.part").find("{\"counted\":"), std::string::npos) << "the counts are lost";
     const Result last = runRanks(2, sweep("c.csv", {"--resume"}));
     EXPECT_EQ(last.status, 0) << last.err;
     EXPECT_NE(last.err.find(std::to_string(before) + " "), std::string::npos) << last.err;
@@ -98,8 +99,8 @@ TEST_P(MpiTest, RanksShareASweepAndOneFails) {
     EXPECT_FALSE(std::filesystem::exists(path("c.csv.part")));
 }
 
-// What an MPI run left, one process goes on with, and the other way round.
-TEST_P(MpiTest, AnotherNumberOfProcessesGoesOn) {
+// One process resumes what an MPI run left, and vice versa.
+TEST_P(MpiTest, AnotherNumberOfProcessesResumes) {
     runFine(sweep("whole.csv"));
     for (const bool shared : {true, false}) {
         const pid_t child = start(sweep("b.csv"), "/dev/null", shared ? mpirun(2) : std::vector<std::string>{});
@@ -129,7 +130,7 @@ TEST_P(MpiTest, RefusalsAreOneLineOfRankZeroWithItsStatus) {
     refuse(sweep("b.csv", {"--nothing-known"}), "--nothing-known");
 }
 
-// The program where no plug-in lies beside it.
+// A copy of the program without the plug-in.
 TEST_P(MpiTest, WithoutMpiSeveralProcessesAreRefused) {
     RunSetup setup;
     setup.variables = {{"OMPI_COMM_WORLD_SIZE", "4"}, {"OMPI_COMM_WORLD_RANK", "0"}};
@@ -138,7 +139,7 @@ TEST_P(MpiTest, WithoutMpiSeveralProcessesAreRefused) {
     const std::vector<std::string> rows{"bench", "rows", "--widths", "100", "--rounds", "1", "-o", path("b.csv")};
     expectRefusal(rows, 2, {"4 processes", "MPI", "--part"}, setup);
     EXPECT_EQ(files(), std::vector<std::string>{"relief"});
-    // Variables of a launcher whose MPI is another: the plug-in finds itself alone.
+    // Variables of another MPI's launcher: the plug-in finds that it is alone.
     setup.program.clear();
     setup.variables = {{"PMI_SIZE", "4"}, {"PMI_RANK", "0"}};
     expectRefusal(rows, 2, {"4", "joined 1"}, setup);

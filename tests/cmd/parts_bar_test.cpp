@@ -1,4 +1,4 @@
-// The bar of a run of numbered parts, as it is drawn on a terminal.
+// The progress bar of a run of numbered parts, as drawn on a terminal.
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,13 +15,13 @@
 namespace relief::app {
 namespace {
 
-// Of a run that goes on it is about what was left to do, not about all that there is.
-TEST(PartsBar, BeginsAnewWhereARunGoesOn) {
+// After resuming, the bar refers to the remaining parts, not to all.
+TEST(PartsBar, CountsRemainingPartsAfterResuming) {
     constexpr std::size_t kParts = 20, kLeft = 4;
-    constexpr std::chrono::milliseconds kPart(400);  // the bar comes after a second: during the third part
+    constexpr std::chrono::milliseconds kPart(400);  // the bar appears after a second, during the third part
     const testing::TemporaryFolder folder;
     int terminal = -1;
-    // All of it in the child: threads of an earlier run would not be there after the fork.
+    // All in the child: threads of an earlier run would not exist after the fork.
     const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
     if (child == 0) {
         PartsRun run;
@@ -50,7 +50,7 @@ TEST(PartsBar, BeginsAnewWhereARunGoesOn) {
     }
     std::string text;
     char bytes[4096];
-    // The terminal is gone with the child: an error, not an end.
+    // The terminal closes with the child, which is reported as an error, not as the end of the file.
     for (ssize_t got = 0; (got = ::read(terminal, bytes, sizeof bytes)) > 0;) {
         text.append(bytes, static_cast<std::size_t>(got));
     }

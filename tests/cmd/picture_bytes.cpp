@@ -1,4 +1,4 @@
-// Small pictures written byte by byte, so that the tests do not lean on the library they test.
+// Small pictures written byte by byte, so that the tests do not depend on the library that they test.
 #include <bit>
 #include <cstring>
 

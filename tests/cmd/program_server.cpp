@@ -61,8 +61,8 @@ bool receiveAll(int from, void* bytes, std::size_t size) {
     const int status = app::runProgram(static_cast<int>(words.size()), pointers.data());
     std::cout.flush();
     std::fflush(nullptr);
-    // Not exit(): log4cplus, which comes with OpenImageIO, starts a thread when it is loaded, and its destructor would
-    // wait for it; here that thread is not.
+    // Not exit(): log4cplus, which OpenImageIO loads, starts a thread when it is loaded, and its destructor would wait
+    // for that thread, which does not exist in the forked process.
     _exit(status);
 }
 
@@ -109,9 +109,9 @@ int runByServer(const ProgramRun& run) {
                            {"errors", run.errors},
                            {"largest", run.largestFile}};
     for (char** variable = environ; *variable != nullptr; ++variable) request["environment"].push_back(*variable);
-    // A name that is given twice: the later value holds.
+    // If a name is given twice, the later value takes effect.
     for (const auto& [name, value] : run.variables) request["environment"].push_back(name + "=" + value);
-    // Not text: file names need not be UTF-8.
+    // Not text: file names need not be valid UTF-8.
     const std::vector<std::uint8_t> bytes = nlohmann::json::to_cbor(request);
     const std::size_t size = bytes.size();
     int status = -1;

@@ -1,6 +1,6 @@
-// Runs of the program without loading its shared libraries anew, which takes half a second of a start.
+// Runs of the program without loading its shared libraries again, which takes half a second per start.
 //
-// startProgramServer() forks a server at the start of main(), before a test can start a thread; a forked child has only
+// startProgramServer() forks a server at the start of main(), before a test can start a thread: a forked child has only
 // the thread that called fork(). For each run the server forks a child that calls what the program's main() calls.
 #pragma once
 
@@ -13,15 +13,15 @@ namespace relief::test {
 
 struct ProgramRun {
     std::vector<std::string> arguments;                          // without the program's name
-    std::vector<std::pair<std::string, std::string>> variables;  // besides those of this process
-    std::string input, output, errors;                           // files
-    std::int64_t largestFile = -1;                               // bytes a file may grow to
+    std::vector<std::pair<std::string, std::string>> variables;  // added to those of this process
+    std::string input, output, errors;                           // file names
+    std::int64_t largestFile = -1;                               // limit of a file's size, in bytes
 };
 
-// First thing in main(). Aborts where there can be no server.
+// To be called first in main(). Aborts if the server cannot be started.
 void startProgramServer();
 
-// The status as waitpid() gives it; -1: the server is gone.
+// Returns the status as waitpid() does; -1 if the server has ended.
 int runByServer(const ProgramRun& run);
 
 }  // namespace relief::test

@@ -1,4 +1,4 @@
-// The bar of long work: on a terminal, and gone when the work is done.
+// The progress of long work: a bar on a terminal, erased when the work is done.
 #include "progress_bar.h"
 
 #include <fcntl.h>
@@ -41,7 +41,7 @@ TEST(ProgressBar, aLogHasLines) {
     EXPECT_EQ(app::progressSentence("tracing", 0.505, 65, Language::English), "tracing: 50%, 1 min 05 s left");
 }
 
-// Interrupted as soon as they have said how far they are.
+// The programs are interrupted as soon as they have printed a line of progress.
 TEST(ProgressBar, linesAreWrittenWhereThereIsNoTerminal) {
     struct Running {
         pid_t child;
@@ -63,7 +63,7 @@ TEST(ProgressBar, linesAreWrittenWhereThereIsNoTerminal) {
         ::close(ends[1]);
         return Running{child, ends[0]};
     };
-    // At the same time: each says nothing in its first second.
+    // Both run at the same time, since each prints nothing in its first second.
     const std::pair<std::string, Running> all[]{
         {"stress", start({"stress", "--seconds", "60"})},
         {"recommend", start({"recommend", "--relief", "city:512", "--seconds", "60"})}};
@@ -84,7 +84,7 @@ TEST(ProgressBar, linesAreWrittenWhereThereIsNoTerminal) {
     }
 }
 
-// What the program writes to a terminal until it is interrupted, as soon as it has drawn a bar.
+// Returns what the program writes to a terminal until it is interrupted, which is done as soon as it has drawn a bar.
 TEST(ProgressBar, isDrawnOnATerminalAndErased) {
     constexpr const char* kErased = "\r\033[K";
     winsize size{};
@@ -95,14 +95,14 @@ TEST(ProgressBar, isDrawnOnATerminalAndErased) {
     const std::string picture = folder / "p.png";
     const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
     if (child == 0) {
-        // Half a minute, if it were left alone.
+        // Would take half a minute.
         execl(RELIEF_PROGRAM, "relief", "render", "--relief", "fractal", "--size", "640x480", "--supersample", "64",
               "--language", "en", "-o", picture.c_str(), nullptr);
         _exit(127);
     }
     std::string text;
     char bytes[4096];
-    // The terminal is gone with the child: an error, not an end.
+    // The terminal closes with the child, which is reported as an error, not as the end of the file.
     for (ssize_t got = 0; (got = ::read(terminal, bytes, sizeof bytes)) > 0;) {
         text.append(bytes, static_cast<std::size_t>(got));
         if (text.find(" left") != std::string::npos) ::kill(child, SIGINT);

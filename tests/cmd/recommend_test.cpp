@@ -32,7 +32,7 @@ TEST_P(RecommendTest, TextAndJsonAndFiles) {
     EXPECT_EQ(files(), std::vector<std::string>{"a.json"});
 }
 
-TEST_P(RecommendTest, HeldAgainstTheFullTable) {
+TEST_P(RecommendTest, ComparedWithTheFullTable) {
     const std::string text = run(with({"--quiet", "--check"})).out;
     EXPECT_NE(text.find("city:24x16:3"), std::string::npos) << text;
     EXPECT_NE(text.find("regret: median "), std::string::npos) << text;

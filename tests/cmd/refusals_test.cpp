@@ -8,7 +8,7 @@ namespace relief::test {
 
 class RefusalTest : public CommandTest {
   protected:
-    // Whatever reads a height map refuses it, and leaves nothing behind.
+    // Every command that reads a height map refuses it and leaves no file.
     void expectUnreadable(const std::string& picture, const std::vector<std::string>& parts) const {
         std::vector<std::string> all = parts;
         all.push_back("relief: " + picture + ": ");
@@ -81,19 +81,19 @@ TEST_P(RefusalTest, TooManyPixels) {
     const std::string height = makeRelief("hills", "hills.png", {"--size", "20x30"});
     expectRefusal({"info", height, "--max-pixels", "599"}, 2, {height, "599"});
     runFine({"info", height, "--max-pixels", "600"});
-    // A header that promises 3.6 thousand million pixels must not be believed.
+    // A header that declares 3.6 billion pixels must not be trusted.
     expectUnreadable(write("bomb.png", pngHeaderBytes(60000, 60000)), {});
     expectUnreadable(write("none.png", pngHeaderBytes(0, 5)), {});
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve terabytes
-// Every command says in one line what it needs and what is free, and leaves nothing behind.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers reserve terabytes
+// Every command prints in one line how much memory it needs and how much is free, and leaves no file.
 TEST_P(RefusalTest, MoreMemoryThanThereIs) {
     RunSetup small;
     small.addressSpace = std::int64_t{2} << 30U;
     const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
     const std::string wide = makeRelief("hills", "wide.png", {"--size", "1024"});
-    // Nothing is behind the header: what is refused was not read.
+    // There is no data after the header, so the file is refused before it is read.
     const std::string huge = write("huge.pgm", "P5\n32000 32000\n255\n");
     const std::string many = "1024000000";
     const std::vector<std::string> parts{"GB of memory are needed", "GB are free"};

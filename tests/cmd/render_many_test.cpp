@@ -1,4 +1,4 @@
-// Many pictures of one command: lists of scenarios and camera paths, each picture that of a command of its own.
+// Several pictures by one command: lists of scenarios and camera paths, each picture equal to that of a single command.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,7 +46,7 @@ class RenderManyTest : public CommandTest {
 
 INSTANTIATE_TEST_SUITE_P(Places, RenderManyTest, testing::ValuesIn(places()), placeName);
 
-// What one picture leaves behind does not show in the next: flat ground before uneven ground, another addressing.
+// Data of one picture do not affect the next: flat ground before uneven ground, another addressing.
 TEST_P(RenderManyTest, EachIsAsIfItWereAlone) {
     const auto map = [&](const std::string& name, bool flat) {
         std::string text = "P2 16 16 255\n";
@@ -93,7 +93,7 @@ TEST_P(RenderManyTest, APathOfTheCamera) {
     runFine(pathOf("path", "5"));
     EXPECT_EQ(named("path"), (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png",
                                                        "frame_00003.png", "frame_00004.png"}));
-    // Ends and middle.
+    // The ends and the middle.
     const std::pair<const char*, const char*> some[] = {
         {"path/frame_00000.png", "elevation=60,azimuth=0,distance=1.5"},
         {"path/frame_00002.png", "elevation=40,azimuth=45,distance=1.5"},
@@ -104,8 +104,8 @@ TEST_P(RenderManyTest, APathOfTheCamera) {
     }
 }
 
-// Frames of two paths do not lie in one folder.
-TEST_P(RenderManyTest, AnotherPathDoesNotGoOn) {
+// Frames of two paths must not be mixed in one folder.
+TEST_P(RenderManyTest, AnotherPathIsNotResumed) {
     auto stopped = pathOf("path", "400");
     RunSetup setup;
     setup.interruptAfterMilliseconds = 60000;
@@ -120,8 +120,8 @@ TEST_P(RenderManyTest, AnotherPathDoesNotGoOn) {
     EXPECT_EQ(run(stopped).status, 0);
 }
 
-// MpiTest holds what several processes share.
-TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
+// Runs shared by several processes are tested in MpiTest.
+TEST_P(RenderManyTest, KilledItResumesToTheSamePictures) {
     runFine(pathOf("whole", "40"));
     auto arguments = pathOf("killed", "40");
     const pid_t child = fork();
@@ -140,29 +140,29 @@ TEST_P(RenderManyTest, KilledItGoesOnToTheSamePictures) {
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it must not have come to its end";
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it must not have finished";
     EXPECT_TRUE(std::filesystem::exists(path("killed/pictures.part")));
     arguments.push_back("--resume");
     const Result last = run(arguments);
     EXPECT_EQ(last.status, 0) << last.err;
     EXPECT_NE(last.err.find("of 40"), std::string::npos) << last.err;
-    // A temporary file of the killed process may be left.
+    // The killed process may have left a temporary file.
     for (const std::string& name : named("whole")) EXPECT_EQ(read("killed/" + name), read("whole/" + name)) << name;
     EXPECT_FALSE(std::filesystem::exists(path("killed/pictures.part")));
-    // Where all is done, there is nothing to go on with.
+    // If all is done, there is nothing to resume.
     auto again = pathOf("whole", "40");
     again.push_back("--resume");
     EXPECT_EQ(run(again).status, 0);
 }
 
-TEST_P(RenderManyTest, OnePictureIsNoRunToGoOnWith) {
+TEST_P(RenderManyTest, OnePictureIsNoRunToResume) {
     for (const char* flag : {"--resume", "--anew"}) {
         expectRefusal({"render", "--relief", "bricks:64x64", "-o", path("f.png"), flag}, 2, {"--frames", "f.png"});
     }
     EXPECT_TRUE(files().empty());
 }
 
-TEST_P(RenderManyTest, AnEarlierRunIsNotThrownAwayUnasked) {
+TEST_P(RenderManyTest, AnEarlierRunIsNotDiscardedUnasked) {
     std::filesystem::create_directory(path("path"));
     write("path/pictures.part", "kept");
     const auto with = [&](const char* flag) {

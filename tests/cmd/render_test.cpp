@@ -1,4 +1,4 @@
-// relief make, render, list, compare, info: the journeys of README, and what they leave on disk.
+// relief make, render, list, compare, info: the examples of README, and the files that they write.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -53,7 +53,7 @@ TEST_P(RenderTest, SameBytesForAnyNumberOfThreads) {
     }
 }
 
-TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
+TEST_P(RenderTest, TheReportContainsWorkDoneAndSkipped) {
     const std::string height = makeRelief("columns", "h.png", {"--size", "64"});
     runFine({"render", "--height", height, "--scene", "cube", "--size", "120x90", "-o", path("p.png"), "--report",
              path("r.json")});
@@ -66,7 +66,7 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     EXPECT_GT(report["counters"]["rays traced"].get<double>(), 0);
     EXPECT_GT(report["counters"]["steps"].get<double>(), 0);
     EXPECT_TRUE(report["counters"].contains("rays not needed: the start is the highest point"));
-    // The max pyramid, and its depths for the lanes.
+    // The max pyramid, and its depths for SIMD.
     EXPECT_EQ(report["maps"]["builds"], 2);
     EXPECT_GE(report["maps"]["build_seconds"].get<double>(), 0);
     EXPECT_GT(report["seconds"]["total"].get<double>(), 0);
@@ -75,7 +75,7 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json again =
         Json::parse(runFine({"render", "--height", height, "--size", "40x30", "-o", path("p.png"), "--report", "-"}));
     EXPECT_EQ(again["scenario"]["size"], (Json{40, 30}));
-    // Shadows build the packed cones: then the hits are found by them.
+    // Shadows need the packed cones; then the hits are found with them, too.
     EXPECT_EQ(again["walks"], (Json{{"hits", "max-pyramid"}, {"steps", "max-pyramid"}}));
     const Json lit = Json::parse(
         runFine({"render", "--height", height, "--size", "40x30", "--shadows", "-o", path("p.png"), "--report", "-"}));
@@ -89,17 +89,17 @@ TEST_P(RenderTest, TheReportTellsWhatWasDoneAndSkipped) {
     const Json bent = wall("max-pyramid");
     EXPECT_EQ(bent["mapping"]["name"], "affine");
     EXPECT_GT(bent["mapping"]["off_direct_texels"], 1);
-    EXPECT_FALSE(lit.contains("ellipse")) << "bilinear reads none";
+    EXPECT_FALSE(lit.contains("ellipse")) << "bilinear needs no ellipse";
     const Json rows = Json::parse(runFine({"render", "--height", height, "--size", "40x30", "--filter",
                                            "elliptical:ellipse=cached", "-o", path("p.png"), "--report", "-"}));
     EXPECT_EQ(rows["ellipse"]["name"], "cached");
     EXPECT_GT(rows["ellipse"]["off_direct"], 0);
     EXPECT_LT(rows["ellipse"]["off_direct"], 1e-4);
-    EXPECT_FALSE(wall("displacement").contains("mapping")) << "triangles take no rows";
+    EXPECT_FALSE(wall("displacement").contains("mapping")) << "triangles are not mapped row by row";
 }
 
-// What is skipped at the price of an error says which, measured.
-TEST_P(RenderTest, TheReportTellsTheErrorOfWhatIsBounded) {
+// For work skipped within an error bound the report contains the measured error.
+TEST_P(RenderTest, TheReportContainsTheErrorOfBoundedWork) {
     const Json report =
         Json::parse(runFine({"render", "--relief", "hills", "--scene", "floor", "--size", "96x64", "--bounded", "0.5",
                              "--relief-depth", "0.02", "-o", path("p.png"), "--report", "-"}));
@@ -117,7 +117,7 @@ TEST_P(RenderTest, TheReportTellsTheErrorOfWhatIsBounded) {
     expectRefusal({"render", "--relief", "hills", "--layers", "depth,depth", "-o", path("p.exr")}, 2, {"--layers"});
 }
 
-// A method named again is the scenario's own, with its options.
+// If a method is named again, it is the scenario's own with its options.
 TEST_P(RenderTest, AScenariosMethodKeepsItsOptions) {
     runFine({"render", "--relief", "bricks", "--tracer", "layers", "--set", "layers=7", "--size", "24x16", "-o",
              path("p.png"), "--report", path("r.json")});
@@ -157,7 +157,7 @@ TEST_P(RenderTest, AScenarioComesBack) {
     const std::string scenario = write("вид.json", Json::parse(read("r.json"))["scenario"].dump());
     runFine({"render", scenario, "-o", path("second.png")});
     EXPECT_EQ(read("first.png"), read("second.png"));
-    // An option lies over the scenario, the rest of it stays.
+    // An option overrides the scenario, the rest of which is kept.
     const Json report =
         Json::parse(runFine({"render", scenario, "--scene", "floor", "-o", path("third.png"), "--report", "-"}));
     EXPECT_EQ(report["scenario"]["scene"], "floor");
@@ -226,7 +226,7 @@ TEST_P(RenderTest, ComparedPictures) {
     EXPECT_EQ(read("e.png").substr(1, 3), "PNG");
     runFine({"compare", path("a.png"), path("c.png"), "-o", path("e.exr")});
     EXPECT_EQ(lines(runFine({"compare", path("e.exr"), path("e.exr")}))[0], "RMSE 0");
-    // As a picture the error is the grey that a viewer takes for it.
+    // In the picture the errors are stored as the displayed grey.
     const auto meanOf = [&](const char* picture) {
         const std::string said = runFine({"info", path(picture), "--range", "full"});
         const std::size_t at = said.find("mean height");

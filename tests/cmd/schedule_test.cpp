@@ -1,4 +1,4 @@
-// Who does what next, where several ranks share numbered parts: played through without processes.
+// Scheduling of numbered parts over several ranks, simulated without processes.
 #include "schedule.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct Player {
     std::vector<std::optional<Task>> at = std::vector<std::optional<Task>>(hosts.size());
     std::map<std::size_t, int> counted = {}, finished = {};
 
-    // Whether no host times more than it may, or times while it counts.
+    // Checks that no host times more parts than permitted, or times while it counts.
     void expectQuietTimes(int concurrent) const {
         std::map<std::string, int> counting, timing;
         for (std::size_t rank = 0; rank < at.size(); ++rank) {
@@ -48,7 +48,7 @@ TEST(Schedule, EveryPartIsDoneOnceAndTimesHaveTheirHostForThemselves) {
             std::mt19937_64 random(kSeed);
             int moves = 0;
             while (!play.schedule.over()) {
-                ASSERT_LT(++moves, 10000) << "it comes to no end";
+                ASSERT_LT(++moves, 10000) << "it does not end";
                 const std::size_t rank = random() % hosts.size();
                 if (play.at[rank]) {
                     play.finish(rank);
@@ -73,7 +73,7 @@ TEST(Schedule, AHostTimesAsSoonAsItsOwnRanksHaveCounted) {
     EXPECT_EQ(schedule.next(0), (Task{0, Pass::Counts}));
     EXPECT_EQ(schedule.next(1), (Task{1, Pass::Counts}));
     schedule.done(0);
-    EXPECT_EQ(schedule.next(0), (Task{0, Pass::Times})) << "the other host's counting does not disturb this one";
+    EXPECT_EQ(schedule.next(0), (Task{0, Pass::Times})) << "counting on the other host does not disturb this one";
     schedule.done(1);
     EXPECT_EQ(schedule.next(1), (Task{1, Pass::Times}));
     EXPECT_FALSE(schedule.over());

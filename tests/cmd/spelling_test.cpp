@@ -1,5 +1,5 @@
-// The command line as people expect it: a picture where a height map is read, options beside a name, one spelling of
-// sizes, slips of the finger and options out of place answered in one line.
+// The command line as users expect it: a picture wherever a height map is read, options after a name, one spelling of
+// sizes; typing errors and misplaced options are answered in one line.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace relief::test {
 class SpellingTest : public CommandTest {
   protected:
     std::string walls() const { return makeRelief("bricks", "walls.png", {"--size", "32x24"}); }
-    // Both commands write the same.
+    // Checks that both commands write the same.
     void expectSame(const std::vector<std::string>& one, const std::vector<std::string>& other) const {
         const Result a = run(one);
         const Result b = run(other);
@@ -20,7 +20,7 @@ class SpellingTest : public CommandTest {
         EXPECT_EQ(a.out, b.out);
         EXPECT_FALSE(a.out.empty());
     }
-    // The picture of `render` with these options.
+    // Returns the picture of `render` with these options.
     std::string picture(const std::vector<std::string>& more) const {
         std::vector<std::string> all{"render", "-o", path("picture.png"), "--scene", "wall"};
         all.insert(all.end(), more.begin(), more.end());
@@ -46,7 +46,7 @@ TEST_P(SpellingTest, APictureStandsWhereAHeightMapIsRead) {
             .out);
     ASSERT_EQ(table.size(), 2U);
     EXPECT_EQ(fields(table[1])[0], height);
-    // Several: a picture of each.
+    // With several pictures, one output for each.
     const std::string other = makeRelief("hills", "hills.png", {"--size", "16"});
     runFine({"render", height, other, "--size", "8", "-o", path("both")});
     EXPECT_EQ(read("both/walls.png"), [&] {
@@ -79,7 +79,7 @@ TEST_P(SpellingTest, OptionsStandBesideAName) {
     runFine({"map", "refined:layers=5", height, "-o", path("a.tif")});
     runFine({"map", "refined", height, "--set", "layers=5", "-o", path("b.tif")});
     EXPECT_EQ(withoutDate(read("a.tif")), withoutDate(read("b.tif")));
-    // A scenario's method keeps its options where only its name is given.
+    // A scenario's method keeps its options if only its name is given.
     runFine({"render", height, "--tracer", "layers:layers=7", "--size", "24x16", "-o", path("p.png"), "--report",
              path("r.json")});
     EXPECT_EQ(picture({path("r.json"), "--tracer", "layers"}), picture({path("r.json")}));
@@ -126,7 +126,7 @@ TEST_P(SpellingTest, SizesHaveOneSpelling) {
     expectRefusal({"make", "bricks:big", "-o", path("x.png")}, 2, {"\"big\" is not a size", "512 for 512x512"});
 }
 
-// Nothing that was asked for is passed over in silence.
+// No option is ignored silently.
 TEST_P(SpellingTest, OptionsOutOfPlaceAreRefused) {
     const std::string height = walls();
     expectRefusal({"bench", "tracers", height, "--filters", "nearest"}, 2,
@@ -153,14 +153,14 @@ TEST_P(SpellingTest, OptionsOutOfPlaceAreRefused) {
     refuse({"--map", write("m.tif", "x"), "--tracer", "exact"}, {"m.tif"});
 }
 
-// The file and the line, whatever the fault is.
+// The message names the file and the line for every kind of error.
 TEST_P(SpellingTest, ScenarioFaultsNameFileAndLine) {
     const std::string height = walls();
     runFine({"render", height, "--size", "24x16", "--filter", "elliptical:sigma=0.6", "-o", path("p.png"), "--report",
              path("r.json")});
     EXPECT_EQ(picture({path("r.json")}), picture({height, "--size", "24x16", "--filter", "elliptical:sigma=0.6"}));
     const auto scenario = nlohmann::ordered_json::parse(read("r.json"))["scenario"];
-    // fault: how the value begins in the file.
+    // fault: the beginning of the value in the file.
     const auto refuse = [&](const std::string& key, const nlohmann::ordered_json& value, const std::string& fault,
                             const std::string& what) {
         auto changed = scenario;
@@ -182,7 +182,7 @@ TEST_P(SpellingTest, ScenarioFaultsNameFileAndLine) {
                   {"n.json: line 1: a JSON object is needed"});
     expectRefusal({"render", write("n.json", "{\"a\": 1}"), "-o", path("x.png")}, 2,
                   {"n.json: is not a scenario: \"reliefscope\" is missing"});
-    // What begins as a scenario is one, whatever its name.
+    // A file whose content begins like a scenario is one, whatever its name.
     EXPECT_EQ(picture({write("scenario", "\n " + scenario.dump())}), picture({path("r.json")}));
 }
 
@@ -205,7 +205,7 @@ TEST_P(SpellingTest, ComparisonsForPrograms) {
     EXPECT_FALSE(nlohmann::json::parse(above.out)["passed"].get<bool>()) << above.out;
     runFine({"compare", a, b, "--max-flip", "1"});
     expectRefusal({"compare", a, b, "--max-flip", "2"}, 2, {"--max-flip", "0 to 1"});
-    // What is not compared is said.
+    // Channels that are not compared are mentioned.
     runFine({"render", a, "--size", "8", "--layers", "color,depth", "-o", path("l.exr")});
     const Result layers = run({"compare", path("l.exr"), path("l.exr")});
     EXPECT_EQ(layers.status, 0);
@@ -214,15 +214,15 @@ TEST_P(SpellingTest, ComparisonsForPrograms) {
         << layers.err;
 }
 
-// As after | head: without a word, as SIGPIPE ends other programs.
+// As in `relief ... | head`: ends without a message, as other programs end by SIGPIPE.
 TEST_P(SpellingTest, AClosedPipeEndsSilently) {
     RunSetup closed;
     closed.launcher = {"/bin/bash", "-c", "\"$0\" \"$@\" | true; exit ${PIPESTATUS[0]}"};
     const Result help = run({"--help"}, closed);
-    // What fits into the pipe before its reader has gone is written.
+    // Output that fits into the pipe before the reader ends is written.
     EXPECT_TRUE(help.status == 141 || help.status == 0) << help.status;
     EXPECT_EQ(help.err, "");
-    // A pipe that is closed from the beginning, and more than it holds.
+    // The pipe is closed before the program starts.
     closed.launcher[2] = "(sleep 0.3; exec \"$0\" \"$@\") | true; exit ${PIPESTATUS[0]}";
     const Result gone = run({"list"}, closed);
     EXPECT_EQ(gone.status, 141);

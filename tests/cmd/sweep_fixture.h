@@ -1,4 +1,4 @@
-// A sweep of 24 cells, started, killed and gone on with; its rows without what differs from run to run.
+// A sweep of 24 cells that is started, killed and resumed; its rows are compared without the columns that vary.
 #pragma once
 
 #include <fcntl.h>
@@ -24,7 +24,7 @@ namespace relief::test {
 // Columns that differ from run to run: rate, spread, build_seconds.
 inline const std::set<std::size_t> kTimings{11, 12, 24};
 inline constexpr auto kPoll = std::chrono::milliseconds(2);
-inline constexpr auto kPatience = std::chrono::seconds(60);  // of a test that would wait for ever otherwise
+inline constexpr auto kPatience = std::chrono::seconds(60);  // after which a waiting test fails
 
 inline std::vector<std::vector<std::string>> withoutTimings(const std::string& csv) {
     std::vector<std::vector<std::string>> rows;
@@ -72,10 +72,10 @@ class SweepTest : public CommandTest {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    // Runs on its own; what it says goes to `errors`. launcher: as RunSetup has it.
+    // Starts the program in the background; its standard error goes to the file `errors`. launcher: as in RunSetup.
     pid_t start(const std::vector<std::string>& arguments, const std::string& errors = "/dev/null",
                 const std::vector<std::string>& launcher = {}) const;
-    // Parts that the journal holds, whole lines only.
+    // Returns the parts that the journal contains, complete lines only.
     std::vector<nlohmann::json> done(const std::string& output) const {
         std::vector<nlohmann::json> parts;
         if (!std::filesystem::exists(path(output + ".part"))) return parts;

@@ -1,4 +1,4 @@
-// Sweeps that are killed and go on: the rows are those of one quiet run.
+// Sweeps that are killed and resumed have the rows of one undisturbed run.
 #include <algorithm>
 
 #include "sweep_fixture.h"
@@ -7,20 +7,20 @@ namespace relief::test {
 
 INSTANTIATE_TEST_SUITE_P(Places, SweepTest, testing::ValuesIn(places()), placeName);
 
-TEST_P(SweepTest, KilledTenTimesGoesOnToTheSameTable) {
+TEST_P(SweepTest, KilledTenTimesItResumesToTheSameTable) {
     runFine(sweep("whole.csv"));
     const auto whole = withoutTimings(read("whole.csv"));
     ASSERT_EQ(whole.size(), 1 + 2 * kCells);
     std::size_t before = 0;
     for (std::size_t kills = 1; kills <= 10; ++kills) {
         const pid_t child = start(sweep("b.csv", {"--resume"}));
-        // Each time somewhere in the cell after another two.
+        // Killed each time within a cell, after two more cells.
         ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2 * kills; })) << kills;
         std::this_thread::sleep_for(std::chrono::microseconds(700 * kills));
         kill(child, SIGKILL);
-        ASSERT_EQ(statusOf(child), 128 + SIGKILL) << "it must not have come to its end";
+        ASSERT_EQ(statusOf(child), 128 + SIGKILL) << "it must not have finished";
         const std::size_t now = done("b.csv").size();
-        EXPECT_GE(now, std::max(before, 2 * kills)) << "nothing that was done is lost";
+        EXPECT_GE(now, std::max(before, 2 * kills)) << "no finished work is lost";
         before = now;
     }
     EXPECT_FALSE(std::filesystem::exists(path("b.csv")));
@@ -31,12 +31,12 @@ TEST_P(SweepTest, KilledTenTimesGoesOnToTheSameTable) {
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "whole.csv"}));
 }
 
-TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
+TEST_P(SweepTest, FinishedCellsAreKeptAndTruncatedLinesAreNot) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 3; }));
     kill(child, SIGKILL);
     statusOf(child);
-    // A mark that no measurement would give; and a crash in the middle of the last line.
+    // Marks a row with a value that no measurement gives, and truncates the last line as a crash would.
     auto kept = lines(read("b.csv.part"));
     std::size_t marked = 0;
     std::string text;
@@ -50,20 +50,20 @@ TEST_P(SweepTest, DoneCellsAreTakenAsTheyAreAndHalfLinesAreNot) {
         text += kept[l] + "\n";
     }
     ASSERT_GT(marked, 0U);
-    ASSERT_LT(marked + 1, kept.size()) << "the line that is cut is another";
-    // A line without its result, one of a part that there is not, and one that holds no rows, are none.
+    ASSERT_LT(marked + 1, kept.size()) << "another line must be truncated";
+    // A line without its result, one of a part that does not exist, and one without rows are ignored.
     write("b.csv.part", text.substr(0, text.size() - 9) +
                             "\n{\"part\": 23}\n{\"part\": 99, \"result\": []}\n{\"part\": 22, \"result\": 7}\n");
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
     const std::string csv = read("b.csv");
-    EXPECT_NE(csv.find(",987654,"), std::string::npos) << "measured again";
+    EXPECT_NE(csv.find(",987654,"), std::string::npos) << "the cell was measured again";
     EXPECT_EQ(lines(csv).size(), 1 + 2 * kCells);
     write("b.csv.part", text);
     runFine(sweep("b.csv", {"--anew"}));
     EXPECT_EQ(read("b.csv").find(",987654,"), std::string::npos);
 }
 
-TEST_P(SweepTest, StoppedItSaysHowToGoOnAndNothingIsThrownAwayUnasked) {
+TEST_P(SweepTest, StoppedItPrintsHowToResumeAndDiscardsNothingUnasked) {
     for (const int number : {SIGINT, SIGTERM}) {
         std::filesystem::remove(path("b.csv.part"));  // else the first run's parts are taken for the second's
         const pid_t child = start(sweep("b.csv"), path("said"));
@@ -105,7 +105,7 @@ TEST_P(SweepTest, StoppedBeforeTheFirstPartItLeavesNothing) {
 TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {
     const pid_t first = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return !done("b.csv").empty(); }));
-    kill(first, SIGSTOP);  // it lives, and writes nothing
+    kill(first, SIGSTOP);  // it is alive but writes nothing
     const std::string kept = read("b.csv.part");
     for (const auto& second : {sweep("b.csv"), sweep("b.csv", {"--resume"}), sweep("b.csv", {"--anew"})}) {
         expectRefusal(second, 2, {path("b.csv.part"), std::to_string(first)});
@@ -117,9 +117,9 @@ TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {
     EXPECT_EQ(files(), std::vector<std::string>{"b.csv"});
 }
 
-// Both read it before either has taken it over: the lines that belong to nothing make that last. The sweep takes hours,
-// so that neither comes to its end.
-TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
+// Both read the journal before either has replaced it: many lines without meaning make reading slow. The sweep takes
+// hours, so that neither process ends.
+TEST_P(SweepTest, OfTwoThatResumeAtTheSameTimeOneIsRefused) {
     constexpr int kIdleLines = 300'000;
     const auto hours = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = sweep("b.csv", more);
@@ -150,8 +150,8 @@ TEST_P(SweepTest, OfTwoThatGoOnAtTheSameMomentOneIsRefused) {
     statusOf(other);
 }
 
-// Its process cannot be seen from here; nor can that of another one with the same number.
-TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsBelieved) {
+// Neither a process on another host can be checked, nor does another process with the same id count.
+TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsResumed) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 2; }));
     kill(child, SIGKILL);
@@ -166,12 +166,12 @@ TEST_P(SweepTest, AJournalOfAnotherHostOrOfAnEndedProcessIsBelieved) {
     const Result result = run(sweep("b.csv", {"--resume"}));
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.err.find("farther-away"), std::string::npos) << result.err;
-    // This process began at another time than the journal's.
+    // This process has another start time than the journal states.
     write("b.csv.part", head.dump() + kept.substr(end));
     EXPECT_EQ(run(sweep("b.csv", {"--resume"})).status, 0);
 }
 
-TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
+TEST_P(SweepTest, AnotherSweepIsNotResumed) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return !done("b.csv").empty(); }));
     kill(child, SIGKILL);
@@ -192,8 +192,8 @@ TEST_P(SweepTest, AnotherSweepIsNotGoneOnWith) {
     }
 }
 
-// The journal of version 1 holds the first two of four cells, see its folder's README.
-TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
+// The journal of version 1 contains the first two of four cells; see the README in its folder.
+TEST_P(SweepTest, ASweepOfAnOlderProgramIsResumed) {
     std::filesystem::copy_file(RELIEF_FILES "/v1/tables/sweep.journal", path("b.csv.part"));
     const auto parts = done("b.csv");
     ASSERT_EQ(parts.size(), 2U);
@@ -209,19 +209,19 @@ TEST_P(SweepTest, ASweepOfAnOlderProgramIsGoneOnWith) {
         for (const auto& kept : part["result"]) {
             EXPECT_EQ(fields(csv[row]).size(), fields(csv[0]).size());
             EXPECT_EQ(fields(csv[row]).at(6), fields(csv[row]).at(5) == "exact" ? "scalar" : "simd");
-            EXPECT_EQ(std::stod(fields(csv[row]).at(11)), kept["rate"].get<double>()) << "measured again";
+            EXPECT_EQ(std::stod(fields(csv[row]).at(11)), kept["rate"].get<double>()) << "the cell was measured again";
             ++row;
         }
     }
 }
 
-TEST_P(SweepTest, RowsAndFiltersGoOnToo) {
+TEST_P(SweepTest, RowsAndFiltersAreResumedToo) {
     const std::vector<std::vector<std::string>> sweeps{
         {"bench", "rows", "--widths", "100,200,300,400", "--elevations", "60,25,8", "--variants", "direct,streams",
          "--pixels", "4000000", "--rounds", "5", "--threads", "1"},
         {"bench", "filters", "--scenes", "checker,bricks", "--filters", "bilinear,trilinear", "--elevations",
          "60,50,40,30,20,10", "--size", "32x24", "--samples", "4", "--rounds", "1", "--threads", "1"}};
-    // rate and spread of each.
+    // The columns rate and spread of each table.
     const std::size_t timed[] = {11, 9};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto to = [&](const std::string& output, bool resume) {

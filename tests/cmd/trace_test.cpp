@@ -1,4 +1,4 @@
-// relief trace: files in, files out, exactly as scripts rely on it.
+// relief trace: the files that it reads and writes, exactly as scripts rely on them.
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -49,7 +49,7 @@ TEST_P(TraceTest, HitsAreAsPromised) {
             const double lambda = number(f[1]);
             EXPECT_GE(lambda, 0);
             EXPECT_LE(lambda, 1);
-            // Unwrapped, and the very doubles: 17 digits read back and print the same.
+            // Positions are unwrapped, and 17 digits read back to the same double.
             EXPECT_DOUBLE_EQ(number(f[2]), given[r][0] + lambda * given[r][2]);
             EXPECT_DOUBLE_EQ(number(f[3]), given[r][1] + lambda * given[r][3]);
             for (int c = 1; c <= 3; ++c) {
@@ -233,7 +233,7 @@ TEST_P(TraceTest, TheCopiedCommandTracesTheChosenPixel) {
         const std::string answer = runFine({"trace", write("вид.json", scenarioText(scenario, path("")))});
         const std::string command = traceCommand(scenario);
         ASSERT_EQ(command.substr(0, 7), "relief ");
-        // As pasted into a shell.
+        // The command as pasted into a shell.
         const std::string program = RELIEF_PROGRAM;
         const std::string line = "'" + program + "' " + command.substr(7) + " > '" + path("out.csv") + "'";
         EXPECT_EQ(std::system(line.c_str()), 0) << line;
@@ -244,7 +244,7 @@ TEST_P(TraceTest, TheCopiedCommandTracesTheChosenPixel) {
     scenario.pictures.recipe = "hills";
     const std::string line = "'" RELIEF_PROGRAM "' " + traceCommand(scenario).substr(7) + " > /dev/null";
     EXPECT_EQ(std::system(line.c_str()), 0) << line;
-    // Heights drawn by hand are in the command itself.
+    // Heights drawn by hand are contained in the command itself.
     scenario.pictures = {};
     scenario.pictures.drawn = {3, 2, {0, 1, 0.25, 1.0 / 3, 0.5, 0.75}};
     const std::string answer = runFine({"trace", write("drawn.json", scenarioText(scenario, path("")))});

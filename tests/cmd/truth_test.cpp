@@ -1,4 +1,4 @@
-// relief render --supersample, --shadows and the methods that are no tracers; relief compare's view of them.
+// relief render --supersample, --shadows and the methods that are not tracers; relief compare on their pictures.
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
@@ -52,7 +52,7 @@ TEST_P(TruthTest, ShadowsAreCountedAndOldScenariosHaveNone) {
     EXPECT_GT(report["counters"]["shadow rays"].get<double>(), 100);
     EXPECT_GT(report["counters"]["shadow rays blocked"].get<double>(), 50);
     EXPECT_EQ(report["stages"].size(), 5U);
-    // The max pyramid, its depths for the lanes, the cones that shadows are looked for with.
+    // The max pyramid, its depths for SIMD, and the cones for shadow rays.
     EXPECT_EQ(report["maps"]["builds"], 3);
     Json old = report["scenario"];
     old.erase("shadows");

@@ -4,9 +4,9 @@
     check_documents.py SOURCES BIN [PAGE...]
 
 Every relative link must lead to a file (and heading), every file named in backticks must exist, and every command line that begins
-with relief or reliefscope is run in a scratch folder, in the order of the page. A comment after the command says what to expect:
-"# status 1" the exit status (else 0); one with "minute" or "hour" that it is long: then it is stopped after some seconds, and must
-only not be refused. Exit status 1 if anything is wrong, each fault named with its page and line.
+with relief or reliefscope is run in a temporary folder, in the order of the page. A comment after a command states what to expect:
+"# status 1" is the exit status (default 0); a comment with "minute" or "hour" marks a long command, which is stopped after some
+seconds and only must not be refused. Exit status 1 if there is any fault; each is reported with its page and line.
 """
 import os
 import re
@@ -21,7 +21,7 @@ ENDINGS = r"\.(?:h|cpp|md|json|sh|py|csv|ts|png|jpg|exr|txt|def|inc|supp|qrc)"
 
 
 def slug(heading):
-    """The anchor of a heading, as GitHub and Doxygen make it."""
+    """Returns the anchor of a heading, as GitHub and Doxygen make it."""
     text = re.sub(r"[^\w\- ]", "", heading.strip().lower().replace("`", ""))
     return text.replace(" ", "-")
 
@@ -83,7 +83,7 @@ class Checker:
         return any(os.path.exists(os.path.join(base, path)) for base in bases)
 
     def check_files(self, page):
-        if page.path.endswith("SOURCES.md"):  # names places on other people's servers
+        if page.path.endswith("SOURCES.md"):  # lists locations on other servers
             return
         for number, line in page.prose:
             for text in re.findall(r"`([^`]+)`", line):
@@ -102,7 +102,7 @@ class Checker:
                         self.fault(page, number, f"no such file: {word}")
 
     def check_script(self, page, number, line):
-        """Options of app/run and tests/run are named in the scripts."""
+        """Checks that the options of app/run and tests/run occur in the scripts."""
         script, *words = line.split("#")[0].split()
         text = open(os.path.join(self.root, script), encoding="utf-8").read()
         for word in words:

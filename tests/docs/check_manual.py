@@ -29,7 +29,7 @@ faults, links = [], 0
 for name, page in sorted(pages.items()):
     for link in page.links:
         address = urllib.parse.urlsplit(link)
-        # Doxygen links to the summary of nested classes also where all of them are private.
+        # Doxygen links to the summary of nested classes even if all of them are private.
         if address.scheme or link == "#nested-classes":
             continue
         links += 1
@@ -38,7 +38,7 @@ for name, page in sorted(pages.items()):
             faults.append(f"{name}: no such file: {link}")
         elif address.fragment and file in pages and urllib.parse.unquote(address.fragment) not in pages[file].anchors:
             faults.append(f"{name}: no such place: {link}")
-# What must be there: the guide, the methods, the commands, the reference.
+# What the manual must contain: the guide, the methods, the commands, the reference.
 for needed in ("index.html", "page_methods.html", "page_commands.html", "page_algorithms_readme.html", "tracers_8h.html",
                "rocks.jpg", "window.png"):
     if not os.path.exists(os.path.join(root, needed)):

@@ -3,8 +3,8 @@
 
     check_schema.py SOURCES BIN
 
-All stored and shipped scenarios are valid, and so is what the program writes; what the program refuses is invalid. Exit status 77
-where python3-jsonschema is not installed.
+All stored and shipped scenarios, and those that the program writes, must be valid; scenarios that the program refuses must be
+invalid. Exit status 77 if python3-jsonschema is not installed.
 """
 import copy
 import glob
@@ -28,7 +28,7 @@ faults = []
 
 
 def read(path):
-    """The scenario of a file; reports hold one."""
+    """Returns the scenario of a file; reports contain one."""
     content = json.load(open(path, encoding="utf-8"))
     return content.get("scenario", content)
 
@@ -39,7 +39,7 @@ def expect_valid(scenario, what):
 
 
 def objects(scenario, path=()):
-    """Every object within, by its path."""
+    """Yields all nested objects with their paths."""
     if isinstance(scenario, dict):
         yield path
     children = scenario.items() if isinstance(scenario, dict) else enumerate(scenario) if isinstance(scenario, list) else ()
@@ -59,7 +59,7 @@ with tempfile.TemporaryDirectory() as folder:
         return subprocess.run([relief, "render", "-q", *arguments, "--size", "32x24", "-o", os.path.join(folder, "x.png")],
                               capture_output=True, text=True)
 
-    # What the program writes, with options that put keys into the file.
+    # Scenarios that the program writes, with options that add keys to the file.
     report = os.path.join(folder, "report.json")
     given = [["--relief", "bricks:16x16:3", "--scene", "cube", "--shadows", "--no-skip", "--bounded", "0.5", "--mapping", "affine"],
              ["--relief", "drawn:2x2:0,1,0.5,1", "--eye", "0.5,0.6,0.7", "--target", "0,0,0", "--address", "border"],
@@ -72,7 +72,8 @@ with tempfile.TemporaryDirectory() as folder:
         else:
             expect_valid(read(report), " ".join(arguments))
 
-    # What it refuses: an unknown key anywhere but among options and the window's choices, and values out of range.
+    # Faults that the program refuses: an unknown key anywhere but among options and the window's state, and values out
+    # of range.
     everything = read(os.path.join(root, "tests/files/v1/written/everything.json"))
     refused = 0
     wrong = {("relief", "depth"): 5, ("camera", "fov"): 171, ("scene",): "ceiling", ("size",): [0, 3], ("reliefscope",): 2,
@@ -95,7 +96,7 @@ with tempfile.TemporaryDirectory() as folder:
             faults.append(f"the schema takes {path} = {value}")
         refused += 1
 
-# Names that are listed.
+# Names of the lists.
 listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=True, text=True, check=True).stdout)
 for key, names in (("tracers", schema["definitions"]["method"]["properties"]["name"]["enum"]),
                    ("filters", schema["properties"]["filter"]["enum"]),

@@ -1,4 +1,4 @@
-// A pixel, its ray, where it meets the relief, and every step on the way.
+// Prints a pixel's ray, its hit on the relief, and every step of the tracer.
 #include <iostream>
 
 #include <relief/relief.h>

@@ -1,4 +1,4 @@
-// The guest among the panes, as a user of the window meets it: a folder of its own and a line in the list are enough.
+// An external pane as a user of the window meets it: a folder of its own and an entry in the list are all it needs.
 #include <QAction>
 #include <QDockWidget>
 #include <QSpinBox>
@@ -19,7 +19,7 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
     ASSERT_NE(dock, nullptr);
     auto* const view = qobject_cast<FigureView*>(dock->widget());
     ASSERT_NE(view, nullptr);
-    // By its key, which is the next that is free.
+    // It opens by its shortcut, the next free one.
     QAction* go = nullptr;
     for (QAction* const action : window_->findChildren<QAction*>()) {
         if (action->text() == QStringLiteral("Numbers") && !action->shortcut().isEmpty()) go = action;
@@ -31,14 +31,14 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
     auto* const canvas = view->findChild<DrawingCanvas*>();
     EXPECT_TRUE(canvas->hasFocus());
     EXPECT_GT(colorsIn(grab(canvas)), 10);
-    // From the window and by name, as the program exports it.
+    // Exported from the window, and by name as the program does.
     const QTemporaryDir folder;
     saveFigure(view, folder.filePath(QStringLiteral("numbers.pdf")));
     EXPECT_TRUE(validFigure(folder.filePath(QStringLiteral("numbers.pdf"))));
     relief::Work work;
     const QImage image = figureImage(*figureKind("numbers").make(snapshot(), scenario()), {}, 400, work);
     EXPECT_GT(colorsIn(image), 10);
-    // What is chosen in it is undone, saved and checked like that of any other pane.
+    // Its state can be undone, and is saved and validated like that of any other pane.
     const QImage before = grab(canvas);
     view->findChild<QSpinBox*>()->setValue(1);
     EXPECT_EQ(stateOf<NumbersState>(scenario()).decimals, 1);
@@ -51,7 +51,7 @@ TEST_F(WindowTest, TheGuestPaneIsEverywhere) {
     workspace_->undo();
     EXPECT_EQ(grab(canvas), before);
     EXPECT_TRUE(scenario().ui.empty());
-    // Closed and gone from sight, then where panes stand at first.
+    // After it was closed, the default layout shows it again.
     dock->hide();
     window_->resetLayout();
     EXPECT_FALSE(dock->isHidden());

@@ -1,4 +1,4 @@
-// The guests, as a user of the command line meets them.
+// External methods as a user of the command line meets them.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -14,10 +14,10 @@
 namespace relief::test {
 namespace {
 
-// Of the two ways to weight four texels, in float; and what far more texels must change at the least.
+// Rounding in float of two ways to weight four texels; smallest difference that many more texels must make.
 constexpr double kRounding = 1e-6, kSeen = 1e-3;
 
-// What the program prints; fails if it fails.
+// Returns what the program prints; fails the test if the program fails.
 std::string printed(const std::string& arguments) {
     const std::string command = std::string(RELIEF_PROGRAM) + " " + arguments + " 2>&1";
     FILE* const pipe = popen(command.c_str(), "r");
@@ -77,7 +77,8 @@ TEST_F(Guests, AreMeasured) {
     EXPECT_NE(advice.find("\"tent\""), std::string::npos) << advice;
 }
 
-// Reach 1 is bilinear, in other words: the same picture but for rounding; further out it is another.
+// Reach 1 is bilinear interpolation in other words: the same picture except for rounding; a larger reach gives another
+// one.
 TEST_F(Guests, DrawPictures) {
     const auto picture = [&](const std::string& filter, const std::string& name) {
         printed("render --quiet --height " + path("bricks.png") + " --color " + path("bricks.png") +

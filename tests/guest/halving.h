@@ -1,10 +1,10 @@
 // halving: bisection of the ray below the highest point. The worked example of a tracer and of a map
-// (algorithms/README.md); in the lists of the tests' own programs only.
+// (algorithms/README.md); only in the lists of the tests' own programs.
 //
 // Frame and units: ray.h. Surfaces: bilinear, columns; any addressing.
-// Model: the height at the middle of an interval tells in which half the surface is crossed; that half is the next
-// interval. The first one begins at the height of the highest point, which is the method's map.
-// Guarantee: none. Failure mode: of several crossings it finds any one. Cost: one height per halving.
+// Model: the height at the middle of an interval decides in which half the surface is crossed; that half is the next
+// interval. The first interval begins at the height of the highest point, which is the method's map.
+// Guarantee: none. Failure mode: of several crossings it may find any. Cost: one height per halving.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class HalvingTracer {
             const auto heights = field.heights().pixels();
             return HighestPoint{*std::max_element(heights.begin(), heights.end())};
         };
-        // Keyed by what the map depends on: here the heights alone.
+        // The key of the map contains everything that it depends on, here only the heights.
         return {field, options.halvings,
                 maps.get<HighestPoint>({"highest-point", field.sharedHeights()}, sizeof(HighestPoint), work, build)};
     }

@@ -1,5 +1,5 @@
-// A guest: a pane of somebody else's, with its figure and a choice that is kept in scenarios. It writes where the
-// chosen ray enters the relief and where it hits, with as many decimals as are chosen.
+// An external pane with its figure and a setting that is stored in scenarios. It prints where the chosen ray enters the
+// relief and where it hits, with the chosen number of decimals.
 #pragma once
 
 #include <QSpinBox>

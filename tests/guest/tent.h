@@ -1,6 +1,6 @@
-// tent: the texels round the point, weighted by closeness, as far as `reach` texels; reach 1: as bilinear.
-// A guest: in the lists of the tests' own programs only.
-// Cost: (2 reach)^2 texels. Failure mode: blurs near ground, aliases far ground.
+// tent: the texels around the point, weighted by closeness, up to a distance of `reach` texels; reach 1: bilinear.
+// An external filter, only in the lists of the tests' own programs.
+// Cost: (2 reach)^2 texels. Failure mode: blurs near ground, aliases distant ground.
 #pragma once
 
 #include <cmath>

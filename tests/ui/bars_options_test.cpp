@@ -1,4 +1,5 @@
-// A click on a bar of a histogram chooses one of its pixels; the options of compared methods are turned in their pane.
+// A click on a bar of a histogram chooses one of its pixels; options of compared methods are changed in the compare
+// pane.
 #include <QComboBox>
 #include <QToolButton>
 
@@ -57,8 +58,8 @@ TEST_F(BarsAndOptions, AClickOnABarChoosesOneOfItsPixels) {
     const HistogramBar* const behind = fullest(*view->picture().errors, BarKind::Behind);
     const HistogramBar* const bar = before != nullptr ? before : behind;
     ASSERT_NE(bar, nullptr);
-    const HistogramBar clicked = *bar;  // the picture is made anew
-    // The whole list, held against the layer.
+    const HistogramBar clicked = *bar;  // a copy: the picture is rendered again
+    // The bar's whole list of pixels is compared with the layer.
     const relief::HistogramBin bin{static_cast<relief::HistogramPart>(clicked.kind), clicked.bin};
     const std::vector<relief::PixelPlace> all =
         relief::pixelsOfBin(*snapshot()->frame, *snapshot()->request, *snapshot()->tracer, *view->histograms(), bin,
@@ -114,7 +115,7 @@ TEST_F(BarsAndOptions, OptionsOfAllComparedMethodsAreTurned) {
     ASSERT_NE(options, nullptr);
     EXPECT_TRUE(options->isVisible());
     EXPECT_FALSE(pane->findChild<QWidget*>(QStringLiteral("compare-options-D"))->isVisible()) << "there are three";
-    // What the descriptions say, as controls.
+    // There is a control for each option of the descriptions.
     for (const relief::OptionDescription& option : relief::findTracer("layers").options) {
         EXPECT_NE(options->findChild<QWidget*>(QString::fromStdString(option.name)), nullptr) << option.name;
     }

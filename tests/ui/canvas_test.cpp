@@ -1,4 +1,4 @@
-// The grammar of the two-dimensional panes: pick, zoom, move, words in Cyrillic.
+// Interaction that all two-dimensional panes share: picking, zooming, panning, Cyrillic text.
 #include <cmath>
 
 #include "panes/drawing_canvas.h"
@@ -22,7 +22,7 @@ TEST_F(WindowTest, AClickOnAVisitedTexelChoosesItsStep) {
             wrapped(stepBox(snapshot()->request->field, step).cut(Box{-1e9, -1e9, 1e9, 1e9}), block.domain, false);
         if (boxes.empty()) continue;
         const Box box = block.toDrawing(boxes.front());
-        // Beside the middle, where the ray may be.
+        // Away from the centre, where the ray may be.
         const Point at{box.x0 + 0.25 * box.width(), box.y0 + 0.75 * box.height()};
         if (view->canvas()->itemAt(view->canvas()->toWidget(at)).kind != ItemKind::Step) continue;
         QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::NoModifier, view->canvas()->toWidget(at).toPoint());
@@ -94,7 +94,7 @@ TEST_F(WindowTest, CyrillicLettersAreDrawnByVtk) {
     };
     EXPECT_EQ(ink(" "), 0);
     EXPECT_GT(ink("H"), 20);
-    EXPECT_NEAR(ink("Н"), ink("H"), 12) << "the Cyrillic letter looks as the Latin one";
+    EXPECT_NEAR(ink("Н"), ink("H"), 12) << "the Cyrillic letter looks like the Latin one";
     EXPECT_GT(ink("рівень"), 3 * ink("H"));
 }
 

@@ -1,4 +1,4 @@
-// What holds for the words around every chart, in both languages.
+// Requirements on the text around every chart, in both languages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 
 namespace reliefui {
 
-// No word leaves the drawing, and no two that are both painted cover each other: words that yield are left out as the
-// painter does it. Words on plates are marks, which may lie over each other.
+// Checks that all labels are inside the drawing, and that no two painted labels overlap. Labels that yield are left out
+// where the painter does so. Labels on plates are marks, which may overlap.
 inline void expectWordsInside(const Drawing& drawing) {
     for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
         std::vector<std::pair<Box, std::string>> taken;
@@ -18,7 +18,7 @@ inline void expectWordsInside(const Drawing& drawing) {
                 const auto* const label = std::get_if<Label>(&item.primitive);
                 if (label == nullptr || label->plate || strong != (item.emphasis == Emphasis::Strong)) continue;
                 const std::string text = labelText(*label, language);
-                const double height = 10 * label->size;  // of letters; lines are higher
+                const double height = 10 * label->size;  // of the letters; the line height is larger
                 const Box box = labelBox(*label, {}, textWidth(text, label->size, strong), height, 1);
                 bool free = true;
                 for (const auto& [other, words] : taken) {

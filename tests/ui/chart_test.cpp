@@ -1,4 +1,4 @@
-// The chart kit: laws of ticks, numbers and axes on many scales and in many rooms.
+// The chart kit: properties of ticks, numbers and axes for many scales and sizes.
 #include <cmath>
 #include <random>
 
@@ -15,7 +15,7 @@ using chart::Numbers;
 using chart::Scale;
 using chart::Side;
 
-// Scales of all kinds, some of them upside down, far from 0, or very narrow.
+// Scales of all kinds, some of them reversed, far from 0, or very narrow.
 std::vector<Scale> manyScales(double from, double to) {
     std::mt19937 random(7);
     const auto uniform = [&](double low, double high) {
@@ -75,7 +75,7 @@ TEST(Chart, NumbersAreTheValuesAtTheirTicks) {
     EXPECT_NEAR(powers.at(0.1), 100.0 / 3, 1e-9);
 }
 
-// Whatever is counted has no numbers between its units.
+// A scale of counts has no numbers between integers.
 TEST(Chart, WholeNumbersStayWhole) {
     const Scale pixels{.low = 99.5, .high = 101.5, .from = 0, .to = 600, .leastStep = 1};
     const std::vector<chart::Tick> all = chart::ticks(pixels, Side::Below);
@@ -107,7 +107,7 @@ TEST(Chart, AxesStayInTheirRoom) {
     }
 }
 
-// A room smaller than the margins is not turned inside out.
+// In an area smaller than the margins the plot still has positive sizes.
 TEST(Chart, NoPlotIsInsideOut) {
     for (const double side : {0.0, 3.0, 40.0}) {
         const Box plot = chart::plotIn({0, 0, side, side}, {});

@@ -1,4 +1,4 @@
-// The charts' pane as a person uses it.
+// The charts' pane, operated as by a person.
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -53,7 +53,7 @@ TEST_F(ChartsPane, ItMeasuresTheViewAndCountsTheFrame) {
     EXPECT_EQ(measured.table.points[pointOf("max-pyramid")].error[3], 0);
     EXPECT_GT(measured.table.points[pointOf("layers")].error[0], 0);
 
-    // The histograms hold what the frame's error layer says.
+    // The histograms agree with the frame's error layer.
     const relief::FrameHistograms& counted = *view()->histograms();
     relief::Work work;
     const relief::ErrorLayer error =
@@ -87,7 +87,7 @@ TEST_F(ChartsPane, AClickOnAMarkChoosesTheMethodAndItsWorstPixel) {
     for (const float texels : error.texels) most = std::max(most, texels);
     EXPECT_GT(most, 0);
     EXPECT_EQ(chosen, most);
-    // The measurement is that of the same rays still, and one step back is both.
+    // The measurement is still that of the same rays, and one undo reverts both changes.
     EXPECT_TRUE(view()->measured()->of(*snapshot()));
     workspace_->undo();
     waitForFull();
@@ -106,7 +106,7 @@ TEST_F(ChartsPane, HoverReadsSpeedWithItsError) {
 
 TEST_F(ChartsPane, MeasuringIsCancelledAndFollowsTheView) {
     openPane();
-    // Maps of many methods take their time.
+    // Building the maps of many methods takes long enough to cancel.
     view()->setWithMaps(true);
     ASSERT_FALSE(view()->settled());
     view()->cancel();

@@ -1,4 +1,4 @@
-// The charts: which methods are worth choosing, what is drawn of them, and the program.
+// The charts: the methods on the Pareto front, the drawing, and the exported figures.
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -44,7 +44,7 @@ relief::BenchRow row(const std::string& method, double nanoseconds, double error
     return row;
 }
 
-// Front: offset, layers-secant, cone, exact. Beaten: layers (by layers-secant), max-pyramid (by exact).
+// On the front: offset, layers-secant, cone, exact. Dominated: layers (by layers-secant), max-pyramid (by exact).
 std::vector<relief::BenchRow> madeUp() {
     return {row("offset", 20, 3),   row("layers", 90, 0.5), row("layers-secant", 80, 0.2),
             row("cone", 150, 0.01), row("exact", 300, 0),   row("max-pyramid", 420, 0)};
@@ -66,7 +66,7 @@ std::set<std::string> frontOf(const ParetoSource& source) {
     return names;
 }
 
-// A title that would be small in one line stands in two, above the bars.
+// A title that would be too small in one line is broken into two, above the bars.
 TEST(ChartsDrawing, LongTitlesStandInTwoLines) {
     relief::FrameHistograms data;
     data.steps = {1, 2, 3};
@@ -91,14 +91,14 @@ TEST(ChartsDrawing, LongTitlesStandInTwoLines) {
     EXPECT_GT(narrow.plot.y0, wide.plot.y0 + 5) << "room for the second line";
 }
 
-TEST(Charts, TheFrontIsWhatNobodyBeats) {
+TEST(Charts, TheFrontIsNotDominated) {
     const ParetoSource source = sourceOf(madeUp());
     EXPECT_EQ(frontOf(source), (std::set<std::string>{"offset", "layers-secant", "cone", "exact"}));
-    // Fewer wrong outcomes are a reason to choose it, too.
+    // A method with fewer wrong outcomes is not dominated, either.
     std::vector<relief::BenchRow> rows = madeUp();
     rows[2].errors.wrongOutcome = 7;
     EXPECT_EQ(frontOf(sourceOf(rows)), (std::set<std::string>{"offset", "layers", "layers-secant", "cone", "exact"}));
-    // Equals do not beat each other; who never hits has no error to boast of.
+    // Methods with equal values do not dominate each other; one that never hits has no error and is not on the front.
     rows = madeUp();
     rows[5].rate = rows[4].rate;
     rows[0].errors.mean = std::nan("");
@@ -156,7 +156,7 @@ TEST(Charts, DominatedMarksAreFaintAndTheLineIsTheFront) {
             EXPECT_TRUE(&other == &mark || !other.label.overlaps(mark.label)) << point.name;
         }
     }
-    // Steps to the right and downwards only.
+    // The front only has horizontal steps to the right and vertical ones downwards.
     for (std::size_t i = 1; i < picture.front.size(); ++i) {
         EXPECT_GE(picture.front[i].x, picture.front[i - 1].x);
         EXPECT_GE(picture.front[i].y, picture.front[i - 1].y);
@@ -191,7 +191,7 @@ TEST(Charts, HistogramsCountEveryRay) {
     EXPECT_NEAR(steps.yAt(10) - steps.yAt(1000), 2 * decade, 1e-9);
     EXPECT_LT(steps.yAt(1), steps.plot.y1) << "one ray is seen";
     const HistogramPicture errors = errorHistogram(data, {0, 0, 220, 140});
-    // The axis says what it counts, within its margin.
+    // The axis has a title that names the count, within its margin.
     for (const HistogramPicture* picture : {&steps, &errors}) {
         int said = 0;
         for (const Item& item : picture->drawing.items) {
@@ -251,7 +251,7 @@ TEST(Charts, AreAsStored) {
     }
 }
 
-// By the program, without a display.
+// The program exports the charts without a display.
 TEST(Charts, TheProgramExportsThem) {
     const QTemporaryDir folder;
     const QString table = folder.filePath(QStringLiteral("bench.json"));

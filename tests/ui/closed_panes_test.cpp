@@ -1,4 +1,4 @@
-// A closed pane gives back what it held, buffers of OpenGL as well, and is the same again when it is opened.
+// A closed pane frees its resources, OpenGL buffers included, and looks the same when it is opened again.
 #include <QVTKOpenGLNativeWidget.h>
 #include <malloc.h>
 #include <QDockWidget>
@@ -13,7 +13,7 @@
 namespace reliefui {
 namespace {
 
-constexpr int kDrawnMs = 700;  // until a pane that comes into sight has drawn itself
+constexpr int kDrawnMs = 700;  // until a pane that becomes visible has drawn itself
 constexpr int kPatienceMs = 120000;
 
 class ClosedPanes : public WindowTest {
@@ -32,11 +32,12 @@ class ClosedPanes : public WindowTest {
             count += widget->isValid() ? 1 : 0;
         return count;
     }
-    // Closed by its button, and emptied.
+    // Closes the pane by its button, and waits until its resources are freed.
     void close(const QString& name) const {
         dock(name)->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-close"))->click();
         ASSERT_TRUE(dock(name)->isHidden());
-        EXPECT_TRUE(QTest::qWaitFor([&] { return viewOf(name)->image(100).isNull(); }, kPatienceMs)) << "held on to";
+        EXPECT_TRUE(QTest::qWaitFor([&] { return viewOf(name)->image(100).isNull(); }, kPatienceMs))
+            << "resources were not freed";
     }
 };
 
@@ -50,7 +51,7 @@ TEST_F(ClosedPanes, AreEmptyAndTheSameAgain) {
         ASSERT_NO_FATAL_FAILURE(bringUp(pane));
         const QImage before = grab(view);
         EXPECT_GT(colorsIn(before), 10);
-        // Those that show something in space; the others are painted.
+        // Panes with a 3-D scene; the others are painted.
         const bool space = pane == QStringLiteral("trace-pane") || pane == QStringLiteral("pyramid-pane");
         EXPECT_EQ(contexts(view), space ? 1 : 0);
         ASSERT_NO_FATAL_FAILURE(close(pane));
@@ -78,12 +79,12 @@ TEST_F(ClosedPanes, WhatIsComputedAnewIsThereAgain) {
     EXPECT_NE(window_->pane<ChartsView>()->histograms(), nullptr);
 }
 
-// The software OpenGL that the tests draw with keeps textures in this process's memory: what a context that ends leaves
-// behind is seen there. It was 18 MB each time.
+// The tests use software OpenGL, which keeps textures in this process's memory, so that a leak of a destroyed context
+// is measurable. It was 18 MB each time.
 TEST_F(ClosedPanes, LeaveNothingBehindHoweverOften) {
     constexpr int kTimes = 5;
     constexpr int kWarm = 2;
-    constexpr double kMegabytes = 3;  // each time; seen: 0.5
+    constexpr double kMegabytes = 3;  // per time; 0.5 was measured
     openWindow(smallScenario());
     const auto docks = window_->findChildren<QDockWidget*>();
     double warm = 0;
@@ -104,7 +105,8 @@ TEST_F(ClosedPanes, LeaveNothingBehindHoweverOften) {
     EXPECT_LT((last - warm) / (kTimes - kWarm), kMegabytes) << warm << " MB, then " << last;
 }
 
-// Emptied, then shown again where there is no room for its face yet, as happens while the window lays out many panes.
+// After its resources were freed, the pane is shown where there is no room for its content yet, as happens while the
+// window lays out many panes.
 TEST_F(ClosedPanes, ComeBackWithoutRoom) {
     openWindow(smallScenario());
     const QString pane = QStringLiteral("trace-pane");
@@ -125,7 +127,7 @@ TEST_F(ClosedPanes, ComeBackWithoutRoom) {
     EXPECT_GT(colorsIn(grab(view)), 10);
 }
 
-// Another exaggeration while it is out of sight, then steps before it could draw itself.
+// The exaggeration changes while the pane is hidden, and steps change before it has drawn itself.
 TEST_F(ClosedPanes, StepsComeBeforeTheFirstPictureOfAnotherExaggeration) {
     openWindow(smallScenario());
     QDockWidget* const trace = dock(QStringLiteral("trace-pane"));
@@ -143,7 +145,7 @@ TEST_F(ClosedPanes, StepsComeBeforeTheFirstPictureOfAnotherExaggeration) {
     EXPECT_EQ(grab(view), before);
 }
 
-// Behind the pane that fills the window they are soon back: they keep what they have.
+// Panes behind one that fills the window are soon visible again, so they keep their resources.
 TEST_F(ClosedPanes, BehindAFilledOneTheyStayAsTheyAre) {
     openWindow(smallScenario());
     ASSERT_NO_FATAL_FAILURE(bringUp(QStringLiteral("profile-pane")));

@@ -1,5 +1,5 @@
-// The maps of colours stay readable for everybody: lighter is more, on each side of 0 and with each deficiency of
-// colour vision, and the two sides are told apart.
+// The colour maps are readable for everybody: larger magnitude is lighter, on each side of 0 and with each colour
+// vision deficiency, and the two sides are distinguishable.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@ using Lab = std::array<double, 3>;
 
 struct Vision {
     std::string name;
-    Matrix seen;  // of linear RGB
+    Matrix seen;  // in linear RGB
 };
 
 // Machado, Oliveira, Fernandes 2009, severity 1.
@@ -35,7 +35,7 @@ double linear(double code) {
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-// CIE 1976 of sRGB, white D65.
+// CIE 1976 L*a*b* of an sRGB colour, white D65.
 Lab labOf(Rgba color, const Vision& vision) {
     const std::array<double, 3> own{linear(color.r), linear(color.g), linear(color.b)};
     std::array<double, 3> rgb{};
@@ -55,12 +55,13 @@ double deltaE(const Lab& a, const Lab& b) {
 }
 
 constexpr int kSteps = 16;
-// Of L*, from one sixteenth of a map to the next: half of what a map from 20 to 90 with constant steps has.
+// Smallest difference of L* between adjacent sixteenths of a map: half of that of a map from 20 to 90 with constant
+// steps.
 constexpr double kLeastStep = 2;
-// CIE 1976 difference of the two sides: far more than what is just told apart (2.3).
+// Smallest CIE 1976 difference of the two sides: far more than a just noticeable difference (2.3).
 constexpr double kSidesApart = 40;
 
-// Between two places; lighter from the first to the second.
+// Checks that the map becomes lighter from position `from` to position `to`.
 void expectLighter(const Style& style, ColorMap map, double from, double to, const std::string& name) {
     for (const Vision& vision : kVisions) {
         double before = 0;
@@ -88,7 +89,7 @@ TEST(ColorRamps, SequentialMapsGetLighterForEverybody) {
 
 TEST(ColorRamps, TwoSidedMapsDoSoOnEitherSideAndTheSidesDiffer) {
     const Style style;
-    constexpr double kMiddle = 1e-9;  // the two sides of a map whose middle is dark meet in a jump
+    constexpr double kMiddle = 1e-9;  // the two sides of a map with a dark middle meet in a discontinuity
     expectLighter(style, ColorMap::Signed, 0.5 - kMiddle, 0, "short");
     expectLighter(style, ColorMap::Signed, 0.5, 1, "past");
     expectLighter(style, ColorMap::Difference, 0, 0.5, "less");
@@ -107,7 +108,7 @@ TEST(ColorRamps, TwoSidedMapsDoSoOnEitherSideAndTheSidesDiffer) {
     }
 }
 
-// The colour of what a threshold leaves out is none of the map's.
+// The colour for values below a threshold differs from all colours of the map.
 TEST(ColorRamps, WhatIsUnderAThresholdStandsApart) {
     constexpr double kApart = 10;
     for (const Vision& vision : kVisions) {

@@ -1,4 +1,4 @@
-// Ranges, scales and their legend: laws that hold for any values.
+// Ranges, scales and their legend: properties that hold for any values.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -13,7 +13,7 @@ namespace reliefui {
 
 namespace {
 
-// Steps as rays take them: most few, some many, one beyond all measure.
+// Typical step counts: mostly low, some high, and one extreme value.
 std::vector<float> strayValues() {
     std::mt19937 random(7);
     std::vector<float> values;
@@ -49,7 +49,7 @@ TEST(ColorRange, SpreadsCountAsALoopDoes) {
                   std::count_if(values.begin(), values.end(), [&](float v) { return v >= at && v < 20; }) -
                       std::count_if(values.begin(), values.end(), [&](float v) { return v >= 20 && v < at; }));
     }
-    // Thinned out: the extremes are exact, counts about right.
+    // Subsampled: the extremes are exact, counts approximate.
     const ValueSpread thin = spreadOf(values, 500);
     EXPECT_FALSE(thin.exact());
     EXPECT_EQ(thin.largest(), 4100);
@@ -72,7 +72,7 @@ TEST(ColorRange, PlacesAndValuesAreInverse) {
                 EXPECT_GT(value, before);
                 before = value;
                 EXPECT_NEAR(scale.place(value), place, 1e-9);
-                // Either side is the other's mirror image.
+                // The two sides are mirror images.
                 if (twoSided) {
                     EXPECT_NEAR(scale.place(-value), 1 - place, 1e-9);
                 }
@@ -89,17 +89,17 @@ TEST(ColorRange, EndsAreWhatTheRangeSays) {
     EXPECT_EQ(colorScale({}, spread, ends).high, 4100);
     const ColorScale most = colorScale(rangeWith(RangeEnds::Percentile, 0, 99.9), spread, ends);
     EXPECT_EQ(most.low, 0);
-    EXPECT_LE(most.high, 31) << "one stray ray does not decide the colours of all others";
+    EXPECT_LE(most.high, 31) << "a single outlier does not determine the colours of all others";
     EXPECT_LE(static_cast<double>(spread.above(most.high)), 0.001 * static_cast<double>(spread.count()) + 1);
     const ColorScale own = colorScale(rangeWith(RangeEnds::Own, 5, 9), spread, ends);
     EXPECT_EQ(own.low, 5);
     EXPECT_EQ(own.high, 9);
-    // A logarithm needs a value above 0 to begin with.
+    // A logarithmic scale needs a first value above 0.
     const ColorScale log = colorScale(rangeWith(RangeEnds::All, 0, 1, true), spread, ends);
     EXPECT_TRUE(log.logarithmic);
     EXPECT_EQ(log.low, 2);
     EXPECT_FALSE(colorScale(rangeWith(RangeEnds::All, 0, 1, true), spreadOf({0, 0}), {0, 0}).logarithmic);
-    // Nearly all values alike: the rest still differ.
+    // Nearly all values are equal; the range must still separate the others.
     EXPECT_EQ(colorScale(rangeWith(RangeEnds::Percentile, 0, 50), spreadOf({0, 0, 0, 0, 3}), {0, 3}).high, 3);
     const ColorScale both =
         colorScale(rangeWith(RangeEnds::Percentile, 0, 50), spreadOf({-8, -1, 0, 1, 2}), {0, 8, true, 0});
@@ -107,7 +107,7 @@ TEST(ColorRange, EndsAreWhatTheRangeSays) {
     EXPECT_EQ(both.high, 1);
 }
 
-// Single cells and whole images are painted alike.
+// Single cells and whole images have the same colours.
 TEST(ColorRange, ImagesOfCellsHaveTheColoursOfTheScale) {
     auto values = std::make_shared<relief::FloatImage>(64, 1);
     for (int i = 0; i < 64; ++i)
@@ -138,7 +138,7 @@ TEST(ColorRange, ImagesOfCellsHaveTheColoursOfTheScale) {
     }
 }
 
-// In the singular where it is one, in English as well.
+// A count of one uses the singular, in English as well.
 TEST(ColorRange, OnePixelIsNotOnePixels) {
     if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no translations";
     RangedValues values;
@@ -172,7 +172,7 @@ TEST(ColorRange, LegendsSayWhatIsCutOffAndHowMuchIsAboveTheThreshold) {
     EXPECT_TRUE(has(std::to_string(values.spread->above(values.scale.high)))) << all;
     EXPECT_TRUE(has(std::to_string(values.spread->above(20)))) << all;
     if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
-    // The bar shows the values where its numbers stand.
+    // The numbers stand at the bar's positions of their values.
     const Drawing legend = rangeLegend(values, 400);
     const auto bar = std::find_if(legend.items.begin(), legend.items.end(),
                                   [](const Item& item) { return std::holds_alternative<Cells>(item.primitive); });
@@ -187,7 +187,7 @@ TEST(ColorRange, LegendsSayWhatIsCutOffAndHowMuchIsAboveTheThreshold) {
         EXPECT_NEAR((label->at.x - cells.clip.x0) / cells.clip.width(), values.scale.place(std::stod(text)), 1e-6)
             << text;
     }
-    // Narrow, the words stand below; nothing is wider than its room.
+    // If there is little width the text is below the bar; nothing is wider than the available width.
     for (const double width : {160.0, 240.0, 400.0}) {
         EXPECT_LE(rangeLegend(values, width).bounds.width(), std::max(width, 210.0));
     }

@@ -1,4 +1,4 @@
-// The compare pane's use as a person would, and the program.
+// The compare pane, operated as by a person, and its figures exported by the program.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -43,7 +43,7 @@ class ComparePane : public WindowTest {
     CompareView* pane() { return window_->pane<CompareView>(); }
     ComparePictures* pictures() { return pane()->pictures(); }
     const ComparedPicture& method(std::size_t n) { return pane()->view()->pictures[n]; }
-    // A pixel of which two methods show clearly different colours, away from the ring around the chosen one.
+    // Returns a pixel in which two methods have clearly different colours, away from the ring around the chosen pixel.
     relief::PixelChoice whereTheyDiffer(const QImage& a, const QImage& b) {
         int most = 0;
         relief::PixelChoice best;
@@ -62,7 +62,7 @@ class ComparePane : public WindowTest {
                           Qt::ControlModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(pictures(), &wheel);
     }
-    // Whether a text is drawn around the pictures.
+    // Returns true if the text is drawn around the pictures.
     bool says(const std::string& part) {
         const std::vector<Item>& items = pictures()->layoutNow().drawing.items;
         return std::any_of(items.begin(), items.end(), [&](const Item& item) {
@@ -71,10 +71,10 @@ class ComparePane : public WindowTest {
         });
     }
     void compare(relief::CompareSubject subject, std::vector<relief::MethodChoice> others) {
-        relief::Scenario wanted = scenario();
-        wanted.comparison.subject = subject;
-        relief::othersOf(wanted.comparison) = std::move(others);
-        workspace_->change(wanted, QStringLiteral("test"));
+        relief::Scenario changed = scenario();
+        changed.comparison.subject = subject;
+        relief::othersOf(changed.comparison) = std::move(others);
+        workspace_->change(changed, QStringLiteral("test"));
         settle();
     }
     QColor colorAt(std::size_t n, relief::PixelChoice pixel) {
@@ -90,7 +90,7 @@ TEST_F(ComparePane, ItMeasuresWhatItShows) {
     ASSERT_EQ(pane()->view()->pictures.size(), 3u);
     EXPECT_EQ(method(0).frame, snapshot()->frame);
     EXPECT_GT(colorsIn(grab(pictures())), 100);
-    // The same numbers as by the core alone.
+    // The numbers equal those that the library computes alone.
     relief::Work work;
     relief::FrameRequest request = *snapshot()->request;
     const auto alone = [&](const relief::MethodChoice& choice) {
@@ -111,7 +111,7 @@ TEST_F(ComparePane, ItMeasuresWhatItShows) {
         EXPECT_EQ(method(n).equal, n != 1) << "max-pyramid and exact agree bit by bit, eight layers do not";
         const double l1 = std::accumulate(method(n).l1->pixels().begin(), method(n).l1->pixels().end(), 0.0);
         EXPECT_EQ(l1 > 0, n == 1);
-        // Steps: the mean over the rays that were timed.
+        // Steps are the mean over the rays that were timed.
         const relief::RayBlock rays = relief::sampledRays(*snapshot()->frame, kComparedRays);
         ASSERT_EQ(rays.size(), pane()->view()->rays);
         relief::HitBlock hits;
@@ -151,7 +151,7 @@ TEST_F(ComparePane, EverySubjectIsMeasuredAgainstItsTruth) {
             EXPECT_EQ(error.rmse, method(n).error->rmse) << method(n).name;
             EXPECT_EQ(error.flip, method(n).error->flip) << method(n).name;
             EXPECT_EQ(method(n).equal, subject != Subject::Filters && n == 0) << method(n).name;
-            // Grey heights are read at the hit: without a filter.
+            // Grey heights are sampled at the hit, without a filter, so no rate is measured.
             const bool timed = subject == Subject::Filters && method(n).choice.name != relief::kSupersample &&
                                method(n).frame->filter != nullptr;
             EXPECT_EQ(method(n).rate.value_or(0) > 0, timed) << method(n).name;
@@ -162,7 +162,7 @@ TEST_F(ComparePane, EverySubjectIsMeasuredAgainstItsTruth) {
     EXPECT_TRUE(says("coordinates off by up to " + relief::numberText(method(1).frame->mappingOff, 3)));
 }
 
-// Old pictures with old numbers beside a new scene would be believed.
+// Old pictures and numbers next to a new scene would be taken for its results.
 TEST_F(ComparePane, WhatIsNotComputedYetIsVeiledAndHasNoNumbers) {
     openPane();
     ASSERT_TRUE(says("equal to the reference") && says("FLIP") && says("Mrays/s"));
@@ -180,7 +180,7 @@ TEST_F(ComparePane, WhatIsNotComputedYetIsVeiledAndHasNoNumbers) {
     EXPECT_FALSE(numbers);
     settle();
     EXPECT_TRUE(says("FLIP") && !says("computing"));
-    // One that takes long is veiled where the one of before is still seen.
+    // While a slow picture is computed, the previous one stays visible, but veiled.
     compare(relief::CompareSubject::Filters, {{"supersample", {{"samples", "2"}}}});
     const QImage before = method(1).picture;
     other = scenario();
@@ -206,21 +206,21 @@ TEST_F(ComparePane, NothingIsSetAgainstItself) {
     const relief::MethodChoice other = scenario().comparison.others[0];
     EXPECT_EQ(other.name, own.name);
     EXPECT_FALSE(relief::sameVariation(relief::CompareSubject::Methods, other, own));
-    // Where A becomes what B is, wherever that was chosen, B becomes what A was.
+    // If A becomes equal to B, by whatever control, B becomes what A was.
     pane()->setChoice(1, QStringLiteral("layers"));
-    relief::Scenario wanted = scenario();
-    wanted.method = {"layers", {}};
-    workspace_->change(wanted, QStringLiteral("test"));
+    relief::Scenario changed = scenario();
+    changed.method = {"layers", {}};
+    workspace_->change(changed, QStringLiteral("test"));
     EXPECT_EQ(scenario().method.name, "layers");
     EXPECT_EQ(scenario().comparison.others[0], own);
-    // What cannot be another is refused with a word.
+    // If there is no other variant, the change is refused with a message.
     pane()->setSubject(relief::CompareSubject::Mappings);
     ASSERT_EQ(scenario().comparison.mappings, (std::vector<relief::MethodChoice>{{"affine", {}}}));
     QSignalSpy notices(workspace_.get(), &Workspace::notice);
     pane()->setChoice(1, QStringLiteral("direct"));
     EXPECT_EQ(scenario().comparison.mappings[0].name, "affine");
     EXPECT_EQ(notices.size(), 1);
-    // Turned until it is the same, it says so.
+    // An option may be changed so that both variants are equal; the pane then says so.
     compare(relief::CompareSubject::Methods, {{"layers", {{"layers", "3"}}}});
     EXPECT_FALSE(says("the same as A"));
     pane()->setOption(1, QStringLiteral("layers"),
@@ -229,8 +229,8 @@ TEST_F(ComparePane, NothingIsSetAgainstItself) {
     EXPECT_TRUE(says("the same as A"));
 }
 
-// Its rate and steps too are of the level that the view chooses.
-TEST_F(ComparePane, ALevelLeftToTheViewIsTimedAsItIsDrawn) {
+// Its rate and steps, too, are measured on the level that the view selects.
+TEST_F(ComparePane, ALevelChosenByTheViewIsTimedAsItIsDrawn) {
     openPane({{"max-pyramid", {{"base", "auto"}}}});
     ASSERT_EQ(pane()->view()->pictures.size(), 2u);
     ASSERT_FALSE(method(1).problem);
@@ -242,7 +242,7 @@ TEST_F(ComparePane, PicturesAreRightAndZoomTogether) {
     const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);
     const QPointF home = *pictures()->pixelIn(1, pixel);
     zoomAt(home, 20);
-    // Under the pointer stays what was there, in its own tile and at the same place of the others.
+    // The point under the pointer stays there, in its own tile and in the others.
     const QPointF zoomed = *pictures()->pixelIn(1, pixel);
     EXPECT_LT(std::hypot(zoomed.x() - home.x(), zoomed.y() - home.y()), 40);
     for (std::size_t n = 0; n < 3; ++n) {
@@ -258,7 +258,7 @@ TEST_F(ComparePane, AClickChoosesThePixelAndThePointerReadsAllMethods) {
     const relief::PixelChoice pixel{40, 100};
     const QPointF there = *pictures()->pixelIn(2, pixel);
     const double scale = pictures()->pixelIn(2, {pixel.x + 1, pixel.y})->x() - there.x();
-    const double near = 0.5 / scale + 1;  // a click is on a whole pixel of the screen
+    const double near = 0.5 / scale + 1;  // a click hits a whole pixel of the screen
     QTest::mouseClick(pictures(), Qt::LeftButton, {}, there.toPoint());
     waitForFull();
     ASSERT_TRUE(scenario().pixel);
@@ -267,7 +267,7 @@ TEST_F(ComparePane, AClickChoosesThePixelAndThePointerReadsAllMethods) {
     EXPECT_EQ(snapshot()->trace.pixel, *scenario().pixel) << "all panes answer for it";
     const ComparedView* const before = pane()->view();
     settle();
-    EXPECT_EQ(pane()->view(), before) << "another pixel is no reason to render anew";
+    EXPECT_EQ(pane()->view(), before) << "another pixel does not require rendering";
     QTest::mouseMove(pictures(), pictures()->pixelIn(0, pixel)->toPoint() + QPoint(3, 0));
     QTest::mouseMove(pictures(), pictures()->pixelIn(0, pixel)->toPoint());
     QTest::qWait(50);
@@ -281,7 +281,7 @@ TEST_F(ComparePane, TheDividerIsDraggedAndUndone) {
     pane()->setMode(relief::CompareMode::Swipe);
     settle();
     const relief::PixelChoice pixel = whereTheyDiffer(method(0).picture, method(1).picture);
-    // Only one of the two is seen at a time.
+    // Only one of the two is visible at a time.
     EXPECT_NE(pictures()->pixelIn(0, pixel).has_value(), pictures()->pixelIn(1, pixel).has_value());
     const relief::Scenario before = scenario();
     const Box room = pictures()->layoutNow().rooms[0];
@@ -325,7 +325,7 @@ TEST_F(ComparePane, DifferencesAreShownInTheColoursOfTheirScale) {
         const Rgba none = Style().mapped(ColorMap::Count, 0);
         EXPECT_EQ(colorAt(0, pixel).rgb(), qRgb(none.r, none.g, none.b));
     }
-    // Against A, which is the reference now, and eight layers as wrong as before.
+    // With A as the reference: A is exact, so the other method has the same error as before.
     const double before = method(1).error->flip;
     pane()->setReference(relief::CompareReference::MethodA);
     settle();
@@ -334,7 +334,7 @@ TEST_F(ComparePane, DifferencesAreShownInTheColoursOfTheirScale) {
     EXPECT_TRUE(method(0).equal);
 }
 
-// The scale says how it ends, and a person chooses it as of every other picture.
+// The legend shows the ends of the scale, and its range can be chosen as for every other picture.
 TEST_F(ComparePane, DifferencesHaveTheirRange) {
     openPane();
     pane()->setMode(relief::CompareMode::Difference);
@@ -356,7 +356,7 @@ TEST_F(ComparePane, DifferencesHaveTheirRange) {
     EXPECT_EQ(pane()->view()->scaleOf(relief::CompareMeasure::L1).range, all);
     EXPECT_NE(method(1).l1Picture, before);
     EXPECT_FALSE(says("beyond:") || says("percentile")) << "nothing is clipped";
-    ASSERT_TRUE(method(1).rate) << "what was measured stays";
+    ASSERT_TRUE(method(1).rate) << "the measurement is kept";
     workspace_->undo();
     settle();
     EXPECT_EQ(method(1).l1Picture, before);
@@ -403,7 +403,7 @@ TEST_F(ComparePane, MethodsAreAddedSwappedAndUndoneToTheSameBits) {
     EXPECT_EQ(scenario(), before);
     EXPECT_EQ(method(0).picture, a);
     EXPECT_EQ(method(1).picture, b);
-    // Saved and reopened it is the same.
+    // After saving and opening, the pane is the same.
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("compared.json"));
     workspace_->save(file);
@@ -451,16 +451,17 @@ TEST_F(ComparePane, ItIsExportedAsItIsShown) {
     EXPECT_EQ(pane()->image(600).width(), 600);
 }
 
-// Each tile of a PNG is the picture rendered in that size, pixel by pixel; the numbers are the pane's.
+// Each tile of an exported PNG equals the picture rendered at that size, pixel by pixel; the numbers are those of the
+// pane.
 TEST_F(ComparePane, ExportedTilesHaveThePixelsThatWereRendered) {
     openPane({{"layers", {{"layers", "8"}}}});
-    relief::Scenario wanted = scenario();
-    wanted.pixel.reset();
-    workspace_->change(wanted, QStringLiteral("test"));
+    relief::Scenario changed = scenario();
+    changed.pixel.reset();
+    workspace_->change(changed, QStringLiteral("test"));
     settle();
     constexpr int kWidth = 811;
     const QImage page = pane()->image(kWidth);
-    // Two columns between margins of 6 points, 6 points apart, on a page of 160 mm.
+    // Two columns 6 points apart, with margins of 6 points, on a page of 160 mm.
     const double points = 160 / 25.4 * 72;
     const int side = static_cast<int>((points - 18) / 2 * kWidth / points);
     relief::Scenario large = scenario();
@@ -472,7 +473,7 @@ TEST_F(ComparePane, ExportedTilesHaveThePixelsThatWereRendered) {
     int found = 0;
     for (int y = 0; y < 60 && found == 0; ++y) {
         for (int x = 0; x < 20; ++x) {
-            // Without the frame at its rim.
+            // Without the frame at its edge.
             const QRect inner(4, 4, side - 8, rendered.height() - 8);
             found += page.copy(inner.translated(x, y)).convertToFormat(QImage::Format_RGB32) ==
                              rendered.copy(inner).convertToFormat(QImage::Format_RGB32)
@@ -483,7 +484,7 @@ TEST_F(ComparePane, ExportedTilesHaveThePixelsThatWereRendered) {
     EXPECT_EQ(found, 1);
 }
 
-// By the program, without a display.
+// The program exports the figure without a display.
 TEST(Compare, TheProgramExportsIt) {
     const QTemporaryDir folder;
     relief::Scenario scenario = smallScenario();

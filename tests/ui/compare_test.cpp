@@ -1,4 +1,4 @@
-// What the compare pane draws: where its pictures lie, what it says of them.
+// The drawing of the compare pane: the positions of its pictures and the text about them.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Compare, TilesLieBesideEachOther) {
             }
         }
     }
-    // As wide as high pages get them: one above the other in a high one, side by side in a wide one.
+    // Pages of various heights: the pictures are stacked on a high page, and side by side on a wide one.
     const auto second = [&](double width, double height) {
         return compareLayout(madeUp(2, relief::CompareMode::Tiles), width, height, {}).rooms[1];
     };
@@ -71,7 +71,7 @@ TEST(Compare, WhatStandsAroundThePicturesIsAsStored) {
     expectGoldens(paint, 420, 260, "compare");
 }
 
-// However narrow the tiles are, no line of numbers reaches into the next one.
+// Even in narrow tiles, no line of numbers overlaps the next one.
 TEST(Compare, NumbersStayBelowTheirPicture) {
     for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
         for (const double width : {380.0, 440.0, 700.0, 1500.0}) {
@@ -121,7 +121,7 @@ TEST(Compare, NumbersAndLegendAreWholeInBothLanguages) {
         ASSERT_EQ(numbers.size(), 5u);
         EXPECT_EQ(numbers[0], "RMSE 0.0123");
         EXPECT_NE(compareNumbers(source.tiles[2], language)[1].find("∞"), std::string::npos);
-        EXPECT_EQ(compareNumbers(source.tiles[1], language).size(), 3u) << "equal says it in one";
+        EXPECT_EQ(compareNumbers(source.tiles[1], language).size(), 3u) << "equality is reported in one word";
         for (const double width : {150.0, 400.0, 1500.0}) {
             const Drawing legend = compareLegend(source, width, language);
             EXPECT_LE(legend.bounds.width(), std::max(width, 300.0));

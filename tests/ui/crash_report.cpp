@@ -19,7 +19,7 @@ constexpr std::size_t kLines = 25;
 constexpr std::size_t kLength = 160;
 constexpr int kFrames = 64;
 
-// All of it is there before anything crashes: a handler must not ask for memory.
+// Allocated in advance, because a signal handler must not allocate memory.
 struct Remembered {
     std::array<std::array<char, kLength>, kLines> lines{};
     std::array<std::size_t, kLines> lengths{};
@@ -50,7 +50,7 @@ void sayRemembered() {
 }
 
 #ifndef __SANITIZE_ADDRESS__
-// A stack that overflows has no room for the handler.
+// After a stack overflow the handler needs a stack of its own.
 constexpr std::size_t kStackBytes = 1 << 16;
 std::array<char, kStackBytes> handlerStack;
 
@@ -65,7 +65,7 @@ void onSignal(int signal) {
     std::array<void*, kFrames> frames{};
     backtrace_symbols_fd(frames.data(), backtrace(frames.data(), kFrames), STDERR_FILENO);
     sayRemembered();
-    raise(signal);  // no handler any more
+    raise(signal);  // the default handler ends the program
 }
 #endif
 
@@ -73,11 +73,11 @@ void onSignal(int signal) {
 
 void reportCrashes() {
 #ifdef __SANITIZE_ADDRESS__
-    // It tells where, with lines.
+    // The sanitizer itself prints a stack trace with line numbers.
     __sanitizer_set_death_callback(&sayRemembered);
 #else
     std::array<void*, 1> frame{};
-    backtrace(frame.data(), 1);  // loads what it needs
+    backtrace(frame.data(), 1);  // loads the library that backtrace() needs
     stack_t stack{};
     stack.ss_sp = handlerStack.data();
     stack.ss_size = handlerStack.size();

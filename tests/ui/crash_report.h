@@ -1,14 +1,15 @@
-// What the tests' program says when a signal ends it: where it was, and what the test did last.
+// What the test program prints when a signal ends it: the stack, and the last actions of the test.
 #pragma once
 
 #include <string_view>
 
 namespace reliefui {
 
-// From now on a crash is said on stderr, then ends the program as it would have without.
+// Installs handlers that report a crash on stderr; the program then ends as it would without them.
 void reportCrashes();
 
-// Something that a test is about to do; a crash tells the last ones. For the thread of the tests.
+// Records an action that a test is about to perform; a crash prints the last ones. To be called from the tests' thread
+// only.
 void rememberForCrash(std::string_view text);
 
 }  // namespace reliefui

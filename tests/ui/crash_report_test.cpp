@@ -1,4 +1,5 @@
-// A crash of the tests themselves has to say where and after what, or a rare one cannot be found.
+// A crash of the tests must be reported with its place and the preceding actions, since a rare one could not be found
+// otherwise.
 #include "crash_report.h"
 
 #include <csignal>
@@ -8,7 +9,7 @@
 
 namespace reliefui {
 
-// Not of this file only: the report is to tell its name.
+// Not static: its name must appear in the report.
 [[gnu::noinline]] void crashInTheMidst(int signal) {
     constexpr int kManySteps = 100;
     for (int i = 0; i < kManySteps; ++i) rememberForCrash("step " + std::to_string(i) + ".");

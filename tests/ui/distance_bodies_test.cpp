@@ -1,4 +1,4 @@
-// Spheres and cones in the distance map's pane are those of the records.
+// The spheres and cones in the distance map's pane are those of the step records.
 #include <cmath>
 #include <set>
 
@@ -13,7 +13,7 @@ namespace reliefui {
 
 namespace {
 
-// Of the drawing's items of this kind.
+// Returns the drawing's items of this role and kind of primitive.
 template <class Primitive>
 std::vector<const Item*> itemsOf(const Drawing& drawing, Role role) {
     std::vector<const Item*> found;
@@ -35,7 +35,7 @@ TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
             const DistanceSource source = distanceSource(*snapshot(), {});
             const StepBody body = stepBody(steps[k]);
             if (!body || body.radius < 0.5) continue;
-            // The tracer went on to where the ray leaves the sphere.
+            // The tracer advanced to where the ray leaves the sphere.
             const double perLambda = std::hypot(source.ray.a, source.ray.b, source.field->slabTexels());
             EXPECT_NEAR(body.lambda + body.radius / perLambda, steps[k].lambdaAfter, 1e-6);
             workspace_->chooseStep(static_cast<int>(k));
@@ -44,7 +44,7 @@ TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
             const Place3 center = placeOnRay(source, body.lambda);
             for (const double off : {0.0, 0.6 * body.radius, 1.2 * body.radius}) {
                 frame.plane = center[1] + off;
-                // Nothing is clipped.
+                // A frame so large that nothing is clipped.
                 constexpr double kFar = 1e4;
                 frame.plot = {-kFar, -kFar, kFar, kFar};
                 frame.window = {-kFar / frame.scale, -kFar / frame.scale, 0, 0};
@@ -70,7 +70,8 @@ TEST_F(DistanceTest, SpheresAreCutByTheSlice) {
     }
 }
 
-// The ray leaves the cone the map promises free where the tracer went on; and the relief stays outside of the cone.
+// The tracer advanced to where the ray leaves the cone that the map promises to be free; and the relief is outside of
+// the cone.
 TEST_F(DistanceTest, ConesEndWhereTheStepsDo) {
     openPane(walled("cone", {{"sectors", "8"}}));
     const DistanceSource source = distanceSource(*snapshot(), {});
@@ -129,9 +130,9 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
                 for (const Point& p : std::get<Polyline>(item->primitive).points) {
                     const Place3 place = fromSlice(axis, frame.slab, frame.plane, frame.uvAt(p));
                     const double away = body.away(place[0] - over[0], place[1] - over[1]);
-                    // From above a sector's outline has its corner on the axis.
+                    // Seen from above, the outline of a sector has a corner on the axis.
                     if (axis == SliceAxis::Z && !body.whole() && away < 0.01) continue;
-                    // Between its points the line of a circle lies a little inside.
+                    // Between its points, the polyline of a circle is slightly inside the circle.
                     EXPECT_NEAR(place[2] / frame.slab, body.apex + body.slope * away, 0.01);
                 }
                 ++cones;
@@ -141,10 +142,10 @@ TEST_F(DistanceTest, ConesAreCutFromTheSideAndFromAbove) {
     }
 }
 
-// A distance is no height: neither in words nor in the 3-D trace.
-TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
+// A distance must not be shown as a height, neither in the sentence nor in the 3-D trace.
+TEST_F(DistanceTest, StepsAreDescribedByTheirDistances) {
     openPane(walled("distance-conservative"));
-    std::set<relief::Decision> told;
+    std::set<relief::Decision> described;
     for (std::size_t k = 0; k < snapshot()->trace.steps.size(); ++k) {
         const relief::Step& step = snapshot()->trace.steps[k];
         workspace_->chooseStep(static_cast<int>(k));
@@ -156,9 +157,9 @@ TEST_F(DistanceTest, StepsAreToldByTheirDistances) {
         if (step.decision == relief::Decision::Test) {
             EXPECT_FALSE(sentence.contains(QStringLiteral("-1"))) << sentence.toStdString();
         }
-        told.insert(step.decision);
+        described.insert(step.decision);
     }
-    EXPECT_TRUE(told.contains(relief::Decision::Advance));
+    EXPECT_TRUE(described.contains(relief::Decision::Advance));
 }
 
 }  // namespace

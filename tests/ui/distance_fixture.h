@@ -1,4 +1,4 @@
-// The distance map's pane, open on a relief with walls.
+// The distance map's pane, opened on a relief with walls.
 #pragma once
 
 #include "panes/distance/distance_view.h"
@@ -21,7 +21,7 @@ class DistanceTest : public WindowTest {
         ASSERT_NE(view()->shown(), nullptr) << view()->problem().toStdString();
     }
     void settle() {
-        // What a changed option asks for comes at once; what a new picture asks for, with it.
+        // Work for a changed option starts at once; work for a new picture starts when that is ready.
         QTest::qWait(20);
         ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kDistancePatienceMs)) << "no map in time";
     }
@@ -40,8 +40,8 @@ class DistanceTest : public WindowTest {
         relief::MapCache cache;
         DistanceOptions options;
         options.kind = kind;
-        const MapOptions wanted = mapOptions(options, *snapshot()).front();
-        return relief::buildMap(kind, wanted.options, snapshot()->request->field, cache, work);
+        const MapOptions parsed = mapOptions(options, *snapshot()).front();
+        return relief::buildMap(kind, parsed.options, snapshot()->request->field, cache, work);
     }
 };
 

@@ -1,4 +1,4 @@
-// The distance map's pane: what it shows is what the maps hold.
+// The distance map's pane shows the values of the maps.
 #include <cmath>
 #include <set>
 
@@ -36,7 +36,7 @@ TEST_F(DistanceTest, EachPixelHasTheColourOfItsVoxel) {
         const DistanceFrame& frame = view()->shown()->frame;
         ASSERT_EQ(frame.axis, axis);
         ASSERT_EQ(frame.slice, *options.slice);
-        // From near, so that lines cover little of the cells.
+        // Zoomed in, so that lines cover little of the cells.
         const Point middle = frame.plot.center();
         canvas()->zoomTo(Box{middle.x, middle.y, middle.x, middle.y}.grown(0.2 * frame.plot.height()));
         const QImage shown = grab(canvas());
@@ -52,7 +52,7 @@ TEST_F(DistanceTest, EachPixelHasTheColourOfItsVoxel) {
         const MapSlice& slice = view()->shown()->slice;
         int buried = 0;
         int hatched = 0;
-        // In a corner of each cell: numbers stand in its middle.
+        // Probed in a corner of each cell, because numbers are in its middle.
         constexpr double kCorner = 0.2;
         const double v0 = slice.start.y + (std::floor((frame.window.y0 - slice.start.y) / slice.cellHeight) + kCorner) *
                                               slice.cellHeight;
@@ -62,10 +62,10 @@ TEST_F(DistanceTest, EachPixelHasTheColourOfItsVoxel) {
             for (double u = u0; u < frame.window.x1; u += slice.cellWidth) {
                 const Point at = frame.at(Point{u, v});
                 const QPoint pixel = canvas()->toWidget(at).toPoint();
-                // What is beyond the part that is seen may lie under the legend.
+                // Cells outside the visible part may be covered by the legend.
                 if (!frame.plot.grown(-2).contains(at) || !canvas()->visible().contains(at)) continue;
                 const Place3 place = fromSlice(axis, frame.slab, frame.cut, {u, v});
-                // Bilinear cells of a repeated map lie between texel centres.
+                // Under repeat, bilinear cells lie between texel centres.
                 const auto wrapped = [](double x) { return static_cast<int>(std::floor(x - 0.5) + 640) % 64; };
                 const int layer = static_cast<int>(std::clamp(std::ceil(place[2] / frame.slab * 12) - 1, 0.0, 11.0));
                 const float value = distances.at(wrapped(place[0]), wrapped(place[1]), layer, 0);
@@ -83,7 +83,7 @@ TEST_F(DistanceTest, EachPixelHasTheColourOfItsVoxel) {
         }
         EXPECT_GE(hatched, buried / 4) << "of those between the lines of the hatch";
         EXPECT_GT(probes, 100);
-        // The rest lies under lines, numbers and the ray.
+        // The others are covered by lines, numbers and the ray.
         EXPECT_GT(right, probes * 8 / 10) << static_cast<int>(axis);
         EXPECT_GE(kinds.size(), 2u);
     }
@@ -103,7 +103,7 @@ TEST_F(DistanceTest, TheSliderGoesThroughTheSlicesAndTheStepTakesItBack) {
     QTest::mouseClick(follow, Qt::LeftButton);
     settle();
     EXPECT_EQ(grab(canvas()), before);
-    // Of each step the slice that holds it, exactly through it.
+    // For each step, the slice that contains it, exactly through it.
     for (const char* const axis : {"distance-axis-x", "distance-axis-y", "distance-axis-z"}) {
         QTest::mouseClick(control<QToolButton>(axis), Qt::LeftButton);
         for (int step = 0; step < static_cast<int>(snapshot()->trace.steps.size()); ++step) {
@@ -142,12 +142,12 @@ TEST_F(DistanceTest, AMapDiffersFromItselfNowhereAndRefinedIsNeverBelow) {
     float most = 0;
     for (const float value : view()->shown()->slice.values->pixels()) {
         if (std::isnan(value)) continue;
-        // Both are bounds, rounded each by its own share.
+        // Both are bounds, each rounded by its own amount.
         constexpr float kRounding = 1e-4F;
         EXPECT_GE(value, -kRounding);
         most = std::max(most, value);
     }
-    EXPECT_GT(most, 0.01F) << "between houses a refined distance is larger somewhere";
+    EXPECT_GT(most, 0.01F) << "between houses the refined distance is larger at some voxel";
     EXPECT_EQ(view()->shown()->slice.low, -view()->shown()->slice.high);
 }
 
@@ -164,7 +164,7 @@ TEST_F(DistanceTest, DistancesAndSlopesAreNotCompared) {
     EXPECT_TRUE(view()->problem().isEmpty());
 }
 
-TEST_F(DistanceTest, WhatCannotBeBuiltIsSaid) {
+TEST_F(DistanceTest, AFailedBuildIsReported) {
     relief::Scenario scenario = walled("exact");
     scenario.address = relief::Address::Clamp;
     openPane(scenario);
@@ -180,14 +180,14 @@ TEST_F(DistanceTest, WhatCannotBeBuiltIsSaid) {
     EXPECT_FALSE(control<QWidget>("distance-waiting")->isVisible());
 }
 
-TEST_F(DistanceTest, ABuildIsCancelledAndAskedForAgain) {
+TEST_F(DistanceTest, ABuildIsCancelledAndRequestedAgain) {
     relief::Scenario scenario = walled("exact");
     scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = 512;
     openPane(scenario);
     DistanceOptions options;
     options.kind = "refined-sampled";  // seconds
     view()->setOptions(options);
-    // The window goes on while the map is built.
+    // The window stays responsive while the map is built.
     auto* const waiting = control<QWidget>("distance-waiting");
     ASSERT_TRUE(QTest::qWaitFor([&] { return waiting->isVisible(); }, kDistancePatienceMs));
     ASSERT_FALSE(view()->settled());
@@ -206,7 +206,7 @@ TEST_F(DistanceTest, HoverReadsTheVoxel) {
     const auto& distances = *std::get<std::shared_ptr<const relief::DistanceMap>>(stored);
     const DistanceFrame& frame = view()->shown()->frame;
     const auto wrapped = [](double x) { return static_cast<int>(std::floor(x - 0.5) + 640) % 64; };
-    // From the right, the first voxel of the uppermost layer that is not within the relief.
+    // Searches from the right for the first voxel of the uppermost layer that is outside the relief.
     Point at;
     Place3 place{};
     int layer = 0;

@@ -1,4 +1,4 @@
-// Drawings as data, and what QPainter makes of them.
+// Drawings as data, and their rendering by QPainter.
 #include <random>
 #include <set>
 
@@ -57,7 +57,7 @@ struct Traced {
     }
 };
 
-// The law behind every pane: where a step says the ray was, it was inside the step's texel.
+// The basis of every pane: at the position that a step records, the ray is inside the step's texel.
 TEST(RayGeometry, theRayIsInsideTheTexelOfEachStep) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -95,7 +95,7 @@ TEST(RayGeometry, wrappingKeepsLengthsAndAreas) {
     for (const Box& piece : wrapped(Box{-3, -2, 1, 2}, domain, true)) area += piece.width() * piece.height();
     EXPECT_NEAR(area, 16, 1e-9);
     EXPECT_TRUE(wrapped(Segment{{20, 20}, {30, 20}}, domain, false).empty());
-    // A ray through a million periods is a drawing of some.
+    // The drawing of a ray through a million periods has a limited number of pieces.
     EXPECT_LT(wrapped(Segment{{0, 0}, {8e6, 3e6}}, domain, true).size(), 500u);
 }
 
@@ -134,7 +134,7 @@ TEST(PyramidDrawing, pickingAnswersWithTexelsAndSteps) {
             const double side = std::ldexp(1.0, block.level);
             for (int j = 0; j < level.height(); ++j) {
                 for (int i = 0; i < level.width(); ++i) {
-                    // 0.7: the first half of border's outer cells is outside.
+                    // 0.7: under border the first half of the outer cells is outside.
                     const Point texel{(i + 0.7) * side - grid.x.shift, (j + 0.7) * side - grid.y.shift};
                     if (!block.domain.contains(texel)) continue;
                     const ItemId id = pick(picture.levels, map, map.toScreen(block.toDrawing(texel)), 1);
@@ -166,7 +166,7 @@ TEST(PyramidDrawing, nearTheRayEveryStepIsInTheBlocks) {
         EXPECT_TRUE(block.domain.contains(path.at(0)));
         EXPECT_TRUE(block.domain.contains(path.at(source.hit.lambda)));
     }
-    // All of each block is covered by cells, also beyond the seam.
+    // Each block is completely covered by cells, also beyond the seam.
     double covered = 0;
     double blocks = 0;
     for (const LevelBlock& block : picture.blocks) blocks += block.box.width() * block.box.height();
@@ -176,7 +176,7 @@ TEST(PyramidDrawing, nearTheRayEveryStepIsInTheBlocks) {
         }
     }
     EXPECT_NEAR(covered, blocks, 1e-6 * blocks);
-    // A ray longer than the texture is shown on all of it.
+    // For a ray longer than the texture the whole texture is shown.
     t.trace({3.2, 60, 1e5, 9e4});
     source = t.source();
     source.hit = relief::Hit::none(relief::Outcome::Limit);
@@ -248,7 +248,7 @@ double lightness(Rgba color) {
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;  // CIE L*
 }
 
-// Levels are told apart by lightness alone, from each to the next by about as much; each is seen on its ground.
+// Levels are distinguished by lightness alone, in nearly equal steps; each is visible on its background.
 TEST(Style, levelsGoDownInEvenSteps) {
     constexpr int kLevels = 11;
     Style style;

@@ -1,4 +1,4 @@
-// Reliefs drawn by hand: what is drawn of them, and that all panes follow the mouse.
+// Reliefs drawn by hand: their drawing, and the update of all panes by mouse actions.
 #include <cmath>
 
 #include <QComboBox>
@@ -53,7 +53,7 @@ TEST(Drawn, TheGridIsWhatTheTracerGetsAndTheRayLiesOnIt) {
     EXPECT_FALSE(drawnTexelAt(picture, source.relief, {3.1, 0.5}));
 }
 
-// What an edit leaves as it was is shared, not made again.
+// Levels that an edit does not change are shared, not built again.
 TEST(Drawn, AnEditSharesTheLevelsThatStay) {
     constexpr int kSide = 16;
     relief::Scenario scenario;
@@ -64,7 +64,7 @@ TEST(Drawn, AnEditSharesTheLevelsThatStay) {
     SnapshotMaker maker;
     relief::Work work;
     const auto before = maker.make({scenario}, work);
-    // Lower than its neighbours: no maximum changes, minima and means do.
+    // Lower than its neighbours: no maximum changes, but minima and means do.
     scenario.pictures.drawn.heights[5 * kSide + 5] = 0.25;
     const auto after = maker.make({scenario}, work);
     const relief::Pyramid &oldMaxima = before->maxima->pyramid, &maxima = after->maxima->pyramid;
@@ -81,7 +81,7 @@ TEST(Drawn, TheProfileShowsTheRayFromTheSide) {
     const DrawnSource source = sourceOf({4, 4, {0, 0.25, 0.5, 1}});
     const DrawnPicture picture = drawnPicture(source, 0.5);
     ASSERT_TRUE(picture.profile);
-    // Where the ray is 0.75 of the slab below its top.
+    // The ray is 0.75 of the slab's height below its top there.
     const Point end = endOfRay(picture);
     EXPECT_NEAR(end.x, 0.5 + 0.75 * 1.5, 1e-12);
     EXPECT_NEAR(drawnHeightAt(picture, end), 0.25, 1e-12);
@@ -116,12 +116,12 @@ class DrawnPane : public WindowTest {
         QTest::mouseRelease(grid(), Qt::LeftButton, {}, to.toPoint());
         waitForFull();
     }
-    // What the tracers see is what was drawn.
+    // Checks that the tracers use the drawn heights.
     void expectFollowed() {
-        const relief::FloatImage wanted = relief::drawnHeights(drawn());
-        EXPECT_TRUE(std::ranges::equal(snapshot()->request->field.heights().pixels(), wanted.pixels()));
+        const relief::FloatImage expected = relief::drawnHeights(drawn());
+        EXPECT_TRUE(std::ranges::equal(snapshot()->request->field.heights().pixels(), expected.pixels()));
         float highest = 0;
-        for (const float h : wanted.pixels()) highest = std::max(highest, h);
+        for (const float h : expected.pixels()) highest = std::max(highest, h);
         const relief::Pyramid& maxima = snapshot()->maxima->pyramid;
         EXPECT_EQ(maxima.level(maxima.levels() - 1)(0, 0), highest);
         EXPECT_EQ(snapshot()->scenario.pictures.drawn, drawn());
@@ -227,8 +227,8 @@ TEST_F(DrawnPane, AHeightIsTypedAndKeysWork) {
     QTest::keyClick(grid(), Qt::Key_PageUp, Qt::ShiftModifier);
     waitForFull();
     EXPECT_EQ(drawn().at(5, 5), 0.35);
-    grid()->choose(std::nullopt);  // its outline
-    // The cells are printed, and as bright as they are high: probed in a corner, beside the number.
+    grid()->choose(std::nullopt);  // hides its outline
+    // Cells show their numbers, and their brightness is their height: probed in a corner, next to the number.
     const QPointF corner = grid()->placeOf(1, 0) - grid()->placeOf(0, 0);
     const auto brightness = [&](int i, int j) {
         return qGray(grab(grid()).pixel((grid()->placeOf(i, j) + 0.35 * QPointF(corner.x(), corner.x())).toPoint()));
@@ -244,7 +244,7 @@ TEST_F(DrawnPane, AProfileIsDrawnWithThePointer) {
     view()->setProfile(true);
     waitForFull();
     ASSERT_TRUE(drawn().profile());
-    // Over six columns in three events: none is left out.
+    // Six columns in three mouse events: no column is left out.
     drag(grid()->placeOf(2, 0, 0.01), grid()->placeOf(7, 0, 0.6), 3);
     for (int i = 3; i <= 7; ++i) EXPECT_GT(drawn().at(i, 0), 0.1) << i;
     EXPECT_NEAR(drawn().at(7, 0), 0.6, 0.02);

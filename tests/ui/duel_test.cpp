@@ -17,7 +17,7 @@ namespace {
 
 class DuelTest : public WindowTest {
   protected:
-    // Against nobody at first.
+    // Without compared methods at first.
     void openDuel(relief::Scenario scenario) {
         scenario.comparison.others.clear();
         openWindow(scenario);
@@ -45,11 +45,11 @@ class DuelTest : public WindowTest {
     }
 };
 
-TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
+TEST_F(DuelTest, MethodsAreComparedOnTheRay) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
-    // No method is compared: the exact one is set against one that is not.
+    // If no method is compared, the exact one is set against an approximate one.
     ASSERT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 2U);
     EXPECT_EQ(window_->pane<DuelView>()->duel()->runs[1].name, "exact");
     EXPECT_TRUE(window_->pane<DuelView>()->verdict().contains(QStringLiteral("against exact")));
@@ -60,15 +60,15 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     EXPECT_EQ(duel->runs[0].steps, snapshot()->trace.steps);
     EXPECT_EQ(duel->runs[1].hit.lambda, duel->exact.lambda) << "max-pyramid is exact";
     EXPECT_EQ(duel->judgements[1].kind, relief::Departure::None);
-    // By its name; with its options where two have the same.
+    // Methods are shown by name, with options if two have the same name.
     EXPECT_EQ(duel->runs[0].name, "layers");
     EXPECT_EQ(duel->runs[1].name, "max-pyramid");
-    // Every method is told of.
+    // Every method is mentioned.
     for (const relief::DuelRun& run : duel->runs) {
         EXPECT_TRUE(window_->pane<DuelView>()->verdict().contains(QString::fromStdString(run.name))) << run.name;
     }
     EXPECT_GT(colorsIn(grab(window_->pane<DuelView>()->canvas())), 20);
-    // One less.
+    // One method is removed.
     choose(0, QString());
     EXPECT_EQ(window_->pane<DuelView>()->duel()->runs.size(), 2U);
     choose(0, QStringLiteral("layers"));
@@ -76,14 +76,14 @@ TEST_F(DuelTest, MethodsAreSetAgainstEachOtherOnTheRay) {
     EXPECT_EQ(window_->pane<DuelView>()->duel()->runs[0].name, "layers:layers=4");
 }
 
-TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
+TEST_F(DuelTest, TheFirstDivergenceIsShownAndNamed) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
     openDuel(scenario);
     choose(0, QStringLiteral("max-pyramid"));
     DuelView* const view = window_->pane<DuelView>();
     const Duel* duel = view->duel();
-    ASSERT_TRUE(duel->firstMoment()) << "four layers and yet exact: nothing is tested";
+    ASSERT_TRUE(duel->firstMoment()) << "four layers give the exact hit: nothing is tested";
     view->first();
     EXPECT_EQ(this->scenario().step, 0);
     QTest::keyClick(window_.get(), Qt::Key_D, Qt::ControlModifier);
@@ -95,7 +95,7 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     const QString kind = QString::fromStdString(
         relief::sentence(relief::departureTitle(duel->judgements[0].kind), workspace_->style().language));
     EXPECT_TRUE(view->verdict().contains(kind)) << view->verdict().toStdString();
-    // It is shown from near, until somebody goes on; the projector does not lead away from it.
+    // The close-up is shown until the user steps on; projector mode keeps it.
     const double near = duel->closeUp();
     EXPECT_EQ(view->shownUpTo(), near);
     const std::size_t moment = view->moment();
@@ -106,17 +106,17 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
         EXPECT_EQ(view->shownUpTo(), near);
     }
     duel = view->duel();
-    // The window's step leads as well.
+    // The window's step determines the moment as well.
     workspace_->chooseStep(1);
     EXPECT_EQ(duel->steps.moments[view->moment()][0], 1U);
     auto* const table = view->findChild<QTableView*>();
     EXPECT_EQ(table->currentIndex().row(), static_cast<int>(view->moment()));
-    // A click on the last row: all at their answers.
+    // A click on the last row: all methods are at their results.
     const QModelIndex last = table->model()->index(table->model()->rowCount() - 1, 0);
     table->setCurrentIndex(last);
     EXPECT_EQ(this->scenario().step, static_cast<int>(duel->runs[0].steps.size()) - 1);
     EXPECT_EQ(view->shownUpTo(), duel->within(near, view->moment()) ? near : 0);
-    // Another pixel, another duel.
+    // Another pixel starts another duel.
     const Duel* const before = duel;
     workspace_->choosePixel(30, 100);
     waitForDuel();
@@ -124,7 +124,7 @@ TEST_F(DuelTest, TheFirstDivergenceIsGoneToAndNamed) {
     EXPECT_EQ(view->duel()->runs[0].steps, snapshot()->trace.steps);
 }
 
-// On a projector as well: the longest name is whole, and half of the pane is left to the relief.
+// On a projector, too, the longest name is not truncated, and half of the pane is left for the relief.
 TEST_F(DuelTest, NamesOfMethodsAreWhole) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"distance-conservative", {}};
@@ -158,7 +158,7 @@ TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
     openDuel(scenario);
     choose(0, QStringLiteral("max-pyramid"));
     choose(1, QStringLiteral("offset"));
-    // A ray that comes deep enough for a part of it to be shown.
+    // Finds a ray that hits deep enough for a close-up.
     constexpr double kDeep = 0.35;
     for (int x = 20; x < 190 && !(window_->pane<DuelView>()->duel()->exact.lambda > kDeep); x += 12) {
         workspace_->choosePixel(x, 40 + x / 2);
@@ -176,7 +176,7 @@ TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
     const ProfileFrame near = duelFrame(source, {}, 500, 300);
     EXPECT_LE(near.lambdaEnd, whole.lambdaEnd);
     EXPECT_GE(near.lambdaEnd, std::min(source.upTo, whole.lambdaEnd));
-    // However little is shown, no step is drawn where it is not.
+    // However short the visible part is, no step is drawn outside it.
     source.upTo = duel.exact.lambda / 1000;
     const ProfileFrame little = duelFrame(source, {}, 500, 300);
     ASSERT_LT(little.lambdaEnd, duel.exact.lambda);

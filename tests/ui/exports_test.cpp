@@ -1,4 +1,4 @@
-// Every view goes into a file without a display: lines and words into SVG and PDF, everything into PNG.
+// Every view can be exported without a display: lines and text to SVG and PDF, everything to PNG.
 #include <algorithm>
 
 #include <QDir>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kPatienceMs = 60000;
 
-// No display and no platform asked for, Ukrainian.
+// Runs the program without a display and platform setting; in Ukrainian by default.
 int exportFigure(const QStringList& arguments, QString* complaint, const char* language = "uk_UA.UTF-8") {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -46,12 +46,13 @@ QByteArray contents(const QString& path) {
 }
 
 bool hasCyrillic(const QByteArray& svg) {
-    // Words between <text> and </text>, not a title.
+    // Cyrillic text between <text> and </text>, as opposed to a title.
     const QRegularExpression words(QStringLiteral("<text[^>]*>[^<]*[а-яіїєґ]{3}[^<]*</text>"));
     return words.match(QString::fromUtf8(svg)).hasMatch();
 }
 
-// Everything a view could want: a ray, methods to compare with; a relief by hand for the pane of that name.
+// A scenario with everything that a view may need: a ray, methods to compare with; for the pane "drawn" a relief drawn
+// by hand.
 QString writeScenario(const QTemporaryDir& folder, bool drawn) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "8"}}};
@@ -67,8 +68,8 @@ QString writeScenario(const QTemporaryDir& folder, bool drawn) {
     return path;
 }
 
-// So many pixels as are asked for: 127 mm of 80 an inch are 400, a column of a paper of 96 an inch 317. Captions name
-// folders of this machine.
+// Exact sizes in pixels: 127 mm at 80 dpi are 400, a column of a paper at 96 dpi 317. Captions are omitted, because
+// they contain paths of this machine.
 const QStringList& pictureSize() {
     static const QStringList size{QStringLiteral("--width"), QStringLiteral("127"), QStringLiteral("--dpi"),
                                   QStringLiteral("80"), QStringLiteral("--no-caption")};
@@ -81,7 +82,7 @@ const QStringList& darkColumn() {
     return size;
 }
 
-// A figure of a scenario in a file, as it must be: without a word.
+// Exports a figure of a scenario file and checks that no message is printed. Returns `path`.
 QString exportedFigure(const QString& scenario, const QString& view, const QString& path, const QStringList& more = {},
                        const char* language = "uk_UA.UTF-8") {
     QString complaint;
@@ -107,10 +108,10 @@ TEST_P(EveryExport, needsNoDisplay) {
     const QImage image(picture);
     EXPECT_EQ(image.width(), 400);
     EXPECT_GT(colorsIn(image), 8);
-    // These two show measured times: charts_test.cpp and compare_test.cpp have others.
+    // These two show measured times; charts_test.cpp and compare_test.cpp compare other figures of them.
     if (name != "charts" && name != "compare") expectGolden(picture, name);
     if (name == "trace" || name == "slabs") return;
-    // In English and dark at the width of a column; two of another scenario below.
+    // In English and dark, with the width of a column; for two views another scenario is used below.
     if (name != "charts" && name != "compare" && name != "formula" && name != "footprint") {
         expectGolden(exportedFigure(scenario, view, folder.filePath(view + QStringLiteral("-english.png")),
                                     darkColumn(), "C.UTF-8"),
@@ -125,11 +126,12 @@ TEST_P(EveryExport, needsNoDisplay) {
     }
     const QByteArray pdf = contents(run(QStringLiteral(".pdf")));
     EXPECT_TRUE(pdf.startsWith("%PDF"));
-    EXPECT_TRUE(pdf.contains("/FontFile2")) << "words are words, in a font of the file's own";
+    EXPECT_TRUE(pdf.contains("/FontFile2")) << "text is text, in an embedded font";
 }
 
-// What each kind of method looks at: nodes, voxels and spheres, round cones and square ones; from outside and across.
-TEST(Exports, whatMethodsLookAtIsAsStored) {
+// What each kind of method samples: nodes, voxels and spheres, round cones and square ones; from outside and in a
+// cross-section.
+TEST(Exports, sampledDataOfMethodsIsDrawnAsStored) {
     struct Shown {
         const char* name;
         relief::MethodChoice method;
@@ -159,7 +161,7 @@ TEST(Exports, whatMethodsLookAtIsAsStored) {
     }
 }
 
-// In English and dark: a descent of the paper's recursion, and how an ellipse's texels are weighed.
+// In English and dark: a descent of the paper's recursion, and the weights of an ellipse's texels.
 TEST(Exports, formulasAndWeightsAreAsStored) {
     const QTemporaryDir folder;
     relief::Scenario scenario = deepRay();
@@ -190,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Exports, EveryExport, ::testing::ValuesIn(exportedViews
     return name;
 });
 
-// A figure of more pixels is the same figure: lines cover the same part of it.
+// A figure with more pixels looks the same: lines cover the same share of it.
 TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {
     const QTemporaryDir folder;
     // The way of the ray between the levels is what has colours.
@@ -206,7 +208,7 @@ TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {
                          &complaint);
         EXPECT_EQ(status, 0) << complaint.toStdString();
         const QImage image(path);
-        constexpr int kColoured = 60;  // heights, frames and words are grey
+        constexpr int kColoured = 60;  // heights, frames and text are grey
         int count = 0;
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y).saturation() > kColoured ? 1 : 0;
@@ -215,12 +217,13 @@ TEST(Exports, linesOnSlabsAreAsWideAtAnyResolution) {
     };
     const double coarse = covered("96"), fine = covered("288");
     EXPECT_GT(coarse, 0.002);
-    // Smoothing takes colour from thin lines in the coarse one; lines twice too wide would be far more.
+    // Antialiasing reduces the saturation of thin lines in the coarse figure; lines of twice the width would differ
+    // much more.
     EXPECT_LT(fine / coarse, 1.4);
     EXPECT_GT(fine / coarse, 0.6);
 }
 
-// The legend stands below the picture, which stays as it is; in vectors its words are words.
+// The legend is below the picture, which is unchanged; in vector formats its text is text.
 TEST(Exports, aLayerOfTheResultHasItsLegend) {
     const QTemporaryDir folder;
     const QString scenario = writeScenario(folder, false);
@@ -244,7 +247,7 @@ TEST(Exports, aLayerOfTheResultHasItsLegend) {
         const int below = picture.height() - plain.height();
         EXPECT_GT(below, 15) << layer;
         EXPECT_LT(below, plain.height() * 6 / 10) << layer;
-        // It does not reach into the picture: its colours are those of the theme, the picture's are not.
+        // The legend does not overlap the picture: its colours depend on the theme, those of the picture do not.
         const QImage dark(image(QString::fromLatin1(layer), QStringLiteral(".png"), {QStringLiteral("--dark")}));
         const QRect edge(0, plain.height() - 40, 60, 38);
         EXPECT_EQ(picture.copy(edge), dark.copy(edge)) << layer;
@@ -254,7 +257,7 @@ TEST(Exports, aLayerOfTheResultHasItsLegend) {
     EXPECT_TRUE(hasCyrillic(contents(image(QStringLiteral("outcome"), QStringLiteral(".svg")))));
 }
 
-// The line below a figure names pictures, method with its options, pixel and step, and adds to its height alone.
+// The caption of a figure names pictures, method with its options, pixel and step, and only adds to the height.
 TEST(Exports, figuresSayWhatTheyShow) {
     const QTemporaryDir folder;
     const QString scenario = writeScenario(folder, false);
@@ -279,7 +282,7 @@ TEST(Exports, figuresSayWhatTheyShow) {
     EXPECT_GT(colorsIn(captioned.copy(0, plain.height(), 400, captioned.height() - plain.height())), 4);
 }
 
-// A figure of nothing is an error that says what to give, and no file.
+// If there is nothing to draw, an error says what is missing, and no file is written.
 TEST(Exports, nothingToDrawIsAnError) {
     const QTemporaryDir folder;
     relief::Scenario scenario = smallScenario();
@@ -308,7 +311,7 @@ TEST(Exports, nothingToDrawIsAnError) {
     refused(QStringLiteral("profile"), pixel, {QStringLiteral("--pixel"), QStringLiteral("0,0")});  // the sky
 }
 
-// The command chooses pixel, methods and size; the result is the very picture of that size, also inside a PDF.
+// Arguments choose pixel, methods and size; the result equals the picture of that size, also inside a PDF.
 TEST(Exports, theCommandChoosesWhatIsShown) {
     const QTemporaryDir folder;
     relief::Scenario scenario = smallScenario();
@@ -319,10 +322,10 @@ TEST(Exports, theCommandChoosesWhatIsShown) {
     const QImage shown(
         exportedFigure(file, QStringLiteral("result"), folder.filePath(QStringLiteral("result.png")), size));
     relief::Work work;
-    relief::Scenario wanted = scenario;
-    wanted.width = 320;
-    wanted.height = 240;
-    EXPECT_EQ(shown.convertToFormat(QImage::Format_RGB32), SnapshotMaker().make({wanted}, work)->picture);
+    relief::Scenario expected = scenario;
+    expected.width = 320;
+    expected.height = 240;
+    EXPECT_EQ(shown.convertToFormat(QImage::Format_RGB32), SnapshotMaker().make({expected}, work)->picture);
     const QByteArray pdf =
         contents(exportedFigure(file, QStringLiteral("result"), folder.filePath(QStringLiteral("result.pdf")), size));
     EXPECT_TRUE(pdf.contains("/Width 320"));
@@ -360,7 +363,7 @@ TEST(Exports, theTraceIsPixelsAlone) {
     EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("trace.svg"))));
 }
 
-// Pixels near the colour.
+// Counts the pixels close to the colour.
 int like(const QImage& image, Rgba color) {
     constexpr int kNear = 40;
     int count = 0;
@@ -373,7 +376,7 @@ int like(const QImage& image, Rgba color) {
     return count;
 }
 
-// From the panes of a window: the same picture, at the asked-for size.
+// Exported from the panes of a window: the same picture at the requested size.
 TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "8"}}};
@@ -387,16 +390,16 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     Style style = workspace_->style();
     style.theme = Theme::Light;
     EXPECT_EQ(solid.pixelColor(2, 2), QColor(style.background().r, style.background().g, style.background().b));
-    // Shaded by the light, yet the ray's hue is there in a line of it.
+    // The ray is shaded by the light, but some of its pixels have its colour.
     EXPECT_GT(like(solid, {170, 74, 0, 255}), 100) << "the ray";
-    // The slabs of the pyramid, from where they are seen.
+    // The slabs of the pyramid, from the current viewpoint.
     window_->pane<PyramidView>()->setStacked(true);
     grab(window_->pane<PyramidView>());
     const QString slabs = folder.filePath(QStringLiteral("slabs.png"));
     window_->pane<PyramidView>()->saveFigure({slabs, 900});
     EXPECT_EQ(QImage(slabs).width(), 900);
     EXPECT_GT(colorsIn(QImage(slabs)), 30);
-    // They stand over the whole height of the page, beside their titles.
+    // They fill the height of the page, next to their titles.
     const QImage page(slabs);
     QRect ink;
     int inked = 0;
@@ -411,7 +414,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     EXPECT_GT(ink.height(), 0.9 * page.height());
     EXPECT_GT(inked, 0.1 * page.width() * page.height());
     EXPECT_TRUE(page.rect().adjusted(2, 2, -2, -2).contains(ink));
-    // The pane itself goes on drawing.
+    // The pane itself still draws.
     EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 30);
     for (const QString& view : {QStringLiteral("result"), QStringLiteral("steps"), QStringLiteral("skipped")}) {
         const QString path = folder.filePath(view + QStringLiteral(".png"));
@@ -420,7 +423,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
         EXPECT_EQ(QImage(path).width(), 640) << view.toStdString();
         EXPECT_GT(colorsIn(QImage(path)), 8) << view.toStdString();
     }
-    // The chosen step is the one that the table marks.
+    // The table marks the chosen step.
     workspace_->chooseStep(0);
     const QString first = folder.filePath(QStringLiteral("first.svg"));
     window_->saveView(QStringLiteral("steps"), {first});
@@ -433,7 +436,7 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     EXPECT_TRUE(contents(third).contains(window_->time()->table()->sentence().left(12).toUtf8()));
 }
 
-// A figure that takes long is cancelled with everything else that runs; the file that was there stays.
+// A long export is cancelled together with all other background work; an existing file is unchanged.
 TEST_F(WindowTest, AnExportIsCancelled) {
     relief::Scenario scenario = smallScenario();
     scenario.filter = {"supersample", {{"samples", "16"}}};
@@ -451,10 +454,10 @@ TEST_F(WindowTest, AnExportIsCancelled) {
     ASSERT_EQ(notices.size(), 1);
     EXPECT_TRUE(notices[0][0].toString().contains(path));
     EXPECT_EQ(contents(path), "of before");
-    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "nothing is left beside it";
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "no other file remains";
 }
 
-// The window names its own controls, not options of the command.
+// Messages refer to the window's controls, not to options of the command line.
 TEST_F(WindowTest, NothingToExportIsSaidInTheWindowsWords) {
     relief::Scenario scenario = smallScenario();
     scenario.pixel.reset();

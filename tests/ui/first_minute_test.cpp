@@ -1,4 +1,4 @@
-// Somebody's first minute: what is said, what is shown first, what a control looks like; nothing stale afterwards.
+// The first minute of a new user: the messages, the first view, the controls; later no message is outdated.
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
@@ -40,7 +40,7 @@ class FirstMinute : public WindowTest {
     }
 };
 
-TEST_F(FirstMinute, AWelcomeIsSaidOnce) {
+TEST_F(FirstMinute, AWelcomeIsShownOnce) {
     QSettings().remove(QStringLiteral("welcomed"));
     openWindow(smallScenario());
     EXPECT_FALSE(messages()->isVisible());
@@ -63,10 +63,10 @@ TEST_F(FirstMinute, ARayIsShownFromItsFirstStep) {
     };
     workspace_->chooseStep(3);
     EXPECT_EQ(choose(60, 50), 0);
-    // Also after somebody went to the end.
+    // Also after the last step was chosen.
     workspace_->chooseStep(static_cast<int>(snapshot()->trace.steps.size()) - 1);
     EXPECT_EQ(choose(100, 75), 0);
-    // Where the end is wanted, it is in the menu, and kept.
+    // The menu offers to start at the ray's end, and the choice is kept.
     workspace_->setRaysFromEnd(true);
     const int last = choose(60, 50);
     EXPECT_GT(last, 0);
@@ -100,7 +100,7 @@ TEST_F(FirstMinute, NoMessageOutlivesWhatItSpeaksOf) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !scenario().pictures.height.empty(); }, kPatienceMs));
     EXPECT_FALSE(messages()->isVisible() && messages()->isProblem());
     ASSERT_NO_FATAL_FAILURE(waitForFull());
-    // A lesson's, when the lesson is left.
+    // The message of a lesson disappears when the lesson is left.
     window_->openLesson(QStringLiteral("vain_descent"));
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return scenario() == lessonScenario(QStringLiteral("vain_descent")); }, kPatienceMs));
@@ -111,7 +111,7 @@ TEST_F(FirstMinute, NoMessageOutlivesWhatItSpeaksOf) {
     window_->startAnew();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !messages()->isVisible(); }, kPatienceMs));
     EXPECT_FALSE(rowIsThere());
-    // What was impossible, when something possible is done.
+    // The message about an impossible change disappears after a possible one.
     relief::Scenario impossible = scenario();
     impossible.width = 100000;
     impossible.height = 100000;
@@ -148,7 +148,7 @@ TEST_F(FirstMinute, TheCameraComesHome) {
     wall.camera.elevation = 12;
     openWindow(wall);
     const relief::Camera first = scenario().camera;
-    // Not behind the wall, however far it is dragged.
+    // The camera never moves behind the wall, however far it is dragged.
     ResultView* const view = window_->result();
     const auto drag = [&](const QPoint& from, const QPoint& by) {
         QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
@@ -171,7 +171,7 @@ TEST_F(FirstMinute, TheCameraComesHome) {
     workspace_->undo();
     waitForFull();
     EXPECT_NE(scenario().camera, first) << "a step of undo";
-    // Another scenario has another home.
+    // Another scenario has another home view.
     window_->openLesson(QStringLiteral("grazing_rays"));
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return scenario() == lessonScenario(QStringLiteral("grazing_rays")); }, kPatienceMs));
@@ -189,7 +189,7 @@ TEST_F(FirstMinute, TheLanguageIsChosenInTheMenu) {
     QObject::connect(window_.get(), &MainWindow::languageChosen, [&](const QString& language) { chosen = language; });
     trigger("language-uk");
     EXPECT_TRUE(QTest::qWaitFor([&] { return chosen == QStringLiteral("uk"); }, kPatienceMs));
-    // The window is made anew over the same workspace.
+    // The window is created again for the same workspace.
     const relief::Scenario before = scenario();
     const QVariantMap layout = window_->layoutNow();
     window_.reset();
@@ -220,7 +220,7 @@ TEST_F(FirstMinute, HoverDoesNotLookLikeChecked) {
     const QColor on = drawn(QStyle::State_On);
     EXPECT_EQ(hover, plain) << "only its edge is drawn";
     EXPECT_NE(on, plain);
-    EXPECT_EQ(drawn(QStyle::State_On | QStyle::State_MouseOver), on) << "it is still seen to be on";
+    EXPECT_EQ(drawn(QStyle::State_On | QStyle::State_MouseOver), on) << "it still looks checked";
 }
 
 TEST_F(FirstMinute, DialogsOpenInTheLastFolderOfTheirKind) {
@@ -232,7 +232,7 @@ TEST_F(FirstMinute, DialogsOpenInTheLastFolderOfTheirKind) {
     EXPECT_EQ(lastFolder(QStringLiteral("test-figures")), figures.path());
     EXPECT_EQ(lastFolder(QStringLiteral("test-none"), QStringLiteral("/x")), QStringLiteral("/x"));
     keepFolder(QStringLiteral("test-maps"), {});
-    EXPECT_EQ(lastFolder(QStringLiteral("test-maps")), maps.path()) << "a dialog that was called off changes nothing";
+    EXPECT_EQ(lastFolder(QStringLiteral("test-maps")), maps.path()) << "a cancelled dialog changes nothing";
     QDir(maps.path()).removeRecursively();
     EXPECT_EQ(lastFolder(QStringLiteral("test-maps"), QStringLiteral("/x")), QStringLiteral("/x"));
 }

@@ -1,4 +1,4 @@
-// The footprint's pane: what it shows is what the filter logged; the filter's options and the layers of footprints.
+// The footprint's pane shows what the filter logged; also the filter's options and the layers of footprints.
 #include <cmath>
 #include <map>
 #include <set>
@@ -53,16 +53,16 @@ class FootprintTest : public WindowTest {
     }
     FootprintView* view() { return window_->pane<FootprintView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
-    // A pixel whose footprint holds what is asked for, chosen; false: there is none.
-    template <class Wanted>
-    bool choose(const Wanted& wanted) {
+    // Chooses a pixel whose footprint satisfies the condition. Returns false if there is none.
+    template <class Condition>
+    bool choose(const Condition& satisfies) {
         FilteredPicture picture;
         relief::Work work;
         const Snapshot& now = *snapshot();
         for (int y = 0; y < now.frame->height; y += 3) {
             for (int x = 0; x < now.frame->width; x += 3) {
                 const auto footprint = pixelFootprint(*now.frame, *now.request, *now.tracer, x, y, 1, picture, work);
-                if (!footprint || !wanted(*footprint)) continue;
+                if (!footprint || !satisfies(*footprint)) continue;
                 workspace_->choosePixel(x, y);
                 waitForFull();
                 QTest::qWait(50);
@@ -71,7 +71,7 @@ class FootprintTest : public WindowTest {
         }
         return false;
     }
-    // Of the marks on the screen.
+    // Returns the marks on the screen of this role and primitive.
     template <class Primitive>
     std::vector<const Item*> marksOf(Role role) {
         std::vector<const Item*> found;
@@ -109,7 +109,7 @@ TEST_F(FootprintTest, DotsLieOnTheTexelsAndTheirAreasAreTheWeights) {
         const double weight = PixelFootprint::weightOf(f.log.texels[n]);
         EXPECT_NEAR(dot.radius * dot.radius / areas, weight / weights, 1e-6);
     }
-    // Yellow on the screen where a heavy texel is, but for the lines that cross the middle.
+    // The texels with large weights are yellow, except for the lines through their middle.
     int yellow = 0;
     const Style& style = workspace_->style();
     for (const Item* item : dots) {
@@ -133,14 +133,14 @@ TEST_F(FootprintTest, WeightsStandBesideItWhereThereIsRoom) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return weights->isVisible() && weights->x() > wide.canvas()->x(); }, 5000));
     EXPECT_GT(colorsIn(grab(wide.weights())), 20);
     EXPECT_TRUE(wide.canvas()->isVisible());
-    // Off and on again by the button, kept with the scenario.
+    // The button hides and shows it; the setting is stored with the scenario.
     auto* const button = wide.findChild<QToolButton*>(QStringLiteral("footprint-weights"));
     button->click();
     EXPECT_TRUE(weights->isHidden());
     EXPECT_FALSE(stateOf<FootprintPane>(scenario()).weights);
     workspace_->undo();
     EXPECT_FALSE(weights->isHidden());
-    // High: below it. Small: the footprint alone.
+    // In a high pane the weights are below; in a small one only the footprint is shown.
     wide.resize(330, 800);
     ASSERT_TRUE(QTest::qWaitFor([&] { return weights->y() > wide.canvas()->y(); }, 5000));
     wide.resize(330, 250);
@@ -175,7 +175,7 @@ TEST_F(FootprintTest, TheTextureIsThePictureTheFilterReads) {
     const double legendTop = canvas()->room().height() * workspace_->style().pixelsPerPoint();
     int probes = 0;
     int right = 0;
-    // In a corner of each texel: dots stand in the middle. Across the seam the picture goes on.
+    // Probed in a corner of each texel, because dots are in the middle. Beyond the seam the picture continues.
     constexpr double kCorner = 0.12;
     for (double v = std::floor(seen.y0) + kCorner; v < seen.y1; v += 1) {
         for (double u = std::floor(seen.x0) + kCorner; u < seen.x1; u += 1) {
@@ -217,7 +217,7 @@ TEST_F(FootprintTest, HiddenTexelsAreCrossedOutWithALineToWhatHidesThem) {
         const Point to = line.points.back();
         const Point place = blockerPlace(f, texel);
         EXPECT_EQ(to, place);
-        // What hides it is higher, and lies towards the viewer.
+        // The blocker is higher and lies towards the viewer.
         const relief::HeightField& field = snapshot()->request->field;
         double highest = 0;
         for (const Point by : {Point{-0.5, -0.5}, Point{0.5, -0.5}, Point{-0.5, 0.5}, Point{0.5, 0.5}}) {
@@ -226,12 +226,12 @@ TEST_F(FootprintTest, HiddenTexelsAreCrossedOutWithALineToWhatHidesThem) {
         EXPECT_GT(highest, field.at(texel.u / f.perHeight.x, texel.v / f.perHeight.y));
         const relief::ViewRay& ray = snapshot()->trace.ray;
         EXPECT_LT((to.x - texel.u) * ray.a + (to.y - texel.v) * ray.b, 0);
-        // Straight back along the view ray, in texels; rounding only.
+        // Exactly backwards along the view ray, up to rounding; in texels.
         const double aside = (to.x - texel.u) * ray.b - (to.y - texel.v) * ray.a;
         EXPECT_LE(std::abs(aside), 1e-6 * std::hypot(ray.a, ray.b));
     }
     EXPECT_GT(colorsIn(grab(canvas())), 3);
-    // What is under the pointer is told.
+    // The readout describes the texel under the pointer.
     for (const relief::FootprintTexel& texel : f.log.texels) {
         if (!texel.hidden) continue;
         QTest::mouseMove(canvas(), canvas()->toWidget({texel.u, texel.v}).toPoint());
@@ -260,7 +260,8 @@ TEST_F(FootprintTest, ReadingsAtAPointHaveTheirTexelsAndWeights) {
         for (const relief::FootprintTexel& texel : f.log.texels) {
             mean += PixelFootprint::weightOf(texel) * glm::dvec2(texel.u, texel.v);
         }
-        // A reading between centres is their weighted mean; a texel holds its point.
+        // For an interpolating filter the weighted mean of the centres is the sampled position; otherwise the texel
+        // contains it.
         const double off = std::string_view(filter) == "nearest" ? 0.5 : 1e-4;
         EXPECT_LE(std::abs(mean.x - f.centre().x), off) << filter;
         EXPECT_LE(std::abs(mean.y - f.centre().y), off) << filter;
@@ -269,10 +270,10 @@ TEST_F(FootprintTest, ReadingsAtAPointHaveTheirTexelsAndWeights) {
     }
 }
 
-// Whatever readings a form logs, the pane shows each texel once, at its centre, with all of its weight.
+// However a form logs its samples, the pane shows each texel once, at its centre, with its total weight.
 TEST_F(FootprintTest, TexelsHaveTheirWholeWeightAndSumToAHundredPercent) {
     constexpr double kPercent = 1e-3;  // sums of floats
-    constexpr double kPlaces = 1e-6;   // texels
+    constexpr double kPlaces = 1e-6;   // in texels
     for (const char* form : {"plane", "position", "position-area", "rays", "grid"}) {
         openPane(city("elliptical-visible", {{"form", form}}));
         const auto apart = [](const PixelFootprint& f) { return !f.log.skipped && f.log.texels.size() > 8; };
@@ -300,13 +301,13 @@ TEST_F(FootprintTest, TexelsHaveTheirWholeWeightAndSumToAHundredPercent) {
             const double weight = PixelFootprint::weightOf(t);
             shown[{t.level, t.i, t.j, t.hidden}] += weight;
             if (!t.hidden) percent += 100 * weight / f.weightSum;
-            // In some copy of the picture, its centre.
+            // The centre of the texel, in any periodic copy of the picture.
             const int finer = f.level() - t.level;
             const double across = std::ldexp(t.u, finer) - (t.i + 0.5);
             const double down = std::ldexp(t.v, finer) - (t.j + 0.5);
             EXPECT_NEAR(std::remainder(across, std::ldexp(f.across.extent, finer)), 0, kPlaces) << form;
             EXPECT_NEAR(std::remainder(down, std::ldexp(f.down.extent, finer)), 0, kPlaces) << form;
-            // Of the plane, what counts lies in the ellipse that is drawn.
+            // For form=plane the visible texels lie in the drawn ellipse.
             const relief::LevelFootprint& e = f.log.footprint;
             if (std::string_view(form) != "plane" || t.hidden) continue;
             EXPECT_LE(relief::squaredRadius(e.ellipse, t.u - e.centre.x, t.v - e.centre.y),
@@ -334,7 +335,7 @@ TEST_F(FootprintTest, RaysOfSupersampleAreShownWhereTheyHit) {
         double share = 0;
         for (const RayHit& ray : f.rays) share += ray.share;
         EXPECT_NEAR(share, 1, kRounding);
-        EXPECT_NEAR(f.weightSum, 1, kRounding) << "all texels that the rays read";
+        EXPECT_NEAR(f.weightSum, 1, kRounding) << "all texels that the rays sampled";
         if (samples == 1) {
             EXPECT_NEAR(f.rays[0].at.x, f.centre().x, kRounding);
             EXPECT_NEAR(f.rays[0].at.y, f.centre().y, kRounding);
@@ -375,7 +376,7 @@ TEST_F(FootprintTest, FilterOptionsChangeThePictureAndUndoGivesTheSameBits) {
     EXPECT_NEAR(sigma->value(), 0.53, 1e-9);
     workspace_->redo();
     waitForFull();
-    // Another filter takes none of the options.
+    // Another filter has none of these options.
     auto* const filter = window_->findChild<QComboBox*>(QStringLiteral("filter"));
     filter->setCurrentIndex(filter->findData(QStringLiteral("elliptical-visible")));
     Q_EMIT filter->activated(filter->currentIndex());
@@ -396,7 +397,7 @@ TEST_F(FootprintTest, StripesTakeThreeSamples) {
     waitForFull();
     EXPECT_EQ(workspace_->scenario().filter.pixelModel, relief::PixelModel::Lcd);
     EXPECT_EQ(workspace_->scenario().filter.samples, 3);
-    // Where there are enough, none is taken away.
+    // If there are enough samples, their number is kept.
     relief::Scenario many = workspace_->scenario();
     many.filter.samples = 16;
     workspace_->change(many, {}, {});

@@ -1,4 +1,4 @@
-// The formula pane in the window: it follows the step, and tells nothing that somebody is to guess.
+// The formula pane in the window: it follows the step, and hides what the user is to guess.
 #include <algorithm>
 
 #include <QDockWidget>
@@ -36,7 +36,7 @@ TEST_F(WindowTest, TheFormulaPaneFollowsTheStepAndHidesWhatIsGuessed) {
     EXPECT_FALSE(says("w / Σw"));
     EXPECT_TRUE(says("u_x = a / q²"));
     workspace_->setGuessing(false);
-    // Hover reads a row out.
+    // Hovering shows the readout of a row.
     const FormulaSheet::Place& place = view->face()->sheet().places.front();
     const double unit = workspace_->style().pixelsPerPoint();
     const QPointF at(12 * unit, (place.box.center().y + 6) * unit);

@@ -1,4 +1,4 @@
-// The formula pane: its numbers are the core's, worked out as they are printed they agree, and they fit their sheet.
+// The formula pane: its numbers are those of the library, the printed numbers are consistent, and they fit the sheet.
 #include <cmath>
 #include <map>
 
@@ -26,7 +26,7 @@ relief::Scenario tiny() {
     return scenario;
 }
 
-// Snapshots without a window.
+// Makes snapshots without a window.
 class Maker {
   public:
     std::shared_ptr<const Snapshot> operator()(const relief::Scenario& scenario) {
@@ -40,7 +40,7 @@ class Maker {
     SnapshotMaker maker_;
 };
 
-// Every value by its symbol, of the groups from `first` on; the first of a name.
+// Returns the values of `count` groups from `first` on, by symbol; of equal symbols the first value.
 std::map<std::string, double> valuesOf(const std::vector<FormulaGroup>& groups, std::size_t first, std::size_t count) {
     std::map<std::string, double> values;
     for (std::size_t g = first; g < std::min(groups.size(), first + count); ++g) {
@@ -51,7 +51,7 @@ std::map<std::string, double> valuesOf(const std::vector<FormulaGroup>& groups, 
     return values;
 }
 
-// "0.70 ≥ 0.65" holds, as far as its digits tell.
+// Checks that a printed relation such as "0.70 ≥ 0.65" holds, within the printed digits.
 void expectRelation(const std::string& numbers) {
     for (const char* const sign : {" < ", " ≤ ", " ≥ "}) {
         const std::size_t at = numbers.find(sign);
@@ -68,7 +68,7 @@ void expectRelation(const std::string& numbers) {
     EXPECT_EQ(numbers, "") << "no relation";
 }
 
-// "(10.44, 9.41) texels".
+// Checks a printed pair such as "(10.44, 9.41) texels".
 void expectPair(const FormulaRow& row) {
     ASSERT_EQ(row.values.size(), 2U);
     const std::size_t comma = row.result.find(", ");
@@ -80,7 +80,7 @@ void expectPair(const FormulaRow& row) {
     }
 }
 
-// What is printed is a number, and what stands on the right gives it.
+// Checks that all results are numbers, and that the printed right-hand sides give them.
 void expectConsistent(const std::vector<FormulaGroup>& groups, const std::string& what) {
     for (const FormulaGroup& group : groups) {
         EXPECT_FALSE(group.title.empty()) << what;
@@ -100,7 +100,7 @@ void expectConsistent(const std::vector<FormulaGroup>& groups, const std::string
             EXPECT_LE(result.low, row.values[0].number + exactly);
             EXPECT_GE(result.high, row.values[0].number - exactly);
             if (row.numbers.empty()) continue;
-            // The core works in double, the filter's weights in float.
+            // The library computes in double, the filter's weights in float.
             const Range worked = PrintedFormula::value(row.numbers);
             const double rounding = 1e-3 * std::max(std::abs(result.low), 1e-6);
             EXPECT_LE(worked.low - rounding, result.high);
@@ -155,7 +155,7 @@ TEST(Formula, CoefficientsGiveTheTextureCoordinatesAndTheirDerivatives) {
         near(d["u_y"], (down.x - up.x) / (2 * kStep));
         near(d["v_y"], (down.y - up.y) / (2 * kStep));
         EXPECT_EQ(d["M"], -d["O"]);
-        // The ellipse through the ends of its axes.
+        // The ellipse passes through the ends of its axes.
         auto e = valuesOf(groups, 4, 1);
         EXPECT_NEAR(e["F"], e["A"] * e["C"] - e["B"] * e["B"] / 4, 1e-9 * e["A"] * e["C"]);
         const relief::SemiAxes<double> axes = snapshot->footprint->behind.axes;
@@ -168,7 +168,7 @@ TEST(Formula, CoefficientsGiveTheTextureCoordinatesAndTheirDerivatives) {
     }
 }
 
-// Where coordinates come along the row: the row's constants give them, but for what the variant is off by.
+// For coordinates evaluated along the row: the row's constants give them, up to the stated error of the variant.
 TEST(Formula, EveryMappingHasItsEquationAndWhatItIsOffBy) {
     Maker make;
     for (const std::string& mapping : relief::mappingNames()) {
@@ -218,7 +218,7 @@ TEST(Formula, EveryFilterHasItsHeaviestTexelAndTheFiltersSum) {
             sum += PixelFootprint::weightOf(texel);
             heaviest = std::max(heaviest, PixelFootprint::weightOf(texel));
         }
-        if (!(sum > 0)) continue;  // a shape that is read at many places
+        if (!(sum > 0)) continue;  // a shape that is sampled at many positions
         auto v = valuesOf(groups, groups.size() - 1, 1);
         EXPECT_NEAR(v["w / Σw"], heaviest / sum, 1e-6);
         if (!f.weighing || f.log.footprint.kind != relief::FootprintKind::Ellipse) continue;
@@ -229,7 +229,7 @@ TEST(Formula, EveryFilterHasItsHeaviestTexelAndTheFiltersSum) {
     EXPECT_GE(formulasOfWeights, 4) << "Gaussian, uniform and by distance, from the formula and from level 0";
 }
 
-// Whatever texel is pointed at: its place, its r^2, its weight; of a hidden one no part of the sum.
+// For any texel under the pointer: its position, its r^2, its weight; a hidden texel has no share of the sum.
 TEST(Formula, TheTexelThatIsPointedAtHasItsNumbers) {
     Maker make;
     relief::Scenario scenario = tiny();
@@ -252,7 +252,7 @@ TEST(Formula, TheTexelThatIsPointedAtHasItsNumbers) {
     }
 }
 
-// Of a step: the record's numbers, in formulas of the kind that it is of.
+// Checks that the formulas of a step contain the numbers of its record.
 void expectTheRecord(const FormulaGroup& group, const Snapshot& snapshot, const relief::Step& step,
                      std::map<std::string, int>& seen) {
     std::map<std::string, double> v;
@@ -304,13 +304,13 @@ TEST(Formula, StepsAreSetAsTheirRecordsSay) {
           "λ′ = (1 − h(s_0, t_0)) D / L", "λ′ = (λ_0 + λ_1) / 2", "λ′ = λ_{out} + d / L", "λ′ = λ_{in} + d / L",
           "λ′ = λ_{in} + (λ_{out} − λ_{in}) d_0 / (d_0 − d_1)", "λ′ = λ_{in} + (z − h_{apex}) / (1 + κ L)",
           "λ′ = λ_{out} + (z − h_{apex}) / (1 + κ L)"}) {
-        std::string bound = formula;  // by a margin less, or at the ray's end
+        std::string bound = formula;  // the formula may be a bound: reduced by a margin, or limited by the ray's end
         bound.replace(bound.find(" = ") != std::string::npos ? bound.find(" = ") : 0, 3, " ≤ ");
         EXPECT_GT(seen[formula] + seen[bound], 0) << formula << " was never set";
     }
 }
 
-// [MIP18]: a descent's doubled coordinates are where the next descent begins, if the ray has not moved.
+// [MIP18]: if the ray has not advanced, the doubled coordinates of a descent are those at which the next one begins.
 TEST(Formula, CoordinatesDoubleFromLevelToLevel) {
     Maker make;
     relief::Scenario scenario = tiny();

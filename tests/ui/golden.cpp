@@ -30,10 +30,10 @@ GoldenDifference goldenDifference(const QString& picture, const std::string& nam
     constexpr int kBlock = 16;
     constexpr double kPixelsPerDegree = 67;
     relief::Work work(1);
-    const relief::ColorImage wanted = relief::readColor(storedFile(name), work);
+    const relief::ColorImage expected = relief::readColor(storedFile(name), work);
     const relief::ColorImage seen = relief::readColor(picture.toStdString(), work);
-    if (wanted.width() != seen.width() || wanted.height() != seen.height()) return {HUGE_VAL, 0, 0};
-    const relief::FloatImage errors = relief::flipErrors(wanted, seen, kPixelsPerDegree, work);
+    if (expected.width() != seen.width() || expected.height() != seen.height()) return {HUGE_VAL, 0, 0};
+    const relief::FloatImage errors = relief::flipErrors(expected, seen, kPixelsPerDegree, work);
     GoldenDifference most;
     for (int y0 = 0; y0 < errors.height(); y0 += kBlock) {
         for (int x0 = 0; x0 < errors.width(); x0 += kBlock) {

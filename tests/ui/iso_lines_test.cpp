@@ -1,4 +1,4 @@
-// Lines of equal value lie where the value is.
+// Iso-lines lie where the value is.
 #include "painting/iso_lines.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(IsoLines, LieWhereAPlaneHasTheValue) {
         for (const Point& p : line.points) {
             const double x = p.x - 0.5, y = p.y - 0.5;
             EXPECT_NEAR(x + 3 * y, line.value, kRounding);
-            // Each crosses an edge between two samples.
+            // Each point lies on an edge between two samples.
             EXPECT_TRUE(x == std::floor(x) || y == std::floor(y));
         }
     }
@@ -47,7 +47,7 @@ TEST(IsoLines, CloseRoundAPeakAndStopBesideWhatIsNotANumber) {
     EXPECT_LT(open.front().points.size(), ring.front().points.size());
 }
 
-// The middle of the four samples decides which corners a line parts from the others.
+// The mean of the four samples decides which corners a line separates from the others.
 TEST(IsoLines, AtASaddleTheMeanDecides) {
     for (const float middle : {0.4F, 0.6F}) {
         relief::FloatImage saddle(2, 2);
@@ -58,7 +58,7 @@ TEST(IsoLines, AtASaddleTheMeanDecides) {
         const bool highTogether = middle > 0.5F;
         for (const IsoLine& line : lines) {
             ASSERT_EQ(line.points.size(), 2U);
-            // Of both ends (from the middle of the square) the nearer corner is the one that the line cuts off.
+            // The corner nearest to both ends, relative to the middle of the square, is the one that the line cuts off.
             const double x = line.points[0].x + line.points[1].x - 2, y = line.points[0].y + line.points[1].y - 2;
             EXPECT_EQ(x * y < 0, highTogether);
         }

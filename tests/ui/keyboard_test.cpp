@@ -1,5 +1,5 @@
-// Everything by keyboard: each shortcut of the window does what its tool tip says, no two share one, and every control
-// has a name for those who hear the window instead of seeing it.
+// Operation by keyboard alone: each shortcut of the window does what its tool tip says, no two actions share one, and
+// every control has a name for screen readers.
 #include <functional>
 #include <map>
 
@@ -44,7 +44,7 @@ class KeyboardTest : public WindowTest {
         scenario.method = {"layers", {{"layers", "4"}}};
         scenario.comparison.others = {{"max-pyramid", {}}};
         openWindow(scenario);
-        // Whatever asks is called off; that it asked is remembered.
+        // Closes every dialog and records that it was opened.
         QObject::connect(&closer_, &QTimer::timeout, [this] {
             if (QWidget* const modal = QApplication::activeModalWidget()) {
                 asked_ = modal->windowTitle();
@@ -63,9 +63,9 @@ class KeyboardTest : public WindowTest {
         return found;
     }
 
-    // Presses the keys of `key`, and says whether the check holds within some seconds.
+    // Presses the keys of `key`. Returns true if the expected effect occurs within some seconds.
     bool works(const QString& key) {
-        // The dialog before took that away; nobody manages windows here.
+        // The previous dialog deactivated the window, and there is no window manager to activate it again.
         QApplication::setActiveWindow(window_.get());
         window_->result()->setFocus();
         asked_.clear();
@@ -116,7 +116,7 @@ class KeyboardTest : public WindowTest {
             {QStringLiteral("T"), [this] { return window_->teaching(); }},
             {QStringLiteral("H"), [this] { return scenario().camera != turned_; }},
             {QStringLiteral("F11"), [this] { return workspace_->style().projector; }},
-            // The coarse picture may have come before the key.
+            // The coarse picture may have been shown before the key was pressed.
             {QStringLiteral("Esc"),
              [this] { return !workspace_->busy() && (snapshot()->version == version_ || snapshot()->coarse); }},
         };
@@ -130,7 +130,7 @@ class KeyboardTest : public WindowTest {
         return dialog != nullptr && dialog->isVisible();
     }
 
-    // What the key needs to have an effect.
+    // Establishes the state in which the key has an effect.
     void prepare(const QString& key) {
         if (workspace_->guessing()) workspace_->setGuessing(false);
         waitForFull();
@@ -176,7 +176,7 @@ class KeyboardTest : public WindowTest {
         }
     }
 
-    // After it: as it was.
+    // Reverts the effect of the key.
     void restore(const QString& key) {
         if (key == QStringLiteral("F11")) window_->setProjector(false);
         if (key == QStringLiteral("T")) window_->setTeaching(false);
@@ -202,15 +202,15 @@ class KeyboardTest : public WindowTest {
 TEST_F(KeyboardTest, EveryShortcutDoesWhatItSays) {
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     openKeys();
-    EXPECT_TRUE(window_->findChildren<QShortcut*>().isEmpty()) << "shortcuts are actions: they stand in a menu";
+    EXPECT_TRUE(window_->findChildren<QShortcut*>().isEmpty()) << "shortcuts must be actions, which appear in a menu";
     int tried = 0;
     for (QAction* const action : withKeys()) {
         const QString key = shown(action->shortcut());
         SCOPED_TRACE(key.toStdString() + ": " + action->text().toStdString());
-        // Its tool tip says it.
+        // The tool tip contains the shortcut.
         EXPECT_TRUE(action->toolTip().contains(QLatin1Char('(') + key + QLatin1Char(')')))
             << action->toolTip().toStdString();
-        // Of a single control: tested with it (copying rows in stepping_test.cpp).
+        // Shortcuts of a single control are tested with it (copying rows in stepping_test.cpp).
         if (action->shortcutContext() == Qt::WidgetShortcut || action->shortcut() == QKeySequence(QKeySequence::Quit))
             continue;
         const auto pane = key.startsWith(QStringLiteral("Alt+")) || (key.size() == 1 && key[0].isDigit());
@@ -232,7 +232,7 @@ TEST_F(KeyboardTest, EveryShortcutDoesWhatItSays) {
         ++tried;
     }
     EXPECT_GE(tried, 40);
-    // Last: it ends everything.
+    // Last, because it closes the window.
     QTest::keyClick(window_.get(), Qt::Key_Q, Qt::ControlModifier);
     EXPECT_FALSE(window_->isVisible());
 }
@@ -250,27 +250,27 @@ TEST_F(KeyboardTest, NoTwoShareAShortcut) {
     EXPECT_GT(taken.size(), 40U);
 }
 
-// Qt's own: the parts of a box, tabs (which have the names of the panes).
+// Widgets of Qt: the parts of a box, and tabs (which have the names of the panes).
 bool ownedByQt(const QWidget* widget) {
     return widget->objectName().startsWith(QStringLiteral("qt_")) || widget->inherits("QTabBar");
 }
 
 TEST_F(KeyboardTest, EveryControlHasAName) {
     openKeys();
-    // Everything that is somewhere in the window, also behind a tab.
+    // Every widget of the window, also behind a tab.
     int named = 0;
     for (QWidget* const widget : window_->findChildren<QWidget*>()) {
-        // Lists that drop down are windows of their own.
+        // Drop-down lists are windows of their own.
         if (widget->window() != window_.get() || widget->focusPolicy() == Qt::NoFocus) continue;
         if (widget->focusProxy() != nullptr || ownedByQt(widget)) continue;
-        // A box's own line: it says the name of the box.
+        // The line edit of a spin box reports the name of the box.
         if (widget->inherits("QLineEdit") && widget->parentWidget()->inherits("QAbstractSpinBox")) continue;
         QAccessibleInterface* const spoken = QAccessible::queryAccessibleInterface(widget);
-        // Sometimes Qt still knows the place by a widget that lay there in an earlier test, and answers for that one or
-        // not at all: then the text that it shows is its name.
+        // Qt sometimes still has the accessible interface of a deleted widget at the same address, and returns that one
+        // or none: then the displayed text is taken as the name.
         const bool known = spoken != nullptr && spoken->isValid() && spoken->object() == widget;
         const QString name = known ? spoken->text(QAccessible::Name) : widget->property("text").toString();
-        // A sign or the value shown is no name.
+        // A symbol or the displayed value does not count as a name.
         const QString own = widget->accessibleName().isEmpty() ? name : widget->accessibleName();
         const bool words = std::any_of(own.begin(), own.end(), [](QChar c) { return c.isLetter(); });
         EXPECT_TRUE(words) << widget->metaObject()->className() << " '" << widget->objectName().toStdString() << "' in "
@@ -299,19 +299,19 @@ TEST_F(KeyboardTest, DividersAreMovedByKeys) {
     EXPECT_NEAR(dividers()[0], first[0] - 0.1, 1e-9);
     EXPECT_EQ(dividers()[1], first[1]);
     EXPECT_NE(grab(pictures), even);
-    // The other one, in small steps.
+    // The other divider, in small steps.
     QTest::keyClick(pictures, Qt::Key_Down, Qt::AltModifier);
     QTest::keyClick(pictures, Qt::Key_Right, Qt::AltModifier);
     EXPECT_NEAR(dividers()[1], first[1] + 0.01, 1e-9);
-    // Never past each other.
+    // Dividers never cross.
     for (int i = 0; i < 12; ++i) QTest::keyClick(pictures, Qt::Key_Left, Qt::AltModifier | Qt::ShiftModifier);
     EXPECT_EQ(dividers()[1], dividers()[0]);
     workspace_->undo();
     EXPECT_EQ(dividers(), first) << "one step of undo";
 }
 
-// A small relief's packed cones draw what max-pyramid would.
-TEST_F(WindowTest, AnotherWalkThatDrewThePictureIsNamedAndItsStepsAreAClickAway) {
+// For a small relief the picture is rendered with packed cones, which give the hits of max-pyramid.
+TEST_F(WindowTest, AnotherTracerOfThePictureIsNamedAndItsStepsAreAClickAway) {
     relief::Scenario shown = smallScenario();
     shown.method = {"exact", {}};
     openWindow(shown);

@@ -1,4 +1,4 @@
-// The next window goes on where the last one left off.
+// A new window restores the state of the last session.
 #include <fstream>
 
 #include <QDockWidget>
@@ -48,7 +48,7 @@ TEST_F(LastStateTest, ScenarioPanesAndThemeAreThereAgain) {
     window_->setLightTheme(false);
 }
 
-// A pane that fills the window hides the others only for the time being.
+// A pane that fills the window hides the others only temporarily.
 TEST_F(LastStateTest, APaneThatFillsTheWindowIsNotKept) {
     openWindow(smallScenario());
     QTest::keyClick(window_.get(), Qt::Key_3);
@@ -76,7 +76,7 @@ TEST_F(LastStateTest, WhatCannotBeReadIsNoReasonNotToStart) {
     gone.pictures = {};
     gone.pictures.height = "/nowhere/height.png";
     keepState(gone);
-    EXPECT_FALSE(lastState(store, stateReaders())) << "its picture is not there";
+    EXPECT_FALSE(lastState(store, stateReaders())) << "its picture does not exist";
 }
 
 TEST_F(LastStateTest, StartingAnewIsUndone) {

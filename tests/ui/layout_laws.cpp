@@ -35,7 +35,7 @@ class Faults {
     }
 };
 
-// What scrolls may be cut by its frame.
+// A scrolling widget may be cut by its frame.
 bool scrolls(const QWidget& widget) {
     for (const QWidget* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
         if (qobject_cast<const QAbstractScrollArea*>(up) != nullptr) return true;
@@ -43,7 +43,7 @@ bool scrolls(const QWidget& widget) {
     return false;
 }
 
-// Pixels that its text needs and has; 0: it has none.
+// Returns the pixels that the widget's text needs, 0 if it has none; sets *room to those available.
 int needed(const QWidget& widget, int* room) {
     const QFontMetrics metrics = widget.fontMetrics();
     *room = widget.width();
@@ -68,12 +68,11 @@ int needed(const QWidget& widget, int* room) {
 
 void checkText(const QWidget& widget, Faults& faults) {
     int room = 0;
-    const int wanted = needed(widget, &room);
-    if (wanted > room) {
-        faults.add(widget, QStringLiteral("%1 pixels of text in %2: %3")
-                               .arg(wanted)
-                               .arg(room)
-                               .arg(widget.property("text").toString()));
+    const int width = needed(widget, &room);
+    if (width > room) {
+        faults.add(
+            widget,
+            QStringLiteral("%1 pixels of text in %2: %3").arg(width).arg(room).arg(widget.property("text").toString()));
     }
     const auto* const label = qobject_cast<const QLabel*>(&widget);
     if (label == nullptr || !label->wordWrap()) return;
@@ -92,9 +91,9 @@ void checkText(const QWidget& widget, Faults& faults) {
 
 void checkTabs(const QTabBar& bar, Faults& faults) {
     for (int n = 0; n < bar.count(); ++n) {
-        const int wanted = bar.fontMetrics().horizontalAdvance(bar.tabText(n));
-        if (wanted > bar.tabRect(n).width()) faults.add(bar, QStringLiteral("the tab %1 is cut").arg(bar.tabText(n)));
-        // The one in front is a pixel higher than its bar.
+        const int width = bar.fontMetrics().horizontalAdvance(bar.tabText(n));
+        if (width > bar.tabRect(n).width()) faults.add(bar, QStringLiteral("the tab %1 is cut").arg(bar.tabText(n)));
+        // The front tab is a pixel higher than its bar, so only the horizontal extent is checked.
         if (bar.tabRect(n).left() < 0 || bar.tabRect(n).right() >= bar.width()) {
             faults.add(bar, QStringLiteral("the tab %1 is out of the bar").arg(bar.tabText(n)));
         }
@@ -103,7 +102,7 @@ void checkTabs(const QTabBar& bar, Faults& faults) {
     }
 }
 
-// What one layout places stands beside each other.
+// Widgets in one layout must not overlap.
 void checkOverlaps(const QWidget& parent, Faults& faults) {
     const QLayout* const layout = parent.layout();
     if (layout == nullptr || layout->inherits("QStackedLayout")) return;

@@ -1,4 +1,4 @@
-// What holds for a window of any size: nothing is cut, nothing lies over another, all of it is inside the window.
+// Requirements on a window of any size: nothing is truncated, nothing overlaps, and everything is inside the window.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ class QSize;
 
 namespace reliefui {
 
-// A line for each place where it does not hold. size: that the window is to have.
+// Returns a line for each violation. size: the size that the window is to have.
 std::vector<std::string> layoutFaults(QMainWindow& window, const QSize& size);
 
 }  // namespace reliefui

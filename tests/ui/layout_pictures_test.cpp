@@ -1,5 +1,5 @@
-// The layouts of 1280 x 720, the usual projector, as golden pictures of the whole window: all panes, one that fills it,
-// one that is taught with, on a desk and projected; in English dark and in Ukrainian light. 3-D is in them.
+// Golden figures of the whole window at 1280 x 720, the usual projector: all panes, one that fills the window, teaching
+// mode; on a desk and projected; in English dark and in Ukrainian light. They include the 3-D scenes.
 #include <QDockWidget>
 #include <QLabel>
 #include <QPainter>
@@ -21,7 +21,7 @@ namespace {
 constexpr QSize kWindow(1280, 720);
 constexpr int kSettledMs = 6000;
 
-// Half as large, in 16 steps a channel: so a picture takes 60 kB, and a cut letter is still seen.
+// At half size with 16 steps per channel, a picture takes 60 kB, and a truncated letter is still detected.
 QImage reduced(const QImage& picture) {
     constexpr int kStep = 17;
     QImage small = picture.scaled(kWindow / 2, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
@@ -45,8 +45,8 @@ class LayoutPictures : public WindowTest {
     QDockWidget* dock(const char* name) const { return window_->findChild<QDockWidget*>(QLatin1String(name)); }
     void fill(const char* name) { Q_EMIT qobject_cast<PaneTitle*>(dock(name)->titleBarWidget())->fillRequested(); }
 
-    // When nothing in it changes any more. The right half of the last line says how long the frame took: that is
-    // another time on every machine.
+    // Returns the window's image when it no longer changes. The right half of the status bar shows the frame's time,
+    // which differs every time, and is covered.
     QImage settledWindow() const {
         const auto shot = [this] {
             QImage picture = window_->grab().toImage();
@@ -63,7 +63,7 @@ class LayoutPictures : public WindowTest {
             if (next == now) return now;
             now = next;
         }
-        ADD_FAILURE() << "the window does not come to rest";
+        ADD_FAILURE() << "the window keeps changing";
         return now;
     }
     QString saved() const {
@@ -75,7 +75,7 @@ class LayoutPictures : public WindowTest {
     void openAt720(const QString& language, bool light) {
         installTranslations(language);
         openWindow(deepRay());
-        // Where tests before this one left the pointer something would be lit.
+        // Otherwise a control under the pointer, left there by earlier tests, would be highlighted.
         QTest::mouseMove(window_->windowHandle(), QPoint(900, 10));
         window_->setLightTheme(light);
         workspace_->chooseStep(5);
@@ -91,7 +91,7 @@ class LayoutPictures : public WindowTest {
         window_->resetLayout();
     }
 
-    // The panes that are looked at are one of each kind: numbers beside pictures, a drawing, 3-D.
+    // The visible panes cover each kind: numbers next to pictures, a drawing, 3-D.
     void expectAll(const std::string& ending) {
         for (const bool projector : {false, true}) {
             const std::string name = std::string(projector ? "projector" : "desk") + "-" + ending;
@@ -124,7 +124,7 @@ TEST_F(LayoutPictures, UkrainianLight) {
     window_->setLightTheme(false);
 }
 
-// What is to be found is found: another place of a dock, a word that is cut, a button that is gone.
+// Shows that changes are detected: a moved dock, a truncated word, a missing button.
 TEST_F(LayoutPictures, WhatIsElsewhereIsSeen) {
     openAt720(QStringLiteral("en"), false);
     dock("pyramid-pane")->raise();
@@ -145,7 +145,7 @@ TEST_F(LayoutPictures, WhatIsElsewhereIsSeen) {
     window_->resetLayout();
     EXPECT_FALSE(differs());
     window_->addDockWidget(Qt::RightDockWidgetArea, dock("scene-pane"));
-    EXPECT_TRUE(differs()) << "a dock is elsewhere";
+    EXPECT_TRUE(differs()) << "a dock has moved";
 }
 
 }  // namespace

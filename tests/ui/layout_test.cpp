@@ -1,4 +1,5 @@
-// Layouts that fit: on the usual projector, on a desk, large; in both languages; filled, taught with, projected.
+// Layouts fit: at the size of the usual projector, of a desktop, and of large screens; in both languages; with a
+// filling pane, in teaching and in projector mode.
 #include <algorithm>
 #include <set>
 
@@ -49,7 +50,7 @@ class LayoutTest : public WindowTest {
         Q_EMIT title->fillRequested();
     }
     void setSize(const QSize& size) {
-        // Until the type of a projector has followed the height, large type may ask for more.
+        // Until the projector's type size has been adapted to the height, large type may need more room.
         window_->resize(size);
         QTest::qWait(kLayoutMs);
         ASSERT_TRUE(QTest::qWaitFor(
@@ -72,7 +73,7 @@ class LayoutTest : public WindowTest {
             for (const auto& [name, enter] : modes) {
                 setSize(size);
                 enter();
-                // Panes say something else while they compute.
+                // Panes show other text while they compute.
                 const bool settled = QTest::qWaitFor([&] { return layoutFaults(*window_, size).empty(); }, kSettledMs);
                 SCOPED_TRACE(std::to_string(size.width()) + " x " + std::to_string(size.height()) + ", " + name +
                              (projector ? ", projector" : ""));
@@ -87,7 +88,7 @@ class LayoutTest : public WindowTest {
         installTranslations(language);
         openWindow(lessonScenario(QStringLiteral("unsafe_distance")));
         window_->showLesson();
-        // The longest sentence: with the answer.
+        // The longest sentence, that with the answer.
         workspace_->chooseStep(static_cast<int>(snapshot()->trace.steps.size()) - 1);
     }
     std::map<QString, QRect> places() const {
@@ -102,7 +103,7 @@ class LayoutTest : public WindowTest {
 
 TEST_F(LayoutTest, NothingIsCutAndNothingLiesOverAnother) {
     openLessonIn(QStringLiteral("en"));
-    // The last is a screen of 3840 x 2160, on which all is drawn twice as large.
+    // The last one is a screen of 3840 x 2160 with a scale factor of two.
     for (const QSize& size : {QSize(1280, 720), QSize(1366, 768), QSize(1600, 1000), QSize(1920, 1080)}) holdIn(size);
 }
 
@@ -128,7 +129,7 @@ TEST_F(LayoutTest, ResetGivesTheModesLayout) {
     EXPECT_TRUE(places().contains(QStringLiteral("scene-pane")));
     EXPECT_TRUE(places().contains(QStringLiteral("trace-pane")));
     EXPECT_TRUE(places().contains(QStringLiteral("pyramid-pane")));
-    // In a low window one large pane instead of two small ones.
+    // In a low window there is one large pane instead of two small ones.
     setSize({1280, 720});
     QTest::qWait(kLayoutMs);
     EXPECT_GT(dock("profile-pane")->height() + dock("pyramid-pane")->height(), 380);
@@ -141,7 +142,7 @@ TEST_F(LayoutTest, TheWindowIsAsItWasAfterTheProjector) {
     openWindow(smallScenario());
     window_->resize(1400, 880);
     dock("charts-pane")->raise();
-    // The display server answers when it has time; then the room is shared anew.
+    // The display server needs some time; then the panes are laid out again.
     ASSERT_TRUE(QTest::qWaitFor([&] { return dock("trace-pane")->width() < 1400 * 2 / 5; }, kSettledMs));
     QTest::qWait(kLayoutMs);
     const auto before = places();
@@ -153,14 +154,14 @@ TEST_F(LayoutTest, TheWindowIsAsItWasAfterTheProjector) {
         QTest::qWait(kLayoutMs);
         window_->setProjector(false);
         QTest::qWait(kLayoutMs);
-        EXPECT_EQ(window_->teaching(), teaching) << "the mode is another matter";
+        EXPECT_EQ(window_->teaching(), teaching) << "the mode is unaffected";
         window_->setTeaching(false);
         QTest::qWait(kLayoutMs);
         EXPECT_EQ(window_->size(), size);
         EXPECT_EQ(window_->windowState() & Qt::WindowFullScreen, 0);
         EXPECT_EQ(places(), before);
     }
-    // Maximised windows are maximised again.
+    // A maximised window is restored maximised.
     window_->setWindowState(Qt::WindowMaximized);
     window_->setProjector(true);
     window_->setProjector(false);
@@ -183,7 +184,7 @@ TEST_F(LayoutTest, TeachingShowsOnePaneThePictureAndTheStepInWords) {
     const auto* const words = window_->centralWidget()->findChild<StepSentence*>();
     ASSERT_TRUE(words->isVisible());
     EXPECT_EQ(words->text(), window_->time()->table()->sentence());
-    // Another pane, a step on: the same view.
+    // Another pane, one step on: the same view.
     QTest::keyClick(window_.get(), Qt::Key_6);
     QTest::qWait(kLayoutMs);
     EXPECT_TRUE(window_->teaching());
@@ -226,7 +227,7 @@ TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {
     window_->resetLayout();
     QTest::qWait(kLayoutMs);
     EXPECT_NE(places(), mine);
-    // In another window as well.
+    // Also in a new window.
     window_.reset();
     workspace_.reset();
     openWindow(smallScenario());
@@ -243,7 +244,7 @@ TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {
     EXPECT_TRUE(LayoutMenu::names().isEmpty());
 }
 
-// Controls that have no room are gone along to; what lies below them stays where it is.
+// Controls without room are hidden without moving what is below them.
 TEST_F(LayoutTest, ControlsDoNotMoveWhatLiesBelow) {
     openWindow(smallScenario());
     auto* const view = window_->pane<DistanceView>();
@@ -274,8 +275,8 @@ TEST_F(LayoutTest, ControlsDoNotMoveWhatLiesBelow) {
     EXPECT_EQ(fit->visibleRegion().boundingRect(), fit->rect());
 }
 
-// Four pictures in the smallest pane: large enough to be told apart, scrolled where there is no room; the buttons of
-// the pane in sight.
+// Four pictures in the smallest pane: large enough to be distinguished, scrolled if there is no room; the pane's
+// buttons stay visible.
 TEST_F(LayoutTest, ComparedPicturesAreNotTooSmall) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"distance-conservative", {}};

@@ -1,4 +1,4 @@
-// Lessons show what they say they show.
+// Lessons show what their text says.
 #include <algorithm>
 
 #include <QAction>
@@ -35,7 +35,7 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
     const auto& steps = snapshot.trace.steps;
     const int chosen = snapshot.scenario.step;
     ASSERT_LT(static_cast<std::size_t>(chosen), steps.size());
-    // A step that a class can follow to.
+    // The number of the step is small enough for a class to follow.
     EXPECT_LT(steps.size(), 60U);
     if (lesson.departure) {
         relief::Work work;
@@ -43,11 +43,11 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
             makeDuel(std::make_shared<const Snapshot>(snapshot), snapshot.scenario.comparison.others, work);
         ASSERT_EQ(duel->judgements[0].kind, *lesson.departure);
         EXPECT_EQ(duel->first, std::size_t{0}) << "the lesson is about the method itself";
-        EXPECT_GT(duel->judgements[0].texels, 1) << "too little to be seen";
-        EXPECT_EQ(static_cast<std::size_t>(chosen), duel->judgements[0].step) << "it opens at the fault";
+        EXPECT_GT(duel->judgements[0].texels, 1) << "too small to be visible";
+        EXPECT_EQ(static_cast<std::size_t>(chosen), duel->judgements[0].step) << "it opens at the error";
         const bool better = std::any_of(duel->judgements.begin() + 1, duel->judgements.end(),
                                         [](const auto& j) { return j.kind == relief::Departure::None; });
-        EXPECT_TRUE(better) << "nobody to compare with does better";
+        EXPECT_TRUE(better) << "no compared method does better";
     } else if (lesson.name == QStringLiteral("vain_descent")) {
         EXPECT_EQ(steps[static_cast<std::size_t>(chosen)].decision, relief::Decision::Ascend);
     } else if (lesson.name == QStringLiteral("hidden_texels")) {
@@ -75,7 +75,7 @@ void showsWhatItSays(const Lesson& lesson, const Snapshot& snapshot) {
         EXPECT_EQ(stateOf<DistancePane>(snapshot.scenario).axis, "y") << "both walls stand in the slice across them";
         EXPECT_EQ(stateOf<DistancePane>(snapshot.scenario).slice, 4) << "the slice of the point";
     } else {
-        FAIL() << "what it shows is not tested";
+        FAIL() << "its content is not tested";
     }
 }
 
@@ -88,24 +88,25 @@ TEST_F(WindowTest, EveryLessonShowsWhatItSays) {
         auto* const action = window_->findChild<QAction*>(QStringLiteral("lesson-") + lesson.name);
         ASSERT_NE(action, nullptr);
         action->trigger();
-        const relief::Scenario wanted = lessonScenario(lesson.name);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == wanted; }, 10000));
+        const relief::Scenario expected = lessonScenario(lesson.name);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == expected; }, 10000));
         ASSERT_NO_FATAL_FAILURE(waitForFull());
-        // Its step is one of the ray's: the program knows a lesson again when its picture is there.
-        EXPECT_EQ(relief::scenarioText(scenario()), relief::scenarioText(wanted));
+        // The stored step exists on the ray, since the program recognises a lesson by its scenario when the picture is
+        // ready.
+        EXPECT_EQ(relief::scenarioText(scenario()), relief::scenarioText(expected));
         ASSERT_NO_FATAL_FAILURE(showsWhatItSays(lesson, *snapshot()));
         EXPECT_EQ(window_->messages()->text(), lesson.about);
         auto* const pane = window_->findChild<QDockWidget*>(lesson.pane + QStringLiteral("-pane"));
         ASSERT_NE(pane, nullptr);
         EXPECT_FALSE(pane->visibleRegion().isEmpty()) << "its pane is in front";
     }
-    // One step of undo each.
+    // Each lesson is one step of undo.
     const relief::Scenario before = lessonScenario(all[all.size() - 2].name);
     workspace_->undo();
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == before; }, 10000));
 }
 
-// As a file, from the command line or the menu: the same.
+// A lesson opened as a file, from the command line or the menu, is the same.
 TEST_F(WindowTest, ALessonOpenedAsAFileShowsItsPane) {
     openWindow(smallScenario());
     for (const char* const name : {"hidden_texels", "missed_spike"}) {

@@ -33,7 +33,7 @@ TEST_F(WindowTest, PostedCallsRunHereInTheirOrder) {
             });
         }
     }
-    for (const std::vector<int>& of : got) EXPECT_TRUE(of.empty()) << "nothing runs before the events are looked at";
+    for (const std::vector<int>& of : got) EXPECT_TRUE(of.empty()) << "no call runs before events are processed";
     QCoreApplication::processEvents();
     for (const std::vector<int>& of : got) {
         ASSERT_EQ(of.size(), std::size_t{kPosted});
@@ -51,10 +51,10 @@ TEST_F(WindowTest, CallsToAMailboxThatIsGoneAreDropped) {
     address.post(call);
     QCoreApplication::processEvents();
     EXPECT_EQ(*held, 0);
-    EXPECT_EQ(held.use_count(), 2) << "held here and in call, by no queue";
+    EXPECT_EQ(held.use_count(), 2) << "held here and in call, not by a queue";
 }
 
-TEST_F(WindowTest, WorkAsideRunsElsewhereOnce) {
+TEST_F(WindowTest, BackgroundWorkRunsOnceInAnotherThread) {
     const auto here = std::this_thread::get_id();
     std::array<std::atomic<int>, 50> times{};
     for (std::atomic<int>& of : times) {

@@ -1,4 +1,5 @@
-// Own main: surfaces have to be chosen before the QApplication, and no display means skipped tests, not an abort.
+// A main() of our own: the surface format must be chosen before the QApplication is created, and without a display
+// tests are skipped instead of aborted.
 #include <cstdio>
 #include <memory>
 
@@ -23,7 +24,7 @@ int main(int count, char** values) {
         if (!problem.empty()) std::fprintf(stderr, "the window is not tested: %s\n", problem.c_str());
         return RUN_ALL_TESTS();
     }
-    // The user's list of recent files is not ours.
+    // The tests do not use the user's list of recent files.
     const QTemporaryDir settings;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     reliefui::prepareWindows();
@@ -32,7 +33,8 @@ int main(int count, char** values) {
     reliefui::haveDisplay() = true;
     const int failed = RUN_ALL_TESTS();
 #ifdef __SANITIZE_ADDRESS__
-    // Now, while the display's drivers are loaded: what they leak could not be told from ours when they are gone.
+    // Checked now, while the display's drivers are loaded: after they are unloaded their leaks could not be
+    // distinguished from ours.
     __lsan_do_leak_check();
 #endif
     return failed;

@@ -1,4 +1,4 @@
-// Help opens the manual, or says how it is made.
+// Help opens the manual, or says how to build it.
 #include <QAction>
 #include <QCoreApplication>
 #include <QDesktopServices>
@@ -37,7 +37,7 @@ TEST(ManualPage, IsTheInstalledOneThenTheBuiltOne) {
     EXPECT_EQ(manualPage(programs), installed);
 }
 
-// Takes what the browser would be given.
+// Receives the address that would be opened in the browser.
 class Browser : public QObject {
     Q_OBJECT
   public:

@@ -1,4 +1,4 @@
-// Coordinates by other rows than direct, chosen in the window.
+// Texture coordinates from row variants other than direct, chosen in the window.
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalSpy>
@@ -8,7 +8,7 @@
 namespace reliefui {
 namespace {
 
-TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
+TEST_F(WindowTest, CoordinatesAreChosenShownAndUndone) {
     relief::Scenario start = smallScenario();
     start.scene = relief::SceneKind::Wall;
     start.camera.azimuth = 55;
@@ -34,8 +34,9 @@ TEST_F(WindowTest, CoordinatesAreChosenSaidAndUndone) {
     EXPECT_EQ(snapshot()->frame->ray(100, 60), straight);
 }
 
-// How far the ellipses along rows are off; and what they cannot serve is refused in a line, the state kept.
-TEST_F(WindowTest, EllipsesAlongRowsAreSaidAndRefusedForShapedPixels) {
+// The error of ellipses along rows is displayed; options that they do not support are refused with a message, and the
+// state is kept.
+TEST_F(WindowTest, EllipsesAlongRowsAreShownAndRefusedForShapedPixels) {
     relief::Scenario start = smallScenario();
     start.filter = {"elliptical", {{"ellipse", "cached"}}};
     openWindow(start);

@@ -1,4 +1,4 @@
-// Every method of the list, in every pane: its options, its steps in words, its marks in 3-D.
+// Every listed method, in every pane: its options, its steps in sentences, its marks in 3-D.
 #include <random>
 
 #include <vtkActorCollection.h>
@@ -28,7 +28,7 @@ namespace {
 
 using relief::Decision;
 
-// A ray traced over a small relief, as the panes get it.
+// Traces a ray on a small relief; returns its steps as the panes receive them.
 std::vector<relief::Step> stepsOf(const relief::MethodChoice& method, const relief::HeightField& field,
                                   const relief::ViewRay& ray) {
     relief::Work work;
@@ -77,7 +77,7 @@ TEST_F(WindowTest, EveryMethodIsOfferedAndShown) {
     }
 }
 
-TEST_F(WindowTest, TheOptionsOfAMethodAreTurnedAndDrawn) {
+TEST_F(WindowTest, TheOptionsOfAMethodAreChangedAndDrawn) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {}};
     openWindow(scenario);
@@ -86,13 +86,13 @@ TEST_F(WindowTest, TheOptionsOfAMethodAreTurnedAndDrawn) {
                              ->findChild<NumberControl*>(QStringLiteral("layers"));
     ASSERT_NE(layers, nullptr);
     EXPECT_EQ(layers->value(), 64);
-    // A wide range is bent: half way lies at its geometric mean.
+    // A wide range is logarithmic: the middle of the slider is the geometric mean.
     layers->slider()->setValue(SliderScale::kPositions / 2);
     EXPECT_EQ(layers->value(), 256);
     waitForFull();
     EXPECT_EQ(this->scenario().method.options.at("layers"), "256");
     EXPECT_EQ(snapshot()->scenario.method, this->scenario().method);
-    // The steps are those of the new layers.
+    // The steps are those of the changed number of layers.
     EXPECT_EQ(snapshot()->trace.steps.at(2).lambdaOut, 1.0 / 256);
     workspace_->settle();
     layers->box()->setValue(8);
@@ -133,21 +133,21 @@ TEST(Samples, sheetsAreFewAndTheChosenOneIsDrawnByItself) {
     const relief::ViewRay ray{3, 5, 40, 22};
     const auto few = stepsOf({"layers", {{"layers", "8"}}}, relief, ray);
     ASSERT_GE(few.size(), 3U);
-    // Every layer but the start and the chosen one.
+    // Every layer except the start and the chosen one.
     EXPECT_EQ(sheetLambdas(few, 0).size(), few.size() - 1);
     EXPECT_EQ(sheetLambdas(few, 1).size(), few.size() - 2);
     const auto many = stepsOf({"layers", {{"layers", "4096"}}}, relief, ray);
     ASSERT_GT(many.size(), 4 * kMostSheets);
     EXPECT_LE(sheetLambdas(many, 0).size(), kMostSheets);
     EXPECT_GT(sheetLambdas(many, 0).size(), kMostSheets / 2);
-    // An offset is no layer; a pyramid has none.
+    // An offset has no layers, nor has a pyramid.
     EXPECT_TRUE(sheetLambdas(stepsOf({"offset", {}}, relief, ray), 0).empty());
     EXPECT_TRUE(sheetLambdas(stepsOf({"max-pyramid", {}}, relief, ray), 0).empty());
 }
 
-// The value of a step is the surface's height where it is said to have been read.
-TEST(Samples, heightsStandWhereTheyWereRead) {
-    constexpr double kRounding = 1e-6;  // heights are floats
+// The value of a step is the surface's height at the position where it was sampled.
+TEST(Samples, heightsAreShownWhereTheyWereSampled) {
+    constexpr double kRounding = 1e-6;  // heights are float
     const relief::HeightField relief = field(64, 48);
     for (const char* const method : {"offset", "offset-limited", "layers", "layers-secant", "layers-bisection"}) {
         const relief::ViewRay ray{3, 5, 40, 22};
@@ -165,7 +165,7 @@ TEST(Samples, heightsStandWhereTheyWereRead) {
     }
 }
 
-// Also over a base level, whose texels are no whole texels of an odd map.
+// Also over a base level, whose texels do not coincide with whole texels of a map of odd size.
 TEST(Samples, theRayIsInsideTheBoxOverAnyBaseLevel) {
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -214,7 +214,7 @@ TEST_F(WindowTest, ShadowsAreSwitchedOnAndUndone) {
 
 TEST_F(WindowTest, ALongLogIsAModelNotWidgets) {
     relief::Scenario scenario = smallScenario();
-    // Layer by layer down to a pixel: more rows than anybody can look at.
+    // One step per layer at a pixel: a log with tens of thousands of rows.
     scenario.method = {"layers", {{"layers", "65536"}}};
     scenario.width = scenario.height = 24;
     scenario.pixel = relief::PixelChoice{12, 12};
@@ -235,14 +235,14 @@ TEST_F(WindowTest, StepsPlayAtTheChosenSpeed) {
     auto* const speed = bar->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
     ASSERT_NE(speed, nullptr);
     speed->setValue(2);
-    // Through the round ones, by keys; any other can be typed.
+    // Keys step through round values; any other value can be typed.
     QTest::keyClick(window_.get(), Qt::Key_BracketRight);
     EXPECT_EQ(speed->value(), 5);
     QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
     QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
     EXPECT_EQ(speed->value(), 1);
     speed->setValue(37.5);
-    // Kept for the next window.
+    // The setting is kept for the next window.
     EXPECT_EQ(StepBar(workspace_.get()).findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"))->value(), 37.5);
     workspace_->chooseStep(0);
     bar->togglePlay();

@@ -1,4 +1,4 @@
-// What is chosen in the window's panes, in scenario files.
+// The state of the window's panes in scenario files.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Scenario parsed(const std::string& text) {
     return parseWindowScenario(text, "s.json", kReaders);
 }
 
-// Nothing as it is at first.
+// Every state differs from its default.
 Scenario allOther() {
     Scenario scenario;
     setState(scenario, PyramidPane{"all", true, false, true});
@@ -49,7 +49,7 @@ TEST(PaneFiles, writtenAndReadTheyAreTheSame) {
     EXPECT_EQ(relief::scenarioText(parsed(text)), text);
 }
 
-// Of the eight states and the ranges of colours each has a reader, and none is of a pane that is not there.
+// Each of the eight states and the colour ranges has a reader, and there are no others.
 TEST(PaneFiles, everyStateHasAReader) {
     EXPECT_EQ(kReaders.size(), 9U);
     for (const char* const name :
@@ -59,7 +59,7 @@ TEST(PaneFiles, everyStateHasAReader) {
     }
 }
 
-// Nothing is written of panes that nobody touched.
+// States with default values are not written.
 TEST(PaneFiles, untouchedPanesAreNotInTheFile) {
     EXPECT_EQ(relief::scenarioText(Scenario{}).find("\"ui\""), std::string::npos);
     EXPECT_TRUE(parsed("{\"reliefscope\": 1}").ui.empty());
@@ -121,7 +121,7 @@ Scenario oldFile(const std::string& name) {
     return loadWindowScenario(RELIEF_SOURCE "/tests/files/v1/" + name, kReaders);
 }
 
-// Files of the first edition call the object `panes`.
+// Files of the first version call the object `panes`.
 TEST(PaneFiles, notesOfTheFirstEditionMeanWhatTheyMeant) {
     const Scenario old = oldFile("window.json");
     EXPECT_EQ(stateOf<PyramidPane>(old), (PyramidPane{"mean", true, false, true}));
@@ -148,7 +148,7 @@ TEST(PaneFiles, wordsOfTheFirstEditionMeanWhatTheyMeant) {
     for (int number = 1; number <= 3; ++number) EXPECT_GE(stateOf<RowsPane>(notes(number)).variants.size(), 3U);
 }
 
-// What only reads the scenario carries it along as it stands, with words of later windows.
+// Programs that only read the scenario preserve unknown states unchanged, such as those of later versions.
 TEST(PaneFiles, aCommandCarriesWhatItDoesNotKnow) {
     const std::string text = R"({"reliefscope": 1, "ui": {"telescope": {"zoom": 3}}})";
     EXPECT_NE(relief::scenarioText(relief::parseScenario(text, "s.json")).find("telescope"), std::string::npos);
@@ -160,7 +160,7 @@ TEST(PaneFiles, aCommandCarriesWhatItDoesNotKnow) {
         R"({"reliefscope": 1, "panes": {"charts": {"maps": true}}, "ui": {"charts": {"live": false}}})";
     const auto charts = stateOf<ChartsPane>(parsed(both));
     EXPECT_EQ(charts, stateOf<ChartsPane>(relief::parseScenario(both, "s.json")))
-        << "commands and the window take the same one";
+        << "commands and the window read the same object";
     EXPECT_FALSE(charts.maps);
     EXPECT_FALSE(charts.live);
 }

@@ -1,4 +1,4 @@
-// What is chosen in the panes is part of the scenario: undone, saved, opened again.
+// The state of panes is part of the scenario: it can be undone, saved, and opened.
 #include <QComboBox>
 #include <QFile>
 #include <QSlider>
@@ -28,7 +28,7 @@ namespace {
 
 class PaneChoices : public WindowTest {
   protected:
-    // Another choice in every pane, as its controls would make it.
+    // Changes the state of every pane through the functions that its controls call.
     void turnAll() {
         DistanceOptions distance = window_->pane<DistanceView>()->options();
         distance.kind = "euclidean";
@@ -51,7 +51,7 @@ class PaneChoices : public WindowTest {
         window_->pane<Trace3dView>()->setExaggeration(2);
         window_->pane<Trace3dView>()->setColors(QStringLiteral("level"));
     }
-    // What the panes themselves go by.
+    // Compares the panes' effective options with the scenario.
     void expectPanesAsTheScenarioSays() {
         const relief::Scenario& now = workspace_->scenario();
         const auto footprint = stateOf<FootprintPane>(now);
@@ -104,7 +104,7 @@ TEST_F(PaneChoices, SavedAndOpenedTheyAreTheSame) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == saved; }, 5000));
     waitForFull();
     expectPanesAsTheScenarioSays();
-    // A name that nobody knows: the line is said, nothing changes.
+    // An unknown name: an error with the line number is shown, and nothing changes.
     QFile text(file);
     ASSERT_TRUE(text.open(QIODevice::ReadWrite));
     QByteArray bytes = text.readAll();
@@ -123,7 +123,7 @@ TEST_F(PaneChoices, SavedAndOpenedTheyAreTheSame) {
     EXPECT_EQ(scenario(), saved);
 }
 
-// A slider that is dragged is one step back.
+// Dragging a slider is one step of undo.
 TEST_F(PaneChoices, ADragIsOneStepOfUndo) {
     openWindow(smallScenario());
     window_->pane<DistanceView>()->window()->findChild<QWidget*>(QStringLiteral("distance-pane"))->raise();
@@ -142,14 +142,14 @@ TEST_F(PaneChoices, ADragIsOneStepOfUndo) {
     EXPECT_EQ(stateOf<DistancePane>(scenario()), stateOf<DistancePane>(before));
 }
 
-// The probes of the flat pane, on slabs: texels in the colours of their heights, and the step that is clicked.
+// Probes as in the flat pane, on slabs: texels have the colours of their heights, and a click chooses the step.
 TEST_F(PaneChoices, ThePyramidStandsInSpace) {
     relief::Scenario columns = smallScenario();
     columns.surface = relief::Surface::Columns;
     openWindow(columns);
     PyramidView* const view = window_->pane<PyramidView>();
     view->showNearRay(false);
-    view->showMeans(true);  // of which all slabs are there
+    view->showMeans(true);  // the mean pyramid shows all its slabs
     view->setStacked(true);
     const QImage shown = grab(view->stack());
     EXPECT_GT(colorsIn(shown), 30);
@@ -167,9 +167,9 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
                 const QPointF at = view->stack()->toWidget(0, level, texel);
                 Point drawing;
                 if (!shown.valid(at.toPoint()) || !view->stack()->drawingAt(at, drawing)) continue;
-                const Point wanted = view->blocks()[static_cast<std::size_t>(level)].toDrawing(texel);
+                const Point expected = view->blocks()[static_cast<std::size_t>(level)].toDrawing(texel);
                 // Hidden by a slab above it.
-                if (std::abs(wanted.x - drawing.x) > 1 || std::abs(wanted.y - drawing.y) > 1) continue;
+                if (std::abs(expected.x - drawing.x) > 1 || std::abs(expected.y - drawing.y) > 1) continue;
                 const Rgba color =
                     workspace_->style().cell(ColorMap::Height, static_cast<double>(image(i, j)), view->heights().scale);
                 const QColor seen = shown.pixelColor(at.toPoint());
@@ -181,7 +181,7 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
         }
     }
     ASSERT_GT(probes, 30);
-    // The marks of the steps lie over some.
+    // The marks of the steps cover some.
     EXPECT_GT(right, probes * 7 / 10) << right << " of " << probes;
 }
 
@@ -201,11 +201,11 @@ TEST_F(PaneChoices, AClickOnASlabChoosesTheStep) {
         const Box seen = box.cut(block.domain);
         if (seen.empty()) continue;
         const QPointF at = view->stack()->toWidget(0, step.level, seen.center());
-        const Point wanted = block.toDrawing(seen.center());
+        const Point expected = block.toDrawing(seen.center());
         Point drawing;
         if (!view->stack()->drawingAt(at, drawing)) continue;
         // Hidden by a slab above it.
-        if (std::abs(wanted.x - drawing.x) > 1 || std::abs(wanted.y - drawing.y) > 1) continue;
+        if (std::abs(expected.x - drawing.x) > 1 || std::abs(expected.y - drawing.y) > 1) continue;
         workspace_->chooseStep(static_cast<int>(k == 0 ? 1 : 0));
         QTest::mouseClick(view->stack()->focusProxy(), Qt::LeftButton, {}, at.toPoint());
         const relief::Step& now = steps[static_cast<std::size_t>(scenario().step)];
@@ -226,14 +226,14 @@ TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
     for (std::size_t n = 0; n < 3; ++n) {
         const PyramidPart& part = view->parts()[n];
         EXPECT_EQ(part.source.pyramid->kind(), pyramids[n]->kind());
-        // The coarsest texel: one colour all over, read out as what it is.
+        // The coarsest texel has a single colour; its readout is the right value.
         const LevelBlock& block = part.picture.blocks.back();
         const Point middle = block.box.center();
         const auto value = static_cast<double>(pyramids[n]->level(block.level)(0, 0));
         EXPECT_TRUE(view->reading(middle).contains(QString::fromStdString(relief::fixedText(value, 3))))
             << view->reading(middle).toStdString();
         const Rgba color = workspace_->style().cell(ColorMap::Height, value, view->heights().scale);
-        // From near: marks of steps and the number lie over some of it.
+        // Zoomed in; marks of steps and the number cover parts of it.
         view->canvas()->zoomTo(block.box);
         const QImage shown = grab(view->canvas());
         int same = 0;
@@ -247,7 +247,7 @@ TEST_F(PaneChoices, AllThreePyramidsStandBesideEachOther) {
     }
 }
 
-// Voxels of two cells a side lie over these cells, not over those of their own number.
+// The box of a voxel that covers two cells per side covers these cells, not the cells with the voxel's own indices.
 TEST(PyramidMarks, VoxelsLieOverTheirCells) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"distance-conservative", {{"footprint", "2"}, {"layers", "64"}}};

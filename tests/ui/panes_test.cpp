@@ -1,4 +1,4 @@
-// The panes that explain the pixel: they show what the core logged, and their pixels are what they should be.
+// The panes that explain the pixel show what was logged, with the right colours.
 #include <cmath>
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -88,7 +88,7 @@ TEST_F(WindowTest, StepsAreChosenInTheTableAndByKeys) {
     EXPECT_EQ(scenario().step, opened) << "steps in a row are one change";
 }
 
-// What has no room is left out; what is shown is whole, titles and numbers.
+// Columns without room are hidden; titles and numbers of the visible ones are complete.
 TEST_F(WindowTest, NoColumnOfTheStepsIsCut) {
     openWindow(smallScenario());
     const QTableView* const table = window_->time()->table()->table();
@@ -99,7 +99,7 @@ TEST_F(WindowTest, NoColumnOfTheStepsIsCut) {
         int shown = 0;
         for (int c = 0; c < StepModel::Columns; ++c) {
             if (table->isColumnHidden(c)) continue;
-            all += c + 1 < StepModel::Columns ? table->columnWidth(c) : 0;  // the last takes what is left
+            all += c + 1 < StepModel::Columns ? table->columnWidth(c) : 0;  // the last column takes the remaining width
             ++shown;
             const QString title = table->model()->headerData(c, Qt::Horizontal).toString();
             EXPECT_GE(table->columnWidth(c), metrics.horizontalAdvance(title)) << title.toStdString();
@@ -150,7 +150,7 @@ TEST_F(WindowTest, ThePyramidShowsItsTexels) {
         const int stride = std::max(1, level.width() / 9);
         for (int j = 0; j < level.height(); j += stride) {
             for (int i = 0; i < level.width(); i += stride) {
-                // Near the corner: values are printed in the middle of large texels.
+                // Near the corner, because values are printed in the middle of large texels.
                 const Point at = block.toDrawing(Point{(i + 0.25) * side, (j + 0.25) * side});
                 const QPoint pixel = view->canvas()->toWidget(at).toPoint();
                 if (!shown.valid(pixel)) continue;
@@ -162,7 +162,7 @@ TEST_F(WindowTest, ThePyramidShowsItsTexels) {
         }
     }
     ASSERT_GT(probes, 60);
-    // The marks of the steps lie over some.
+    // The marks of the steps cover some.
     EXPECT_GT(right, probes * 8 / 10) << right << " of " << probes;
 }
 
@@ -187,7 +187,7 @@ TEST_F(WindowTest, APaneFillsTheWindowAndComesBack) {
     QTest::qWait(100);
     EXPECT_GT(window_->result()->width(), window_->width() - 20);
     EXPECT_FALSE(window_->pane<PyramidView>()->isVisible());
-    // Only time and the step in words stay below.
+    // Only the step bar and the step's sentence remain below.
     EXPECT_TRUE(window_->time()->bar()->isVisible());
     EXPECT_FALSE(window_->time()->table()->isVisible());
     EXPECT_GT(window_->result()->height(), window_->height() * 2 / 3);
@@ -207,7 +207,7 @@ TEST_F(WindowTest, TheProjectorEnlargesEverything) {
     EXPECT_GT(window_->fontMetrics().height(), before * 3 / 2);
     EXPECT_TRUE(window_->isFullScreen());
     EXPECT_LE(window_->minimumSizeHint().width(), 1280) << "wider than a projector";
-    // One pane beside the result, as high as it.
+    // One pane next to the result, of the same height.
     EXPECT_GT(window_->pane<PyramidView>()->height(), window_->result()->height() / 2);
     EXPECT_TRUE(window_->pane<Trace3dView>()->visibleRegion().isEmpty()) << "it waits in a tab";
     EXPECT_GT(colorsIn(grab(window_->pane<PyramidView>()->canvas())), 10);
@@ -226,7 +226,7 @@ TEST_F(WindowTest, PanesAreClosedAndOpenedAgain) {
     EXPECT_TRUE(dock->isHidden());
     QTest::keyClick(window_.get(), Qt::Key_3);
     EXPECT_FALSE(dock->isHidden());
-    // One that fills the window leaves the others behind.
+    // A pane that fills the window hides the others; closing it shows them again.
     dock->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
     EXPECT_FALSE(window_->result()->isVisible());
     close->click();
@@ -234,7 +234,7 @@ TEST_F(WindowTest, PanesAreClosedAndOpenedAgain) {
     EXPECT_TRUE(dock->isHidden());
 }
 
-// In windows of their own, with contexts of OpenGL of their own, and back.
+// Panes are moved to windows of their own, with OpenGL contexts of their own, and back.
 TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
     openWindow(deepRay());
     auto* const pyramid = window_->findChild<QDockWidget*>(QStringLiteral("pyramid-pane"));
@@ -248,7 +248,7 @@ TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
         EXPECT_GT(colorsIn(before), 30);
         workspace_->chooseStep(scenario().step > 2 ? 1 : 4);
         EXPECT_NE(grab(window_->pane<Trace3dView>()), before) << "it follows the step";
-        // Shortcuts are the window's.
+        // Shortcuts of the main window work there, too.
         const int step = scenario().step;
         pyramid->activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(pyramid));
@@ -260,7 +260,7 @@ TEST_F(WindowTest, PanesLeaveTheWindowAndComeBack) {
         EXPECT_GT(colorsIn(grab(window_->pane<PyramidView>()->canvas())), 10);
         EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 30);
     }
-    // One that fills the window is in it, and goes where it was.
+    // A floating pane that fills the window is docked, and floats again afterwards.
     trace->setFloating(true);
     trace->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();
     QTest::qWait(100);
@@ -283,7 +283,7 @@ TEST_F(WindowTest, TheDuelLeavesItsDrawingTheRoom) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return duel->settled() && duel->duel() != nullptr; }, 20000));
     QTest::qWait(200);
     auto* const table = duel->findChild<QTableView*>();
-    // In the dock the drawing alone; in the whole window the table stands beside it.
+    // In the dock only the drawing is shown; in the whole window the table is next to it.
     EXPECT_FALSE(table->isVisible());
     EXPECT_GT(duel->canvas()->width(), duel->width() * 9 / 10);
     dock->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("pane-fill"))->click();

@@ -1,4 +1,4 @@
-// What holds the window's thread is logged: how long, by what, and how much of it was drawing.
+// What blocks the window's thread is logged: how long, by which part, and how much of it was painting.
 #include <QApplication>
 #include <QMenu>
 #include <QMessageBox>
@@ -11,13 +11,13 @@
 namespace reliefui {
 namespace {
 
-constexpr double kHeldMs = 60;  // what an event here takes at least: it sleeps
+constexpr double kHeldMs = 60;  // the shortest duration of an event of this test: it sleeps
 
 void hold() {
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(kHeldMs));
 }
 
-// The pause with these words in its name.
+// Returns the pause whose name contains this text.
 PauseLog::Pause named(const QString& words) {
     for (const PauseLog::Pause& pause : PauseLog::instance().worst(1000)) {
         if (pause.what.contains(words)) return pause;
@@ -45,7 +45,7 @@ TEST_F(WindowTest, WhatHoldsTheThreadIsLogged) {
     EXPECT_TRUE(log.text(5).contains(QStringLiteral("sleeper")));
 }
 
-// Two events between two looks at the queue are one pause of the window, but neither is as long.
+// Two events without an idle event loop in between are one pause of the window, but two logged events.
 TEST_F(WindowTest, EventsInARowAreOnePause) {
     QObject receiver;
     QTest::qWait(1);
@@ -67,7 +67,7 @@ TEST_F(WindowTest, EventsInARowAreOnePause) {
     EXPECT_GE(log.longestGap().ms, named(QStringLiteral("first")).ms + named(QStringLiteral("second")).ms - 1e-6);
 }
 
-TEST_F(WindowTest, DrawingIsToldApart) {
+TEST_F(WindowTest, PaintingIsCountedSeparately) {
     QObject receiver;
     QTest::qWait(1);
     PauseLog::instance().clear();
@@ -78,7 +78,7 @@ TEST_F(WindowTest, DrawingIsToldApart) {
             hold();
             const DrawingTime time("drawn");
             hold();
-            // Ours within the drawing's is ours.
+            // A part within painting counts as ours.
             const PauseLog::Part inner("within");
             hold();
         },
@@ -90,7 +90,7 @@ TEST_F(WindowTest, DrawingIsToldApart) {
     EXPECT_GE(pause.ms, 3 * kHeldMs);
 }
 
-// A dialog that is open for long holds nobody.
+// An open dialog blocks nothing.
 TEST_F(WindowTest, WaitingInALoopOfItsOwnIsNoPause) {
     QObject receiver;
     QTest::qWait(1);
@@ -117,7 +117,7 @@ TEST_F(WindowTest, WaitingInALoopOfItsOwnIsNoPause) {
     QTest::qWait(1);
     ASSERT_TRUE(inside);
     EXPECT_GE(named(QStringLiteral("inside")).ms, kHeldMs);
-    // It lasted ten times as long as what it held.
+    // The dialog's event lasted ten times as long as the event handled inside it.
     EXPECT_LT(named(QStringLiteral("dialog")).ms, 10 * kHeldMs);
     EXPECT_LT(log.longestGap().ms, 10 * kHeldMs);
 }

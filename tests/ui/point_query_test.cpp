@@ -1,4 +1,4 @@
-// The distances of a point, asked for in the distance map and in the profile.
+// The distances of a point, queried in the distance map and in the profile.
 #include "panes/point_query.h"
 
 #include <algorithm>
@@ -21,15 +21,15 @@ std::optional<QueryPoint> pointIn(const relief::Scenario& scenario) {
     return stateOf<PointState>(scenario).point;
 }
 
-relief::Scenario walls(bool asked = true) {
+relief::Scenario walls(bool withPoint = true) {
     relief::Scenario scenario = lessonScenario(QStringLiteral("paper_walls"));
-    if (!asked) {
+    if (!withPoint) {
         setState(scenario, PointState{});
     }
     return scenario;
 }
 
-// Texels from C to the points of the circles of this role.
+// Returns the distances in texels from C to the points of the circles with this role.
 std::vector<double> radii(const Drawing& drawing, Role role, Point center, double scale) {
     constexpr std::size_t kLine = 2;
     std::vector<double> all;
@@ -57,13 +57,13 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
         ASSERT_GT(found.size(), 50U);
         for (const double one : found) EXPECT_NEAR(one, radius, 0.01);
     }
-    // And the ray that the right wall stops.
+    // Also the ray that the right wall blocks.
     const auto crossed = std::find_if(drawing.items.begin(), drawing.items.end(), [](const Item& item) {
         return item.role == Role::Hidden && std::holds_alternative<Marker>(item.primitive);
     });
     ASSERT_NE(crossed, drawing.items.end());
     EXPECT_GE(frame.uvAt(std::get<Marker>(crossed->primitive).at).x, 8 - kRounding);
-    // A slice that misses both spheres shows nothing of them.
+    // A slice that misses both spheres shows neither.
     frame.plane += 4.5;
     Drawing missed;
     addPointMarks(missed, query, pointPlane(query, field, frame));
@@ -81,7 +81,7 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
     EXPECT_NE(text.find("4.000 texels; V2, the ray 4.000,4.500,0.000,0.000, decides it"), std::string::npos) << text;
 }
 
-TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
+TEST_F(DistanceTest, CtrlClickChoosesAPointAndASecondOneRemovesIt) {
     openPane(walls(false));
     EXPECT_EQ(view()->point(), nullptr);
     const QImage without = view()->image(500);
@@ -92,7 +92,7 @@ TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
     ASSERT_NO_FATAL_FAILURE(settle());
     ASSERT_TRUE(pointIn(scenario()));
     ASSERT_NE(view()->point(), nullptr);
-    const double pixel = 2 / frame.scale;  // texels, generously
+    const double pixel = 2 / frame.scale;  // texels; with a margin
     EXPECT_NEAR(pointIn(scenario())->s, 4, pixel);
     EXPECT_EQ(pointIn(scenario())->t, frame.plane);
     EXPECT_NEAR(pointIn(scenario())->z, 0.6, pixel / 10);
@@ -110,7 +110,7 @@ TEST_F(DistanceTest, CtrlClickAsksForAPointAndThereAgainForgetsIt) {
     EXPECT_TRUE(pointIn(scenario()));
 }
 
-TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
+TEST_F(DistanceTest, ASecondClickRemovesItInAnotherCopyAndAtThePlotsEdgeToo) {
     openPane(walled("distance-conservative"));
     const DistanceFrame frame = view()->shown()->frame;
     const relief::HeightField& field = snapshot()->request->field;
@@ -122,7 +122,7 @@ TEST_F(DistanceTest, ThereAgainForgetsItInAnotherCopyAndAtThePlotsEdgeToo) {
     click(middle);
     ASSERT_TRUE(pointIn(scenario()));
     PointState other{pointIn(scenario())};
-    other.point->s -= 2 * field.width();  // drawn in the copy that is seen
+    other.point->s -= 2 * field.width();  // drawn in the visible periodic copy
     other.point->t += field.height();
     workspace_->change(withState(scenario(), other), {});
     ASSERT_NO_FATAL_FAILURE(settle());
@@ -146,12 +146,12 @@ TEST_F(DistanceTest, InEveryCopyOfAPictureAPointHasTheSameDistances) {
     const auto copy = pointQuery(field, {3.5 - field.width(), 4.5 + 2 * field.height(), 0.9}, 10, cache, work);
     EXPECT_EQ(first->distances.euclidean, copy->distances.euclidean);
     EXPECT_EQ(first->distances.refined, copy->distances.refined);
-    // Where nothing repeats, there is nothing to ask for beyond the picture.
+    // Without repetition a point beyond the picture cannot be queried.
     const relief::HeightField alone(field.sharedHeights(), field.surface(), relief::Address::Border, 0.2);
     EXPECT_EQ(pointQuery(alone, {-0.5, 4.5, 0.9}, 10, cache, work), nullptr);
 }
 
-// As `reliefscope FILE --export` makes them.
+// The figures that `reliefscope FILE --export` makes.
 TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     openWindow(walls());
     for (const char* const name : {"distance", "profile"}) {
@@ -164,13 +164,13 @@ TEST_F(WindowTest, FiguresOfAScenarioShowItsPoint) {
     }
 }
 
-TEST_F(WindowTest, TheProfileShowsThePointAndAsksForAnother) {
+TEST_F(WindowTest, TheProfileShowsThePointAndChoosesAnother) {
     openWindow(walls());
     QTest::keyClick(window_.get(), Qt::Key_6);
     ProfileView* const view = window_->pane<ProfileView>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return view->point() != nullptr; }, kDistancePatienceMs));
     EXPECT_NEAR(view->point()->distances.refined, 4, kRounding);
-    // Next to the ray, before it comes to C.
+    // Next to the ray, before it reaches C.
     const double lambda = snapshot()->trace.hit.lambda / 4;
     const QPoint at = view->canvas()->toWidget(view->frame().onRay(lambda)).toPoint() + QPoint(0, -6);
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);

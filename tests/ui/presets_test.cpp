@@ -1,4 +1,4 @@
-// Views that are asked for often, and a method's options as it has them by itself.
+// Presets of the view, and resetting a method's options to their defaults.
 #include <QComboBox>
 #include <QToolButton>
 
@@ -17,9 +17,9 @@ TEST_F(PresetsTest, EveryViewShowsTheReliefOfEveryScene) {
     ASSERT_NE(box, nullptr);
     ASSERT_EQ(box->count(), static_cast<int>(viewPresets().size()) + 1);
     for (const relief::SceneKind scene : {relief::SceneKind::Floor, relief::SceneKind::Wall, relief::SceneKind::Cube}) {
-        relief::Scenario wanted = scenario();
-        wanted.scene = scene;
-        workspace_->change(wanted, QStringLiteral("scene"));
+        relief::Scenario changed = scenario();
+        changed.scene = scene;
+        workspace_->change(changed, QStringLiteral("scene"));
         waitForFull();
         for (int item = 1; item < box->count(); ++item) {
             const relief::Scenario before = scenario();
@@ -29,7 +29,7 @@ TEST_F(PresetsTest, EveryViewShowsTheReliefOfEveryScene) {
             const ViewPreset& preset = viewPresets()[static_cast<std::size_t>(item - 1)];
             EXPECT_EQ(scenario().camera, presetCamera(preset, scene)) << preset.name;
             EXPECT_EQ(box->currentIndex(), 0);
-            // Not only sky.
+            // The view shows more than sky.
             const auto frame = snapshot()->frame;
             int covered = 0;
             for (int y = 0; y < frame->height; ++y) {

@@ -1,4 +1,4 @@
-// What a reader gets who works out a formula with the numbers as they are printed: an interval, because printed numbers
+// Evaluates a formula from its printed numbers, as a reader would. The result is an interval, because printed numbers
 // are rounded.
 #pragma once
 
@@ -26,7 +26,7 @@ class PrintedFormula {
         EXPECT_TRUE(formula.rest_.empty()) << text << ": not understood from " << formula.rest_;
         return range;
     }
-    // The number that a text begins with.
+    // Returns the number at the beginning of the text.
     static Range leading(std::string_view text) {
         PrintedFormula formula(text);
         return formula.term();
@@ -71,7 +71,7 @@ class PrintedFormula {
                 all = times(all, factor());
             } else if (take("/")) {
                 const Range by = factor();
-                EXPECT_GT(by.low * by.high, 0) << "divided by what may be nothing";
+                EXPECT_GT(by.low * by.high, 0) << "division by a value that may be zero";
                 all = times(all, hull({1 / by.low, 1 / by.high}));
             } else {
                 return all;
@@ -126,7 +126,7 @@ class PrintedFormula {
         rest_.remove_prefix(end);
         const std::size_t point = digits.find('.');
         const double value = std::stod(digits);
-        // Small whole numbers are exact: 1, 2, layer 3 of 8.
+        // Small integers are exact: 1, 2, layer 3 of 8.
         double half = value < 1000 ? 0 : 0.5;
         if (point != std::string::npos) half = 0.5 * std::pow(10.0, -static_cast<double>(digits.size() - point - 1));
         double scale = 1;

@@ -1,4 +1,4 @@
-// The profile as data: what is where on it, for every kind of ray; and what the figures in files hold.
+// The profile as data: its content for every kind of ray, and in exported figures.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -40,7 +40,7 @@ bool finite(const Drawing& drawing) {
     return true;
 }
 
-// The 8 x 8 example, a ray along row 5 of columns: every border, maximum and step is known from the map alone.
+// The 8 x 8 example with a ray along row 5 of columns: every border, maximum and step is known from the map alone.
 TEST(ProfileDrawing, plateausOfTheExampleStandAtTheirMaxima) {
     Traced t("paper8x8", 8, 8, Surface::Columns, Address::Repeat);
     t.trace({0, 5.5, 8, 0}, {"max-pyramid-paper", {}});
@@ -64,7 +64,7 @@ TEST(ProfileDrawing, plateausOfTheExampleStandAtTheirMaxima) {
         EXPECT_EQ(item.id.j, 5 >> item.id.level);
         EXPECT_NEAR(line[0].y, frame.yAt(static_cast<double>(highest)), kRounding) << idText(item.id);
         EXPECT_NEAR(line[1].y, line[0].y, kRounding);
-        // Eight texels a unit of lambda.
+        // Eight texels per unit of lambda.
         EXPECT_NEAR(line[0].x, frame.xAt(static_cast<double>(item.id.i * side) / 8), 1e-6) << idText(item.id);
         const double end = std::min(static_cast<double>((item.id.i + 1) * side) / 8, frame.lambdaEnd);
         EXPECT_NEAR(line[1].x, frame.xAt(end), 1e-6) << idText(item.id);
@@ -93,7 +93,7 @@ TEST(ProfileDrawing, everyStepHasItsMarkNearItsPlaceOnTheRay) {
             const relief::Step& s = t.log.steps[static_cast<std::size_t>(item.id.i)];
             EXPECT_TRUE(found.insert(item.id.i).second) << "once each";
             EXPECT_EQ(item.role, roleOf(s.decision));
-            // In the middle of what the step is about, or a little beside it for want of room.
+            // In the middle of the step's texel, or slightly beside it if there is no room.
             const double lambda = frame.lambdaAt(std::get<Marker>(item.primitive).at.x);
             const double aside = 3 * 30 / frame.plot.width() * frame.lambdaEnd;
             EXPECT_GE(lambda, std::min(s.lambdaIn, s.lambdaAfter) - aside);
@@ -102,7 +102,7 @@ TEST(ProfileDrawing, everyStepHasItsMarkNearItsPlaceOnTheRay) {
         ASSERT_EQ(t.source.hit.outcome, relief::Outcome::Hit);
         EXPECT_EQ(found.size(), t.log.steps.size() - 1) << "the last one is the ring";
         EXPECT_EQ(rings, 1);
-        // The same things have the same ids, whichever step is chosen.
+        // The same items have the same ids, whichever step is chosen.
         std::vector<ItemId> ids;
         for (const Item& item : marks.items) {
             if (std::holds_alternative<Marker>(item.primitive)) ids.push_back(item.id);
@@ -113,7 +113,7 @@ TEST(ProfileDrawing, everyStepHasItsMarkNearItsPlaceOnTheRay) {
     }
 }
 
-// Marks with their numbers, and names of levels, keep clear of each other.
+// Marks with their numbers, and names of levels, do not overlap.
 TEST(ProfileDrawing, numbersAndMarksDoNotOverlap) {
     for (const char* const recipe : {"bricks", "city", "fractal"}) {
         Traced t(recipe, 128, 128, Surface::Bilinear, Address::Repeat);
@@ -123,7 +123,7 @@ TEST(ProfileDrawing, numbersAndMarksDoNotOverlap) {
         const Drawing marks = profileMarks(t.source, options, frame, 2);
         std::vector<Box> boxes;
         for (const Item& item : marks.items) {
-            constexpr double kMark = 3.9;  // half of one
+            constexpr double kMark = 3.9;  // half the size of a mark
             if (const auto* marker = std::get_if<Marker>(&item.primitive)) {
                 boxes.push_back(
                     {marker->at.x - kMark, marker->at.y - kMark, marker->at.x + kMark, marker->at.y + kMark});
@@ -141,7 +141,7 @@ TEST(ProfileDrawing, numbersAndMarksDoNotOverlap) {
     }
 }
 
-// A name goes beside the longest plateau of its level that leaves room for it, not only beside the longest.
+// A level's name is next to the longest of its plateaus that leaves room for it.
 TEST(ProfileDrawing, everyLevelIsNamedOnceWhereThereIsRoom) {
     for (const char* const recipe : {"city", "hills"}) {
         Traced t(recipe, 128, 128, Surface::Bilinear, Address::Repeat);
@@ -161,7 +161,7 @@ TEST(ProfileDrawing, everyLevelIsNamedOnceWhereThereIsRoom) {
     }
 }
 
-// Steps up to the rim of the drawing: their numbers are within it, the hit's too.
+// Numbers of steps at the edge of the drawing are inside it, and so is that of the hit.
 TEST(ProfileDrawing, numbersAtTheRimAreWhole) {
     for (const char* const recipe : {"bricks", "city", "fractal"}) {
         Traced t(recipe, 128, 128, Surface::Bilinear, Address::Repeat);
@@ -169,7 +169,7 @@ TEST(ProfileDrawing, numbersAtTheRimAreWhole) {
         ASSERT_EQ(t.source.hit.outcome, relief::Outcome::Hit);
         const ProfileOptions options;
         ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
-        // As zoomed in: seen to a little behind the hit, and to all places before it.
+        // The visible part ends at various positions behind the hit, as after zooming.
         for (double behind = 7; behind < 200; behind += 1.5) {
             frame.visible.x1 = frame.onRay(t.source.hit.lambda).x + behind;
             if (frame.visible.x1 > frame.whole.x1) break;
@@ -235,7 +235,8 @@ TEST(ProfileDrawing, theOffsetMethodShowsItsOneSample) {
     }
 }
 
-// Vertical rays, the border, the step limit, a single texel, far starts: drawn, finite, and something is there.
+// Vertical rays, address border, the step limit, a single texel, distant starts: all are drawn, with finite coordinates
+// and something visible.
 TEST(ProfileDrawing, raysOfEveryKindAreDrawn) {
     struct Case {
         int size;
@@ -287,7 +288,7 @@ TEST(ProfileDrawing, raysOfEveryKindAreDrawn) {
     }
 }
 
-// The limit that the tracer gave up at is where the ray ends.
+// The drawn ray ends where the tracer gave up.
 TEST(ProfileDrawing, aGivenUpRayEndsWhereItWasGivenUp) {
     Traced t(relief::FloatImage(16, 16, 0.25F), Surface::Bilinear, Address::Repeat);
     t.trace({3, 4, 3e6, 1e6}, {"exact", {}});
@@ -311,7 +312,7 @@ TEST(ProfileDrawing, aTexelIsAsLongAcrossAsUpwards) {
     const double across = frame.plot.width() / (frame.lambdaEnd * frame.run);
     const double upwards = (frame.yAt(0) - frame.yAt(1)) / t.field.slabTexels();
     EXPECT_NEAR(across, upwards, 1e-9 * across);
-    // A short ray before a high slab is no stripe: its surroundings fill the pane.
+    // A short ray under a high slab is not drawn as a narrow strip: its surroundings fill the pane.
     t.trace({12, 40, 200, 0}, {"max-pyramid", {}});
     t.source.hit = relief::Hit::at(t.source.ray, 0.01);
     t.source.steps = nullptr;
@@ -321,11 +322,11 @@ TEST(ProfileDrawing, aTexelIsAsLongAcrossAsUpwards) {
                 1e-9);
 }
 
-// Zoomed in, only what is seen is made, and all of it.
+// When zoomed in, all visible items are made, and only these.
 TEST(ProfileDrawing, aZoomShowsCellsThatWereThinnedOut) {
     Traced t("fractal", 256, 256, Surface::Bilinear, Address::Repeat);
     t.trace({3.3, 7.1, 8000, 6000}, {"max-pyramid", {}});
-    t.source.hit = relief::Hit::none(relief::Outcome::Limit);  // all of it is shown
+    t.source.hit = relief::Hit::none(relief::Outcome::Limit);  // the whole ray is shown
     t.source.steps = nullptr;
     const ProfileOptions options;
     ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
@@ -350,7 +351,7 @@ TEST(ProfileDrawing, aZoomShowsCellsThatWereThinnedOut) {
     }
 }
 
-// Not asserted on time: the number of things drawn is what the time is made of.
+// Drawing time is not tested; the number of items, which determines it, is.
 TEST(ProfileDrawing, aRayThroughTenThousandCellsIsFewThings) {
     Traced t("fractal", 256, 256, Surface::Bilinear, Address::Repeat);
     for (const char* const method : {"exact", "max-pyramid-paper"}) {
@@ -371,9 +372,10 @@ TEST(ProfileDrawing, aRayThroughTenThousandCellsIsFewThings) {
     }
 }
 
-// A sphere or cone is drawn as broken exactly where the ray's first hit lies inside it, and only then explained.
+// A sphere or cone is drawn as violated exactly if the ray's first hit lies inside it; only then the legend explains
+// it.
 TEST(ProfileDrawing, brokenPromisesAreDrawnAsSuch) {
-    constexpr double kLong = 0.005;  // of lambda: more than what counts as the same answer
+    constexpr double kLong = 0.005;  // in lambda; more than the tolerance within which results count as equal
     for (const char* method : {"distance", "cone"}) {
         Traced t("hills", 64, 64, Surface::Bilinear, Address::Repeat);
         t.trace({12, 40, 4, -1}, {method, {}});
@@ -404,7 +406,7 @@ TEST(ProfileDrawing, brokenPromisesAreDrawnAsSuch) {
     }
 }
 
-// Where there is little room: all levels in one entry, in words of either language, and half the rows.
+// With little room: all levels in one entry, text in either language, and half the rows.
 TEST(ProfileDrawing, theBriefLegendNamesWhatIsDrawnInFewRows) {
     Traced t("bricks", 64, 64, Surface::Bilinear, Address::Repeat);
     t.trace({12, 40, 19, -4}, {"max-pyramid-paper", {}});

@@ -1,4 +1,4 @@
-// The profile pane, used as a person would; and figures exported without a display.
+// The profile pane, operated as by a person; and figures exported without a display.
 #include <set>
 
 #include <QDockWidget>
@@ -35,7 +35,7 @@ TEST_F(ProfileTest, AClickOnAMarkChoosesItsStep) {
     const auto& steps = snapshot()->trace.steps;
     ASSERT_GT(steps.size(), 4u);
     std::set<int> chosen;
-    // Everywhere on a grid: whatever mark is there has to choose its own step.
+    // Clicks on a grid of points: each mark that is hit chooses its own step.
     for (int y = 6; y < canvas()->height(); y += 6) {
         for (int x = 6; x < canvas()->width(); x += 6) {
             const ItemId id = canvas()->itemAt(QPointF(x, y));
@@ -69,15 +69,15 @@ TEST_F(ProfileTest, BehindAnotherTabItCatchesUp) {
     openProfile(smallScenario());
     workspace_->chooseStep(1);
     const QImage before = grab(canvas());
-    QTest::keyClick(window_.get(), Qt::Key_3);  // the pyramid, in the same place
+    QTest::keyClick(window_.get(), Qt::Key_3);  // the pyramid, in a tab of the same dock area
     QTest::qWait(100);
     ASSERT_TRUE(canvas()->visibleRegion().isEmpty());
     const double run = view()->frame().run;
     workspace_->choosePixel(60, 50);
     waitForFull();
-    EXPECT_EQ(view()->frame().run, run) << "not drawn where nobody sees it";
+    EXPECT_EQ(view()->frame().run, run) << "a hidden pane is not drawn";
     QTest::keyClick(window_.get(), Qt::Key_6);
-    // A loaded machine takes its time to paint.
+    // A busy machine needs some time to paint.
     EXPECT_TRUE(QTest::qWaitFor([&] { return view()->frame().run != run; }, 5000));
     const QImage after = grab(canvas());
     EXPECT_NE(before, after);
@@ -124,7 +124,7 @@ TEST_F(ProfileTest, TheSkyHasNoProfile) {
     EXPECT_GT(colorsIn(grab(canvas())), 50);
 }
 
-// --- figures, by the program, without a display
+// --- Figures that the program exports without a display
 
 struct Exported {
     int status = -1;

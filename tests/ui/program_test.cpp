@@ -1,4 +1,4 @@
-// The program `reliefscope` as it is started: arguments, and no display.
+// The program `reliefscope` at start: its arguments, and a missing display.
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -29,7 +29,8 @@ Ran start(const QStringList& arguments, bool display = true, const QString& loca
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("LC_ALL"), locale);
     environment.insert(QStringLiteral("QT_SCALE_FACTOR"), scale);
-    // Leaks of the window are looked for in this process; drivers, unloaded at the end, would be blamed on the program.
+    // Leaks of the window are checked in this process; in the program they could not be distinguished from those of
+    // unloaded drivers.
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     if (!display) environment.remove(QStringLiteral("DISPLAY"));
     process.setProcessEnvironment(environment);
@@ -46,7 +47,7 @@ bool oneLine(const QString& text) {
     return text.endsWith('\n') && text.count('\n') == 1;
 }
 
-// These need no display; they run everywhere.
+// These tests need no display.
 TEST(Program, WithoutADisplayItSaysSo) {
     for (const QStringList& arguments : {QStringList{}, QStringList{QStringLiteral("--check-display")}}) {
         const Ran ran = start(arguments, false);
@@ -78,7 +79,7 @@ TEST(Program, BadUsage) {
     }
 }
 
-TEST_F(WindowTest, BadInputIsSaidBeforeAWindowOpens) {
+TEST_F(WindowTest, BadInputIsReportedBeforeAWindowOpens) {
     const QTemporaryDir folder;
     const QString broken = folder.filePath(QString::fromUtf8("не картинка.png"));
     std::ofstream(broken.toStdString()) << "no";
@@ -95,7 +96,7 @@ TEST_F(WindowTest, UkrainianTextsAreThere) {
     QTranslator translator;
     ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
     EXPECT_EQ(translator.translate("reliefui::ResultView", "Result"), QString::fromUtf8("Результат"));
-    // Numbers stay those of the C locale.
+    // Numbers are formatted as in the C locale.
     EXPECT_EQ(start({QStringLiteral("--version")}, true, QStringLiteral("uk_UA.UTF-8")).status, 0);
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
@@ -105,7 +106,7 @@ TEST_F(WindowTest, UkrainianTextsAreThere) {
     EXPECT_FALSE(QImage(file).isNull());
 }
 
-// What lupdate finds in the sources today has a translation, and none of them is left open.
+// Every text that lupdate finds in the sources has a translation, and none is marked unfinished.
 TEST(Translations, everyTextOfTheWindowHasOne) {
     const QTemporaryDir folder;
     const QString copy = folder.filePath(QStringLiteral("reliefscope_uk.ts"));
@@ -151,7 +152,7 @@ TEST_F(WindowTest, TheScreenshotShowsTheWindowWithoutAWordOfComplaint) {
     EXPECT_GT(colorsIn(image), 1000);
 }
 
-// Everything is twice as large there: text in the panes neither half nor four times that.
+// With a scale factor of two everything is twice as large, including text in the panes.
 TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
     const QTemporaryDir folder;
     std::array<QImage, 2> pictures;
@@ -166,7 +167,7 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
     const QImage& plain = pictures[0];
     ASSERT_EQ(pictures[1].size(), 2 * plain.size());
     const QImage fine = pictures[1].scaled(plain.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    // The pyramid's pane: right, below the middle.
+    // The pyramid's pane: on the right, below the middle.
     const QRect pane(plain.width() * 65 / 100, plain.height() * 48 / 100, plain.width() * 34 / 100,
                      plain.height() * 22 / 100);
     double sum = 0;
@@ -175,13 +176,14 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
             sum += std::abs(qGray(plain.pixel(x, y)) - qGray(fine.pixel(x, y)));
         }
     }
-    // Smoother lines and letters differ by less; text of twice the size by much more.
+    // Antialiasing of lines and letters differs by less; text of another size by much more.
     constexpr double kSmoothing = 17;
     EXPECT_LT(sum / (pane.width() * pane.height()), kSmoothing);
 }
 
-// A screen of so many pixels that says nothing of how fine it is.
-bool wantedTwiceOn(const QString& screen) {
+// Starts a display of this size that does not report its resolution. Returns true if the program would draw everything
+// twice as large.
+bool isDoubledOn(const QString& screen) {
     QProcess server;
     server.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                           QStringLiteral("0"), screen});
@@ -190,20 +192,20 @@ bool wantedTwiceOn(const QString& screen) {
     EXPECT_TRUE(number.endsWith('\n')) << "no display of " << screen.toStdString();
     const QByteArray before = qgetenv("DISPLAY");
     qputenv("DISPLAY", ":" + number.trimmed());
-    const bool wanted = needsDoubleScale();
+    const bool doubled = needsDoubleScale();
     qputenv("QT_SCALE_FACTOR", "1");
-    EXPECT_FALSE(needsDoubleScale()) << "the user has said how large";
+    EXPECT_FALSE(needsDoubleScale()) << "the user has set the scale";
     qunsetenv("QT_SCALE_FACTOR");
     qputenv("DISPLAY", before);
     server.terminate();
     server.waitForFinished(5000);
-    return wanted;
+    return doubled;
 }
 
-TEST_F(WindowTest, AFineScreenThatSaysNothingIsDrawnTwiceAsLarge) {
-    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "somebody has chosen a size";
-    EXPECT_TRUE(wantedTwiceOn(QStringLiteral("3840x2160x24")));
-    EXPECT_FALSE(wantedTwiceOn(QStringLiteral("1920x1080x24")));
+TEST_F(WindowTest, AFineScreenOfUnknownResolutionIsDrawnTwiceAsLarge) {
+    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "a scale factor is set";
+    EXPECT_TRUE(isDoubledOn(QStringLiteral("3840x2160x24")));
+    EXPECT_FALSE(isDoubledOn(QStringLiteral("1920x1080x24")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A walk at random over all controls: buttons, lists, sliders, numbers, menus, keys, the mouse in every pane. The
-// window must live, Qt and VTK must not complain, memory must not grow without end, and undo must still lead back.
+// Random operation of all controls: buttons, lists, sliders, numbers, menus, keys, the mouse in every pane. The window
+// must survive, Qt and VTK must not report errors, memory must not grow without limit, and undo must still lead back.
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
@@ -36,22 +36,23 @@
 namespace reliefui {
 namespace {
 
-constexpr std::uint64_t kSeed = 20261121;  // RELIEF_SEED: another
+constexpr std::uint64_t kSeed = 20261121;  // set RELIEF_SEED for another one
 constexpr int kShortMs = 60000;
 constexpr int kLongMs = 600000;
-// Dialogs and menus are sent away as soon as they are seen.
+// Dialogs and menus are closed as soon as they appear.
 constexpr int kDismissMs = 40;
 constexpr qint64 kLongestStepMs = 5000;
 constexpr int kEndMs = 120000;
 constexpr int kMostUndone = 100000;
-constexpr int kEmptiedMs = 4000;  // twice what the window waits after a pane is closed
+constexpr int kEmptiedMs = 4000;  // twice the delay after which the window frees a closed pane
 constexpr std::size_t kRemembered = 25;
-// What may stay when all is undone, besides the maps that the cache keeps within its budget: what the panes hold that
-// were opened, for a walk of a thousand steps opens all; Mesa keeps 30 to 80 a pane. Seen: 307 to 511.
+// Memory that may remain in use after everything is undone, in addition to the cached maps, which stay within their
+// budget: resources of opened panes, since a walk of a thousand steps opens all of them; Mesa keeps 30 to 80 MB per
+// pane. Measured: 307 to 511.
 constexpr double kOpenMegabytes = 1000;
-// And when the panes are closed. Seen: 146 to 161. The long walk is held to the same.
+// The same after the panes are closed. Measured: 146 to 161. The long walk has the same limit.
 constexpr double kGrowthMegabytes = 400;
-// What may stay when the window is gone, maps included: nothing of ours. Seen: 10 to 56.
+// Memory that may remain in use after the window is destroyed, maps included; none of it is ours. Measured: 10 to 56.
 constexpr double kLeftMegabytes = 150;
 
 QStringList& complaints() {
@@ -61,7 +62,7 @@ QStringList& complaints() {
 
 void noteQt(QtMsgType type, const QMessageLogContext&, const QString& text) {
     if (type == QtDebugMsg || type == QtInfoMsg) return;
-    // The X server's answer to a focus that nobody can give: no window manager runs here.
+    // The X server's error when the focus cannot be set, since there is no window manager.
     if (text.startsWith(QLatin1String("QXcbConnection: XCB error")) && text.contains(QLatin1String("SetInputFocus"))) {
         return;
     }
@@ -125,11 +126,11 @@ class Walk {
     void note(const QString& text) {
         story_.push_back(text);
         rememberForCrash(text.toStdString());
-        // To follow a walk.
+        // Prints each step, to follow a walk.
         if (std::getenv("RELIEF_WALK") != nullptr) std::fprintf(stderr, "%s\n", qPrintable(text));
         if (story_.size() > kRemembered) story_.pop_front();
     }
-    static QString told(const QWidget* widget) {
+    static QString describe(const QWidget* widget) {
         return QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName() +
                QLatin1Char(' ') + widget->accessibleName();
     }
@@ -194,11 +195,11 @@ class Walk {
         const QPoint from = place();
         switch (below(4)) {
             case 0:
-                note(QStringLiteral("click ") + told(pane));
+                note(QStringLiteral("click ") + describe(pane));
                 QTest::mouseClick(pane, button, modifiers, from);
                 break;
             case 1: {
-                note(QStringLiteral("drag ") + told(pane));
+                note(QStringLiteral("drag ") + describe(pane));
                 const QPoint to = place();
                 QTest::mousePress(pane, Qt::LeftButton, modifiers, from);
                 for (int i = 1; i <= 3; ++i) QTest::mouseMove(pane, from + (to - from) * i / 3);
@@ -206,14 +207,14 @@ class Walk {
                 break;
             }
             case 2: {
-                note(QStringLiteral("wheel ") + told(pane));
+                note(QStringLiteral("wheel ") + describe(pane));
                 QWheelEvent event(from, pane->mapToGlobal(from), {}, {0, below(2) == 0 ? 120 : -120}, Qt::NoButton,
                                   modifiers, Qt::NoScrollPhase, false);
                 QApplication::sendEvent(pane, &event);
                 break;
             }
             default:
-                note(QStringLiteral("hover ") + told(pane));
+                note(QStringLiteral("hover ") + describe(pane));
                 QTest::mouseMove(pane, from);
         }
     }
@@ -229,7 +230,7 @@ class Walk {
         }
         if (all.empty()) return;
         QWidget* const chosen = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
-        note(QStringLiteral("use ") + told(chosen));
+        note(QStringLiteral("use ") + describe(chosen));
         if (auto* const button = qobject_cast<QAbstractButton*>(chosen)) {
             QTest::mouseClick(button, Qt::LeftButton);
         } else if (auto* const tabs = qobject_cast<QTabBar*>(chosen)) {
@@ -261,8 +262,8 @@ class Walk {
 
 class RandomWalk : public WindowTest {
   protected:
-    // To the very first entry: each takes its time where pictures have to be loaded again. The history forgets what is
-    // older than a thousand entries, so at last the first scenario is shown again.
+    // Undoes every change. Each one takes time if pictures must be loaded again. The history keeps only a thousand
+    // entries, so finally the first scenario is set.
     void undoAll(const relief::Scenario& first) {
         int undone = 0;
         for (; workspace_->canUndo(); ++undone) {
@@ -274,9 +275,9 @@ class RandomWalk : public WindowTest {
         workspace_->show(first, QStringLiteral("first"));
         EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
     }
-    // All but the result; waits until what they held is given back.
+    // Closes all panes except the result, and waits until their resources are freed.
     void closePanes() {
-        window_->resetLayout();  // one may fill the window
+        window_->resetLayout();  // a pane may fill the window
         for (QDockWidget* const dock : window_->findChildren<QDockWidget*>()) dock->hide();
         QTest::qWait(kEmptiedMs);
         QThreadPool::globalInstance()->waitForDone();
@@ -284,8 +285,8 @@ class RandomWalk : public WindowTest {
 };
 
 TEST_F(RandomWalk, overAllControls) {
-    const char* const wanted = std::getenv("RELIEF_SEED");
-    const std::uint64_t seed = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeed;
+    const char* const given = std::getenv("RELIEF_SEED");
+    const std::uint64_t seed = given != nullptr ? std::strtoull(given, nullptr, 10) : kSeed;
     const bool isLong = std::getenv("RELIEF_LONG") != nullptr;
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
     complaints().clear();
@@ -306,7 +307,7 @@ TEST_F(RandomWalk, overAllControls) {
             walk.step();
             ++steps;
             QTest::qWait(5);
-            // While the machine stands still nobody walks.
+            // Time during which the machine is suspended does not count.
             left -= std::min<qint64>(clock.elapsed(), kLongestStepMs);
             if (!window_->isVisible()) window_->show();
             ASSERT_TRUE(complaints().isEmpty()) << qPrintable(complaints().join(QStringLiteral("\n"))) << "\nafter\n"
@@ -314,13 +315,13 @@ TEST_F(RandomWalk, overAllControls) {
         }
     }
     const double walked = heldMegabytes();
-    // It still answers.
+    // The window still responds.
     EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
     undoAll(smallScenario());
     QTest::qWait(1000);
     const double undone = heldMegabytes() - cached() - atFirst;
     closePanes();
-    // What panes let go of is freed aside, later on a slow machine.
+    // Resources of panes are freed in the background, which takes longer on a slow machine.
     double grown = 0;
     const auto freed = [&] {
         grown = heldMegabytes() - cached() - atFirst;

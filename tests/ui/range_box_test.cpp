@@ -1,4 +1,4 @@
-// The choice of a colour range, where it is made and what follows it: the picture, the legend, the scenario, undo.
+// The choice of a colour range, and its effects on the picture, the legend, the scenario and undo.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -29,7 +29,7 @@ class RangeChoice : public WindowTest {
         return pane->findChild<RangeButton*>(QStringLiteral("color-range"));
     }
     ColorRange chosen(RangeOf of) const { return rangesOf(scenario()).of(of); }
-    // Every pixel of a layer of numbers has the colour of its value.
+    // Checks that every pixel of a layer of numbers has the colour of its value.
     void expectColoursOfTheScale() {
         const LayerPicture& layer = snapshot()->layer;
         ASSERT_NE(layer.values, nullptr);
@@ -38,9 +38,9 @@ class RangeChoice : public WindowTest {
             for (int x = 0; x < layer.image.width(); x += 5) {
                 const auto value = static_cast<double>((*layer.values)(x, y));
                 if (std::isnan(value) || layer.error) continue;
-                const Rgba wanted = style.cell(colorMapOf(layer.layer), value, layer.scale);
+                const Rgba expected = style.cell(colorMapOf(layer.layer), value, layer.scale);
                 const QColor seen = layer.image.pixelColor(x, y);
-                EXPECT_LE(std::abs(seen.red() - wanted.r) + std::abs(seen.green() - wanted.g), 3) << x << "," << y;
+                EXPECT_LE(std::abs(seen.red() - expected.r) + std::abs(seen.green() - expected.g), 3) << x << "," << y;
             }
         }
     }
@@ -78,13 +78,13 @@ TEST_F(RangeChoice, TheResultFollowsItAndUndo) {
     EXPECT_EQ(snapshot()->layer.scale.high, 9);
     EXPECT_EQ(snapshot()->layer.scale.threshold, 5);
     expectColoursOfTheScale();
-    // The legend counts what the picture shows.
+    // The legend counts the values that the picture shows.
     const LayerPicture& layer = snapshot()->layer;
     const auto pixels = layer.values->pixels();
     const auto above = std::count_if(pixels.begin(), pixels.end(), [](float v) { return v > 5; });
     EXPECT_EQ(layer.spread->above(5), above);
     EXPECT_NE(rangeTexts(layerValues(layer)).back().find(std::to_string(above)), std::string::npos);
-    // Ends the wrong way round are refused, with a line that says so.
+    // Reversed ends are refused with a message.
     QString problem;
     QObject::connect(workspace_.get(), &Workspace::problem, [&](const QString& said) { problem = said; });
     control<QDoubleSpinBox>(button, "range-low")->setValue(100);
@@ -108,7 +108,7 @@ TEST_F(RangeChoice, ScenariosKeepIt) {
     relief::Scenario scenario = smallScenario();
     setState(scenario, state);
     EXPECT_EQ(rangesOf(scenario), state.ranges);
-    // What is as the standard is not written.
+    // Ranges with default values are not written.
     setState(scenario, RangesState{});
     EXPECT_TRUE(scenario.ui.empty());
     const auto problemOf = [&](const std::string& ranges) -> std::string {
@@ -131,7 +131,8 @@ TEST_F(RangeChoice, ScenariosKeepIt) {
     }
 }
 
-// Near the ray the pyramid has all its colours, and the same height the same one on every level.
+// With only texels near the ray, the pyramid uses the full range of colours, and equal heights have the same colour on
+// all levels.
 TEST_F(RangeChoice, ThePyramidIsStretchedToWhatIsSeen) {
     openWindow(smallScenario());
     auto* const view = window_->pane<PyramidView>();
@@ -151,7 +152,7 @@ TEST_F(RangeChoice, ThePyramidIsStretchedToWhatIsSeen) {
     EXPECT_GT(grids, 3);
 }
 
-// A click on the bar of colours opens the choice, by keys it is a button.
+// A click on the colour bar opens the choice; for the keyboard there is a button.
 TEST_F(RangeChoice, TheBarOfColoursOpensIt) {
     openWindow(smallScenario());
     auto* const view = window_->pane<PyramidView>();

@@ -1,4 +1,4 @@
-// Pixels worth seeing, bookmarks, guesses, somebody else's tracer.
+// Finding interesting pixels, bookmarks, guessing, steps of an external tracer.
 #include <cmath>
 #include <fstream>
 
@@ -32,7 +32,7 @@ relief::Scenario coarseLayers() {
     return scenario;
 }
 
-TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
+TEST_F(WindowTest, PixelsWorthSeeingAreVisitedOneByOne) {
     openWindow(coarseLayers());
     QSignalSpy reported(window_->finder(), &PixelFinder::reported);
     const auto press = [&](Qt::Key key) {
@@ -58,7 +58,7 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     press(Qt::Key_D);
     EXPECT_GT(window_->finder()->found().front().value, 0);
     EXPECT_TRUE(reported.last().first().toString().contains(QStringLiteral("exact")));
-    // Against another method they are other pixels, of the same picture.
+    // Compared with another method, other pixels of the same picture are found.
     const auto asExact = window_->finder()->found();
     relief::Scenario rival = scenario();
     rival.comparison.others = {{"layers", {{"layers", "7"}}}};
@@ -68,18 +68,18 @@ TEST_F(WindowTest, PixelsWorthSeeingAreGoneToOneByOne) {
     EXPECT_TRUE(reported.last().first().toString().contains(QStringLiteral("layers")))
         << reported.last().first().toString().toStdString();
     EXPECT_NE(window_->finder()->found().front().value, asExact.front().value);
-    // Each is a step of undo of its own.
+    // Each is one step of undo.
     const auto here = scenario().pixel;
     workspace_->undo();
     EXPECT_NE(scenario().pixel, here);
-    // An exact method has none.
+    // An exact method has no errors.
     relief::Scenario exact = scenario();
     exact.method = {"max-pyramid", {}};
     workspace_->change(exact, QStringLiteral("test"));
     waitForFull();
     press(Qt::Key_E);
     EXPECT_TRUE(window_->finder()->found().empty());
-    // It is not set against another exact one, which agrees with it everywhere.
+    // An exact method is not compared with another exact one, since they agree everywhere.
     exact = scenario();
     exact.comparison.others = {{"exact", {}}};
     workspace_->change(exact, QStringLiteral("test"));
@@ -111,7 +111,7 @@ TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {
     EXPECT_EQ(scenario().pixel, marked.pixel);
     EXPECT_EQ(scenario().step, 2) << "not the ray's last step";
     EXPECT_EQ(snapshot()->picture, picture) << "the same bits";
-    // The list names and removes; undo brings back.
+    // The list shows and removes bookmarks; undo restores them.
     BookmarkDialog dialog(workspace_.get());
     ASSERT_EQ(dialog.list()->count(), 2);
     dialog.list()->setCurrentRow(0);
@@ -130,7 +130,7 @@ TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {
     workspace_->open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == named; }, 5000));
     waitForFull();
-    // The menu offers them.
+    // The menu lists them.
     window_->bookmarks()->fill();
     bool offered = false;
     for (QAction* const action : window_->findChildren<QAction*>()) {
@@ -158,7 +158,7 @@ TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
     EXPECT_EQ(scenario().step, step);
     ProfileView* const profile = window_->pane<ProfileView>();
     QTest::qWait(200);
-    // A click a third of the way before the hit.
+    // A click at two thirds of the way to the hit.
     const double guess = hit.lambda * 2 / 3;
     const QPoint at = profile->canvas()->toWidget(profile->frame().onRay(guess)).toPoint();
     QTest::mouseClick(profile->canvas(), Qt::LeftButton, Qt::NoModifier, at);
@@ -167,15 +167,15 @@ TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
     EXPECT_EQ(snapshot()->trace.hit.lambda, hit.lambda);
     ASSERT_TRUE(profile->options().guess);
     const double texel = profile->frame().run > 0 ? 1 / profile->frame().run : 0.01;
-    EXPECT_NEAR(*profile->options().guess, guess, texel) << "within what a pixel of the screen is";
-    // Another ray: nobody has guessed there.
+    EXPECT_NEAR(*profile->options().guess, guess, texel) << "within one pixel of the screen";
+    // For another ray there is no guess.
     workspace_->choosePixel(30, 100);
     waitForFull();
     QTest::qWait(100);
     EXPECT_FALSE(profile->options().guess);
 }
 
-// What another program would have written: here our own method's steps.
+// Files as another program would write them, here with the steps of one of our methods.
 struct OtherFilesOnDisk {
     QTemporaryDir folder;
     QString rays = folder.filePath(QStringLiteral("rays.csv"));
@@ -225,7 +225,7 @@ TEST_F(WindowTest, AnotherTracersStepsFillThePanes) {
     EXPECT_EQ(window_->time()->table()->table()->model()->rowCount(), static_cast<int>(files.logs[0].size()));
     EXPECT_EQ(snapshot()->trace.hit.lambda, files.logs[0].back().lambdaAfter);
     EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 50);
-    // The next ray of the file, then our own steps on it.
+    // The next ray of the file, then our own steps on that ray.
     window_->time()->other()->findChild<QSpinBox*>(QStringLiteral("other-ray"))->setValue(1);
     waitForFull();
     EXPECT_EQ(snapshot()->trace.steps, files.logs[1]);
@@ -277,7 +277,7 @@ TEST_F(WindowTest, BadStepsOfAnotherTracerAreRefusedWithTheLine) {
     EXPECT_TRUE(text.contains(QStringLiteral("s0,t0,a,b"))) << text.toStdString();
     text = refused(files.folder.filePath(QStringLiteral("none.csv")), files.steps);
     EXPECT_TRUE(text.contains(QStringLiteral("none.csv"))) << text.toStdString();
-    // A texel that this picture has not.
+    // A texel outside this picture.
     files.write(broken, std::string(relief::kStepColumns) + "\n0,1,search,0,900,0,0,0,0.5,1,0.5,0,test,0.5\n");
     text = refused(files.rays, broken);
     EXPECT_TRUE(text.contains(QStringLiteral("900"))) << text.toStdString();

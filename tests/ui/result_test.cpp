@@ -16,13 +16,13 @@ namespace reliefui {
 namespace {
 
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-// Ten times as slow, moving pictures have fewer pixels, and are fewer.
+// Sanitizers make the program ten times slower, so moving pictures are smaller and fewer.
 constexpr bool kAsSlowAsItIs = true;
 #else
 constexpr bool kAsSlowAsItIs = false;
 #endif
 
-// The ray of the pixel, traced here by the core itself.
+// Traces the pixel's ray with the library alone.
 relief::StepLog coreLog(const relief::Scenario& scenario, const relief::Assets& assets) {
     const relief::FrameRequest request = relief::frameRequest(scenario, assets);
     relief::Work work;
@@ -68,7 +68,7 @@ TEST_F(WindowTest, ThePictureIsTheFrames) {
     for (int y = 5; y < 150; y += 13) {
         for (int x = 5; x < 200; x += 11) {
             const QPoint at = onScreen(x, y);
-            // The ring and the magnifier are drawn over the picture.
+            // The ring and the magnifier cover parts of the picture.
             if ((at - onScreen(90, 80)).manhattanLength() < 40 || (at.x() > view->width() / 2 && at.y() < 200))
                 continue;
             EXPECT_EQ(shown.pixelColor(at), picture.pixelColor(x, y)) << x << "," << y;
@@ -93,7 +93,7 @@ TEST_F(WindowTest, ArrowsMoveThePixel) {
     EXPECT_EQ(*scenario().pixel, (relief::PixelChoice{0, 89}));
     waitForFull();
     EXPECT_EQ(snapshot()->trace.pixel, (relief::PixelChoice{0, 89}));
-    // One key after the other is one change.
+    // A sequence of keys is one change.
     workspace_->undo();
     EXPECT_EQ(*scenario().pixel, (relief::PixelChoice{90, 80}));
 }
@@ -124,13 +124,13 @@ TEST_F(WindowTest, DraggingDrawsCoarseThenFull) {
     const std::size_t during = coarse.size();
     QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, from + QPoint(120, 0));
     waitForFull();
-    EXPECT_GE(during, kAsSlowAsItIs ? 0U : 3U) << "the drag is seen while it goes on";
+    EXPECT_GE(during, kAsSlowAsItIs ? 0U : 3U) << "pictures are shown during the drag";
     ASSERT_GT(coarse.size(), during);
     EXPECT_TRUE(
         std::all_of(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(during), [](bool c) { return c; }));
     EXPECT_FALSE(coarse.back());
     EXPECT_LT(scenario().camera.azimuth, azimuth);
-    // At rest it is the picture that is drawn where nothing was dragged.
+    // At rest the picture equals one rendered without dragging.
     relief::Work work;
     EXPECT_EQ(snapshot()->picture, SnapshotMaker().make({scenario()}, work)->picture);
     std::printf("%zu coarse frames in 30 moves, the slowest took %.0f ms\n", during, slowest * 1000);
@@ -139,7 +139,7 @@ TEST_F(WindowTest, DraggingDrawsCoarseThenFull) {
     EXPECT_EQ(scenario().camera.azimuth, azimuth);
 }
 
-// A filter whose full picture takes a minute: while the camera turns a plain one is seen.
+// The full picture with this filter takes a minute: while the camera moves, a picture with plain filtering is shown.
 TEST_F(WindowTest, DraggingDoesNotWaitForASlowFilter) {
     relief::Scenario slow = smallScenario();
     slow.width = 800;
@@ -161,7 +161,7 @@ TEST_F(WindowTest, DraggingDoesNotWaitForASlowFilter) {
     EXPECT_TRUE(seen);
     workspace_->cancel();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 20000));
-    // At whatever moment of a moving picture, also when nothing of it looks for the end any more.
+    // Cancels at various times of a moving picture, also when rendering no longer checks for cancellation.
     for (int n = 0; n < 40; ++n) {
         slow.camera.azimuth -= 1;
         workspace_->change(slow, QStringLiteral("test"), QStringLiteral("drag"), true);
@@ -181,7 +181,7 @@ TEST_F(WindowTest, WheelMovesTheCameraAndSettles) {
     QApplication::sendEvent(view, &wheel);
     EXPECT_LT(scenario().camera.distance, distance);
     waitForFull();
-    // With Ctrl the picture is enlarged at the pointer, and the camera stays.
+    // With Ctrl the picture is enlarged around the pointer, and the camera does not move.
     const QPointF at = onScreen(90, 80);
     const double before = scenario().camera.distance;
     const QPointF fixed = view->toPicture(at);
@@ -203,7 +203,7 @@ TEST_F(WindowTest, LayersAreDrawn) {
         layers->setCurrentIndex(i);
         waitForFull();
         EXPECT_EQ(snapshot()->layer.layer, static_cast<Layer>(i));
-        // What the filter asks nothing about is one colour, and its legend says why.
+        // If the filter does not compute the layer's values, it has one colour, and its legend explains why.
         EXPECT_EQ(colorsIn(snapshot()->layer.image) > 1, snapshot()->layer.applies) << i;
         EXPECT_EQ(snapshot()->picture.size(), snapshot()->layer.image.size());
         EXPECT_GT(colorsIn(grab(window_->result())), 2) << i;
@@ -214,7 +214,7 @@ TEST_F(WindowTest, LayersAreDrawn) {
     EXPECT_EQ(snapshot()->layer.ends.high, *std::max_element(steps.begin(), steps.end()));
 }
 
-// Zoomed in so far that a pixel holds words, it says what it holds.
+// Zoomed in so far that a pixel has room for text, its values are shown.
 TEST_F(WindowTest, LargePixelsHaveTheirValues) {
     openWindow(smallScenario());
     ResultView* const view = window_->result();
@@ -262,9 +262,9 @@ TEST_F(WindowTest, RShowsTheWholePictureAgain) {
 }
 
 TEST_F(WindowTest, TheErrorLayerIsTheCores) {
-    relief::Scenario wanted = smallScenario();
-    wanted.method = {"layers", {{"layers", "6"}}};
-    openWindow(wanted);
+    relief::Scenario layers = smallScenario();
+    layers.method = {"layers", {{"layers", "6"}}};
+    openWindow(layers);
     workspace_->setLayer(Layer::Error);
     waitForFull();
     const LayerPicture& layer = snapshot()->layer;
@@ -284,7 +284,7 @@ TEST_F(WindowTest, TheErrorLayerIsTheCores) {
             if (core.kinds[i] == relief::ErrorKind::Right) {
                 EXPECT_EQ(color, kNoError);
             }
-            // The two kinds have the two sides of the map, whatever their size.
+            // The two kinds of error have the colours of the two sides of the map, whatever their size.
             if (core.kinds[i] == relief::ErrorKind::Short) {
                 EXPECT_GT(qBlue(color), qRed(color)) << x << "," << y;
             }
@@ -297,7 +297,7 @@ TEST_F(WindowTest, TheErrorLayerIsTheCores) {
     for (const auto kind : {relief::ErrorKind::None, relief::ErrorKind::Past}) {
         EXPECT_EQ(seen[static_cast<std::size_t>(kind)], core.counts[static_cast<std::size_t>(kind)]);
     }
-    // Nothing is computed that nobody looks at.
+    // Layers that are not displayed are not computed.
     workspace_->setLayer(Layer::Steps);
     waitForFull();
     EXPECT_EQ(snapshot()->layer.error, nullptr);

@@ -1,4 +1,4 @@
-// The rows pane's use as a person would, and the program.
+// The rows pane, operated as by a person, and figures exported by the program.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -44,7 +44,7 @@ TEST_F(RowsPane, ItShowsTheRowOfTheChosenPixel) {
     const auto shown = [&] { return *view()->shown(); };
     EXPECT_EQ(shown().place.line, scenario().pixel->y);
     EXPECT_EQ(shown().place.chosen, scenario().pixel->x);
-    // The ray of a pixel enters where the row says.
+    // The ray of a pixel enters at the coordinates of the row.
     const auto i = static_cast<std::size_t>(shown().place.chosen - shown().row.span.begin);
     constexpr double kRounding = 1e-6;
     EXPECT_NEAR(shown().row.u[i], snapshot()->trace.ray.s0, kRounding);
@@ -87,15 +87,15 @@ TEST_F(RowsPane, AClickChoosesAPixelOfTheRowAndTheWheelZoomsAlongIt) {
 
 TEST_F(RowsPane, HoverReadsOut) {
     openPane();
-    // Filling the window: there is room for the strips.
+    // In the whole window there is room for the strips.
     QWidget* const title = window_->findChild<QDockWidget*>(QStringLiteral("rows-pane"))->titleBarWidget();
     QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(60, title->height() / 2));
-    // The docks share the room in more than one pass.
+    // Qt distributes the space of docks in several passes.
     QTest::qWait(300);
     settle();
     const RowsFrame& frame = view()->frame();
     const RowsData& data = *view()->shown();
-    // On the line of the first variant, in the middle of the row.
+    // On the curve of the first variant, in the middle of the row.
     const std::size_t curve = 3;
     const auto pixel = static_cast<std::int64_t>((frame.from + frame.to) / 2);
     const auto i = static_cast<std::size_t>(pixel - data.row.span.begin);
@@ -105,7 +105,7 @@ TEST_F(RowsPane, HoverReadsOut) {
     const QString text = view()->readout();
     EXPECT_TRUE(text.contains(QStringLiteral("affine"))) << text.toStdString();
     EXPECT_TRUE(text.contains(QStringLiteral("error"))) << text.toStdString();
-    // In the strip of streams each pixel is its stream's.
+    // In the strip of streams each pixel shows its stream.
     ASSERT_EQ(frame.strips.size(), 1u);
     const double part = (0.5 + static_cast<double>(frame.lens.size() / 2)) / static_cast<double>(frame.lens.size());
     const Point box{frame.strips[0].x0 + part * frame.strips[0].width(), frame.strips[0].center().y};
@@ -176,7 +176,7 @@ TEST_F(RowsPane, ItIsExportedAsItIsShown) {
     EXPECT_GT(colorsIn(view()->image(800)), 50);
 }
 
-// By the program, without a display.
+// The program exports the rows without a display.
 TEST(Rows, TheProgramExportsThem) {
     const QTemporaryDir folder;
     const QString scenario = folder.filePath(QStringLiteral("scenario.json"));

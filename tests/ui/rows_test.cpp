@@ -1,4 +1,4 @@
-// The rows pane: its data against closed forms, what it draws.
+// The rows pane: its data against closed forms, and its drawing.
 #include <cmath>
 #include <map>
 
@@ -44,7 +44,7 @@ TEST(Rows, AffineIsWorstWhereTheClosedFormSays) {
         const RowsData data = dataOf(wallPlace(3840, elevation), {"affine"}, true);
         ASSERT_TRUE(data.affine);
         const relief::RowCurve& curve = data.row.curves[0];
-        // Pixels stand half a pixel at most from the place; there the error is flat.
+        // Pixels are at most half a pixel from the true position, where the error is flat.
         EXPECT_NEAR(static_cast<double>(curve.worstPixel) + 0.5, data.affine->x, 1);
         EXPECT_NEAR(curve.worst, data.affine->error, 1e-5 * data.affine->error);
         const auto [low, high] = std::minmax_element(data.row.q.begin(), data.row.q.end());
@@ -53,7 +53,7 @@ TEST(Rows, AffineIsWorstWhereTheClosedFormSays) {
         const double change = std::abs(data.row.u.back() - data.row.u.front());
         EXPECT_NEAR(curve.worst / change, data.affine->share, 1e-4);
 
-        // It is drawn there.
+        // The mark is drawn there.
         const RowsFrame frame = rowsFrame(data, {}, {}, 640, 400);
         const auto marks = itemsOf(rowsPlots(data, frame), Role::Highlight);
         ASSERT_EQ(marks.size(), 1u);
@@ -73,7 +73,8 @@ TEST(Rows, AnchoredRowsStayBelowAWeightAndTheOthersDrift) {
         options.logarithmic = logarithmic;
         const RowsFrame frame = rowsFrame(data, options, {}, 640, 400);
         const double weight = frame.errorAt(relief::kAnchorError);
-        // The lines: of the first and of the streams all below the line of 1/256, of the last not.
+        // The curves of the first variant and of the streams are below the line of 1/256; that of the last variant is
+        // not.
         double highest[3] = {1e9, 1e9, 1e9};
         int streams = 0;
         for (const Item& item : rowsPlots(data, frame).items) {
@@ -134,7 +135,7 @@ TEST(Rows, StreamsHaveTheirColours) {
     }
     EXPECT_EQ(boxes[0], 30);
     EXPECT_EQ(boxes[1], 30);
-    // No two neighbours look the same, in either theme.
+    // Neighbours are distinguishable in either theme.
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         Style style;
         style.theme = theme;
@@ -167,7 +168,7 @@ TEST(Rows, CountsAreThePapers) {
     }
 }
 
-TEST(Rows, TheVariantsAreToldInUkrainian) {
+TEST(Rows, TheVariantsAreDescribedInUkrainian) {
     QTranslator translator;
     ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
     for (const relief::RowMethodDescription& method : relief::rowMethodList()) {
@@ -202,7 +203,7 @@ TEST(Rows, EveryVariantIsDrawnWithinThePlots) {
                     }
                 }
                 EXPECT_FALSE(rowsLegend(data, 500, relief::Language::English).items.empty());
-                // The shortest one still names all, in a line or two.
+                // The shortest legend still names all variants, in one or two lines.
                 const Drawing names = rowsLegend(data, 500, relief::Language::English, RowsLegend::Names);
                 EXPECT_EQ(names.items.size(), 2 * data.names.size());
                 EXPECT_LE(names.bounds.height(), 40);

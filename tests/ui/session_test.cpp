@@ -1,4 +1,5 @@
-// What a window saves while somebody works in it: there after a crash, gone after a clean end, never another's.
+// The autosaved state of a window: it exists after a crash, is removed at a regular end, and is never another
+// process's.
 #include <fstream>
 
 #include <QAction>
@@ -53,7 +54,7 @@ class SessionTest : public WindowTest {
                                                 [this] { return window_->layoutNow(); });
         keeper_->setInterval(20);
     }
-    // A scenario as a process left it that is gone.
+    // Writes a scenario as a process that has ended would have left it.
     static QString leave(const relief::Scenario& scenario, const QString& id = QStringLiteral("1-1")) {
         QDir().mkpath(settingsFolder());
         const QString file = settingsFolder() + QStringLiteral("/unfinished-") + id + QStringLiteral(".json");
@@ -81,8 +82,8 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
                loadWindowScenario((settingsFolder() + '/' + files[0]).toStdString(), stateReaders()) == scenario();
     };
     EXPECT_TRUE(QTest::qWaitFor(saved, kPatienceMs));
-    EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the panes are part of it";
-    // Another window that starts now.
+    EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the layout is saved, too";
+    // A window that starts now does not take it.
     EXPECT_TRUE(SessionFiles::leftBehind().empty());
     EXPECT_TRUE(saved());
     EXPECT_EQ(keeper_->end(), "");
@@ -101,11 +102,12 @@ TEST_F(SessionTest, WhatWasLeftIsOfferedAndRestored) {
     open(smallScenario());
     new RestoreOffer(window_.get(), workspace_.get(), keeper_.get(), std::move(found));
     EXPECT_TRUE(question()->isVisible());
-    EXPECT_TRUE(scenario().bookmarks.empty()) << "nothing unasked";
+    EXPECT_TRUE(scenario().bookmarks.empty()) << "nothing is restored without confirmation";
     answer("restore");
     EXPECT_TRUE(QTest::qWaitFor([&] { return scenario() == left && !workspace_->busy(); }, kPatienceMs));
     EXPECT_FALSE(question()->isVisible());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(file); }, kPatienceMs)) << "saved as this one's state";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(file); }, kPatienceMs))
+        << "it was saved as this window's state";
     EXPECT_EQ(unfinished().filter(QStringLiteral(".json")).size(), 1);
     workspace_->undo();
     EXPECT_TRUE(QTest::qWaitFor([&] { return scenario().bookmarks.empty(); }, kPatienceMs));
@@ -121,28 +123,28 @@ TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
         const RestoreOffer offer(window_.get(), workspace_.get(), keeper_.get(), SessionFiles::leftBehind());
         answer("restore");
         EXPECT_TRUE(QTest::qWaitFor([&] { return window_->messages()->isVisible(); }, kPatienceMs)) << "why not";
-        // What is done meanwhile is saved beside it.
+        // Meanwhile this window's own state is saved in another file.
         workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}}, QStringLiteral("bookmark"));
         const auto both = [] { return unfinished().filter(QStringLiteral(".json")).size() == 2; };
         EXPECT_TRUE(QTest::qWaitFor(both, kPatienceMs));
         QTest::qWait(100);
-        EXPECT_TRUE(QFileInfo::exists(lost)) << "saved is not shown";
+        EXPECT_TRUE(QFileInfo::exists(lost)) << "it was saved but not yet shown";
         EXPECT_EQ(keeper_->end(), "");
         keeper_.reset();
     }
-    EXPECT_TRUE(QFileInfo::exists(lost)) << "its picture may come back";
+    EXPECT_TRUE(QFileInfo::exists(lost)) << "its picture may exist again later";
     auto found = SessionFiles::leftBehind();
     ASSERT_EQ(found.size(), 1U);
     const RestoreOffer offer(window_.get(), workspace_.get(), nullptr, std::move(found));
     EXPECT_TRUE(question()->isVisible());
-    // The buttons of the offer before are not connected any more.
+    // The buttons of the previous offer are no longer connected.
     for (QPushButton* const button : question()->findChildren<QPushButton*>(QStringLiteral("discard"))) button->click();
     EXPECT_FALSE(question()->isVisible());
     EXPECT_FALSE(QFileInfo::exists(lost));
 }
 
-// The window is made anew in the other language, and asks in it; so does what can be undone.
-TEST_F(SessionTest, AnotherLanguageAsksAnew) {
+// When the language changes, the window is created again and asks in that language; names of undo steps change as well.
+TEST_F(SessionTest, AnotherLanguageAsksAgain) {
     leave(smallScenario());
     open(smallScenario());
     workspace_->setBookmarks({{"a", {60, 50}, scenario().camera, 0}},
@@ -166,7 +168,7 @@ TEST_F(SessionTest, AnotherLanguageAsksAnew) {
     };
     EXPECT_EQ(undo(), MainWindow::tr("&Undo") + QStringLiteral(": ") + BookmarkMenu::tr("Add bookmark"));
     EXPECT_FALSE(undo().contains(QStringLiteral("bookmark")));
-    // Whoever closed it is not asked again by this run.
+    // After the question is closed, this run does not ask again.
     question()->close();
     EXPECT_TRUE(offer->unanswered().empty());
     installTranslations({});
@@ -192,7 +194,7 @@ TEST_F(SessionTest, AStateThatEndedTheStartIsNotTriedAgain) {
     EXPECT_FALSE(SessionFiles::leftBehind().at(0).failedToStart()) << "said once";
 }
 
-TEST_F(SessionTest, WhereNothingCanBeWrittenItIsSaidOnce) {
+TEST_F(SessionTest, WhereNothingCanBeWrittenThereIsOneMessage) {
     const QString file = folder_.filePath(QStringLiteral("file"));
     std::ofstream(file.toStdString()) << "no folder";
     useFolder(file);
@@ -208,7 +210,7 @@ TEST_F(SessionTest, WhereNothingCanBeWrittenItIsSaidOnce) {
     EXPECT_NE(keeper.end(), "");
 }
 
-// The program itself: a key, some seconds, kill -9; the next start offers it.
+// The program itself: a key is pressed, and it is killed some seconds later; the next start offers the state.
 TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     const QString file = folder_.filePath(QStringLiteral("small.json"));
     relief::Scenario first = smallScenario();
@@ -230,18 +232,18 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     QProcess process;
     ASSERT_TRUE(start(process, {file}));
     ASSERT_TRUE(QTest::qWaitFor([&] { return sendKey(process.processId(), "Home"); }, kPatienceMs)) << "no window";
-    // Steps are there with the first picture.
+    // The steps exist when the first picture does.
     const auto arrived = [&] {
         sendKey(process.processId(), "Home");
         const auto now = saved();
         return now && now->step == 0;
     };
     ASSERT_TRUE(QTest::qWaitFor(arrived, kPatienceMs)) << "not saved";
-    process.kill();  // -9
+    process.kill();  // SIGKILL
     process.waitForFinished();
     first.step = 0;
     EXPECT_EQ(saved(), first);
-    // The next one takes it, to offer it.
+    // The next process takes over the file in order to offer it.
     ASSERT_TRUE(start(process, {file}));
     const QString lock =
         settingsFolder() + '/' + unfinished().filter(QStringLiteral(".json"))[0].replace(".json", ".lock");
@@ -256,7 +258,7 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     process.kill();
     process.waitForFinished();
     const auto left = SessionFiles::leftBehind();
-    ASSERT_EQ(left.size(), 1U) << "nothing of the second";
+    ASSERT_EQ(left.size(), 1U) << "the second process left no file";
     EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString(), stateReaders()), first);
 }
 

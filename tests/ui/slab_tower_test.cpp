@@ -1,4 +1,5 @@
-// The levels of a pyramid in space: slabs of their own size over the same ground, and the ray's way through them.
+// The levels of a pyramid in space: slabs as large as their texels over the same ground, and the ray's path through
+// them.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -38,8 +39,8 @@ double area(const Box& box) {
     return box.width() * box.height();
 }
 
-// Slabs are as large as the texels that they are, cut off at the edge of what is shown, stand on the foot of their
-// level and stay below the next one.
+// Checks that slabs are as large as their texels, cut at the edge of the visible part, stand on their level's base
+// height and end below the next level.
 void expectSlabs(const SlabTower& tower, const PyramidParts& parts) {
     ASSERT_FALSE(tower.slabs().empty());
     for (const Slab& slab : tower.slabs()) {
@@ -52,7 +53,7 @@ void expectSlabs(const SlabTower& tower, const PyramidParts& parts) {
         EXPECT_GE(slab.top, slab.foot);
         EXPECT_LE(slab.top, slab.foot + tower.apart());
         const PyramidSource& source = parts.parts[slab.part].source;
-        if (source.overCells) continue;  // what the ray read, see below
+        if (source.overCells) continue;  // values that the ray fetched are checked below
         const relief::FloatImage& level = source.pyramid->level(tower.drawnAs(slab.part, slab.level));
         const auto index = [&](double at, int period) {
             return static_cast<int>((at - std::floor(at / period) * period) / side);
@@ -64,7 +65,7 @@ void expectSlabs(const SlabTower& tower, const PyramidParts& parts) {
     EXPECT_LE(tower.factor(), 1);
 }
 
-TEST(SlabTower, withoutAWalkAllSlabsOfEachLevelCoverTheGround) {
+TEST(SlabTower, withoutATraversalAllSlabsOfEachLevelCoverTheGround) {
     const auto snapshot = snapshotOf(walked());
     for (const relief::PyramidKind kind : {relief::PyramidKind::Mean, relief::PyramidKind::Min}) {
         for (const bool nearRay : {false, true}) {
@@ -78,8 +79,9 @@ TEST(SlabTower, withoutAWalkAllSlabsOfEachLevelCoverTheGround) {
     }
 }
 
-// Of a walk through the maxima: level 0 is all there, above it what the ray looked at and what has the same parent.
-TEST(SlabTower, aWalkShowsWhatItLookedAtAndTheNeighboursUnderTheSameParent) {
+// For a traversal of the maxima: level 0 is complete; above it there are the texels that the ray visited and those with
+// the same parent.
+TEST(SlabTower, aTraversalShowsVisitedTexelsAndTheirSiblings) {
     const auto snapshot = snapshotOf(walked());
     const auto& steps = snapshot->trace.steps;
     for (const bool nearRay : {false, true}) {
@@ -104,7 +106,7 @@ TEST(SlabTower, aWalkShowsWhatItLookedAtAndTheNeighboursUnderTheSameParent) {
         }
         EXPECT_NEAR(ground, area(tower.domain(0)), 1e-6 * ground);
         EXPECT_GT(above, 3U);
-        // Each texel of the ray is there, with its maximum.
+        // Each texel on the ray exists, with its maximum.
         int found = 0;
         for (const relief::Step& step : steps) {
             const auto* const texel = step.as<relief::subject::Texel>();
@@ -124,8 +126,8 @@ TEST(SlabTower, aWalkShowsWhatItLookedAtAndTheNeighboursUnderTheSameParent) {
     }
 }
 
-// The way is one line from the entry to the hit: over a level it goes on along the ray, between levels straight up or
-// down; what it skips it passes above, and a slab that it goes down into it does not.
+// The path is a connected line from the entry to the hit: on a level it follows the ray, between levels it is vertical.
+// It passes above skipped slabs, and not above those into which it descends.
 TEST(SlabTower, theWayIsConnectedAndPassesAboveWhatIsSkipped) {
     const auto snapshot = snapshotOf(walked());
     const auto& steps = snapshot->trace.steps;
@@ -162,13 +164,13 @@ TEST(SlabTower, theWayIsConnectedAndPassesAboveWhatIsSkipped) {
         skipped += step.decision == relief::Decision::Skip ? 1 : 0;
     }
     EXPECT_GT(skipped, 0);
-    // Later steps are told apart.
+    // Later steps are marked.
     const auto half = tower.rayPath(0, steps.size() / 2);
     EXPECT_FALSE(half.front().later);
     EXPECT_TRUE(half.back().later);
 }
 
-// What is seen from above is the slab there.
+// A vertical line from above meets the uppermost slab at its position.
 TEST(SlabTower, aLineFromAboveMeetsTheUppermostSlab) {
     const auto snapshot = snapshotOf(walked());
     const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, true);

@@ -1,4 +1,4 @@
-// The surface along a ray: the one that is traced, and what of it is left where there is too much to be seen.
+// The surface along a ray: it is the traced one, and subsampling keeps its extremes.
 #include <algorithm>
 #include <random>
 
@@ -14,7 +14,7 @@ namespace {
 using relief::Address;
 using relief::Surface;
 
-// The height that a line has at lambda; the line is steep at walls, so a little beside.
+// Returns the height of the polyline at lambda, interpolated between its points.
 double heightOn(const std::vector<Point>& line, double lambda) {
     const auto next =
         std::lower_bound(line.begin(), line.end(), lambda, [](const Point& p, double x) { return p.x < x; });
@@ -55,7 +55,7 @@ TEST(Slice, theSurfaceIsTheOneThatIsTraced) {
     }
 }
 
-// A plateau is as high as the highest point of the surface under it, at least, and spans exactly the texel's stay.
+// A plateau is at least as high as the surface below it, and covers exactly the ray's interval in the texel.
 TEST(Slice, plateausLieOverTheSurfaceAndCoverTheRay) {
     std::mt19937_64 random(12);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -102,8 +102,8 @@ TEST(Slice, thinningKeepsHighestAndLowest) {
     EXPECT_EQ(high->y, thinHigh->y);
 }
 
-// Conservative cones stand on cells between texels' centres, published ones on the texels.
-TEST(SlicedMap, conesAreReadWhereTheyStand) {
+// Conservative cones belong to cells between texel centres, published ones to the texels.
+TEST(SlicedMap, conesAreSampledAtTheirPositions) {
     relief::FloatImage heights(9, 7);
     std::mt19937 random(4);
     for (float& h : heights.pixels()) h = static_cast<float>(random() % 1000) / 1000;

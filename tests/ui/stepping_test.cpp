@@ -1,4 +1,4 @@
-// Time: breakpoints, stepping over levels, the sorted table; undo and files keep what was set.
+// Time: breakpoints, stepping over levels, the sorted table; undo and files keep them.
 #include <cmath>
 
 #include <QComboBox>
@@ -40,7 +40,7 @@ TEST_F(WindowTest, BreakpointsStopRunningAndPlaying) {
     addBreakpoint(bar, kLevelBelow);
     ASSERT_EQ(scenario().breakpoints.size(), 1U);
     EXPECT_EQ(scenario().breakpoints[0], (relief::Breakpoint{relief::StopKind::LevelBelow, 1}));
-    // Where it should stop, by another text.
+    // The expected step, found by independent code.
     std::size_t first = 0;
     while (steps[first].level >= 1) ++first;
     QTest::keyClick(window_.get(), Qt::Key_F5);
@@ -52,18 +52,18 @@ TEST_F(WindowTest, BreakpointsStopRunningAndPlaying) {
     auto* const speed = window_->time()->bar()->findChild<QDoubleSpinBox*>(QStringLiteral("play-speed"));
     speed->setValue(30);
     window_->time()->bar()->togglePlay();
-    const int wanted = static_cast<int>(first);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario().step == wanted; }, 5000));
+    const int expected = static_cast<int>(first);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario().step == expected; }, 5000));
     QTest::qWait(300);
-    EXPECT_EQ(scenario().step, wanted) << "it went on";
-    // Off: to the end.
+    EXPECT_EQ(scenario().step, expected) << "it went on";
+    // With the breakpoint disabled the ray runs to its end.
     QTest::mouseClick(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-0")), Qt::LeftButton);
     EXPECT_FALSE(scenario().breakpoints[0].on);
     QTest::qWait(1);
     workspace_->chooseStep(0);
     QTest::keyClick(window_.get(), Qt::Key_F5);
     EXPECT_EQ(scenario().step, static_cast<int>(steps.size()) - 1);
-    // And away.
+    // Removes the breakpoint.
     QTest::mouseClick(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-remove-0")), Qt::LeftButton);
     EXPECT_TRUE(scenario().breakpoints.empty());
 }
@@ -95,7 +95,7 @@ TEST_F(WindowTest, BreakpointsAreUndoneSavedAndOpenedAgain) {
     EXPECT_TRUE(scenario().breakpoints.empty());
     EXPECT_EQ(snapshot()->picture, picture);
     workspace_->open(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000)) << "what was saved comes back";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000)) << "the saved state is restored";
     waitForFull();
     EXPECT_EQ(snapshot()->picture, picture);
     EXPECT_NE(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-1")), nullptr);
@@ -134,12 +134,12 @@ TEST_F(WindowTest, ASortedTableStaysInStep) {
         EXPECT_LE(value, before) << row;
         before = value;
     }
-    // A click on a row chooses the step that stands there.
+    // A click on a row chooses the step in that row.
     const QModelIndex top = table->model()->index(0, 0);
     table->scrollTo(top);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(top).center());
     EXPECT_EQ(scenario().step, top.data().toInt() - 1);
-    // The kinds of a texel's breakpoint follow the chosen step.
+    // The kinds of breakpoints at a texel follow the chosen step.
     window_->time()->breakpoints()->findChild<QComboBox*>(QStringLiteral("breakpoint-kind"))->setCurrentIndex(kTexel);
     const relief::Step& step = steps[static_cast<std::size_t>(scenario().step)];
     EXPECT_EQ(window_->time()->breakpoints()->edited(),

@@ -1,4 +1,4 @@
-// The 3-D trace: what it shows, and how it is turned.
+// The 3-D trace: its content and its camera control.
 #include <cmath>
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -14,7 +14,7 @@ namespace reliefui {
 
 namespace {
 
-// Pixels whose hue is that of the colour; light changes only how bright they are.
+// Counts pixels with the colour's hue; lighting changes only the brightness.
 int pixelsLike(const QImage& image, QColor color) {
     constexpr int kHue = 8;
     int count = 0;
@@ -37,12 +37,12 @@ TEST_F(WindowTest, TheTraceIsColouredByDecision) {
     auto* const canvas = canvasOf(*window_);
     const auto& steps = snapshot()->trace.steps;
     const Style& style = workspace_->style();
-    // Grey heights: every colour in the pane is a role's.
+    // The heights are grey, so every colour in the pane is that of a role.
     ASSERT_EQ(snapshot()->assets.color, nullptr);
     EXPECT_GT(pixelsLike(grab(canvas), toColor(style.color(Role::Ray))), 40);
     for (const auto decision : {relief::Decision::Descend, relief::Decision::Skip}) {
         for (std::size_t k = 0; k < steps.size(); ++k) {
-            // One that is longer than a point.
+            // A step longer than a point.
             if (steps[k].decision != decision || steps[k].lambdaOut - steps[k].lambdaIn < 0.02) continue;
             workspace_->chooseStep(static_cast<int>(k));
             EXPECT_GT(pixelsLike(grab(canvas), toColor(style.color(roleOf(decision)))), 60)
@@ -52,7 +52,7 @@ TEST_F(WindowTest, TheTraceIsColouredByDecision) {
     }
 }
 
-// Light makes a colour darker, but no other one.
+// Returns true if `seen` is the colour, possibly darkened by lighting.
 bool isLit(QColor seen, Rgba color) {
     constexpr double kOff = 26;
     const double along = seen.red() * color.r + seen.green() * color.g + seen.blue() * color.b;
@@ -69,7 +69,7 @@ int pixelsOf(const QImage& image, Rgba color) {
     return count;
 }
 
-// Above the legend.
+// Counts lit pixels above the legend.
 int litPixels(const QImage& image, Rgba color) {
     int count = 0;
     for (int y = 0; y < image.height() * 8 / 10; ++y) {
@@ -78,7 +78,7 @@ int litPixels(const QImage& image, Rgba color) {
     return count;
 }
 
-// On the chosen step's stretch of the ray, beside its words.
+// Returns a pixel on the ray's interval of the chosen step, next to its label.
 QPoint onStretch(MainWindow& window, const Snapshot& snapshot, const relief::Step& step) {
     const TraceScene scene(snapshot, 1);
     vtkRenderer* const renderer = window.pane<Trace3dView>()->renderer();
@@ -90,7 +90,7 @@ QPoint onStretch(MainWindow& window, const Snapshot& snapshot, const relief::Ste
     return {pixel[0], canvasOf(window)->height() - 1 - pixel[1]};
 }
 
-TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
+TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseWithALegend) {
     relief::Scenario scenario = smallScenario();
     for (const relief::MethodChoice& method :
          {relief::MethodChoice{"max-pyramid-paper", {}}, relief::MethodChoice{"layers-bisection", {{"layers", "8"}}}}) {
@@ -108,7 +108,7 @@ TEST_F(WindowTest, TheTraceIsColouredByLevelAndByPhaseAndSaysWhatIsWhich) {
                 if (steps[k].lambdaOut - steps[k].lambdaIn < 0.02) continue;
                 workspace_->chooseStep(static_cast<int>(k));
                 const QImage shown = grab(canvasOf(*window_));
-                // The sheets of layers lie over the ray: there it is any place beside the legend.
+                // The sheets of layers cover the ray, so there any pixel outside the legend counts.
                 const Rgba color = std::string(by) == "level" ? style.levelLine({steps[k].level, levels})
                                                               : style.color(kOfPhase[static_cast<int>(steps[k].phase)]);
                 const QPoint at = onStretch(*window_, *snapshot(), steps[k]);
@@ -162,7 +162,7 @@ TEST_F(WindowTest, TheTraceTurnsZoomsAndFitsAgain) {
 
 TEST_F(WindowTest, TheTraceOfTheSkySaysSo) {
     relief::Scenario scenario = smallScenario();
-    scenario.camera.distance = 4;  // the sky all around
+    scenario.camera.distance = 4;  // with sky on all sides
     openWindow(scenario);
     auto* const canvas = canvasOf(*window_);
     workspace_->choosePixel(0, 0);
@@ -171,7 +171,7 @@ TEST_F(WindowTest, TheTraceOfTheSkySaysSo) {
     ASSERT_FALSE(snapshot()->trace.onRelief);
     const QImage shown = grab(canvas);
     EXPECT_EQ(pixelsLike(shown, toColor(workspace_->style().color(Role::Ray))), 0);
-    EXPECT_GT(colorsIn(shown), 2) << "words that say what to do";
+    EXPECT_GT(colorsIn(shown), 2) << "a text says what to do";
 }
 
 TEST_F(WindowTest, EveryModelAndAddressingIsShown) {
@@ -195,7 +195,7 @@ TEST(Turntable, whatIsFittedIsInTheView) {
     const auto right = camera.right();
     EXPECT_NEAR(std::hypot(right[0], right[1], right[2]), 1, 1e-12);
     EXPECT_EQ(right[2], 0) << "up stays up";
-    // The direction of the view is across `right`.
+    // The direction of view is perpendicular to `right`.
     EXPECT_NEAR(right[0] * 1 + right[1] * 0.3, 0, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// A ray over a procedural relief, traced, and what the profile draws of it.
+// A traced ray on a procedural relief, and the profile's drawing of it.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace reliefui {
 
-// Heights and places on the drawing are computed in double from the same numbers.
+// Heights and positions in the drawing are computed in double from the same numbers.
 inline constexpr double kRounding = 1e-9;
 
 struct Traced {

@@ -1,4 +1,4 @@
-// The Ukrainian texts: no English left in them, the papers' terms, one word a notion.
+// The Ukrainian texts: no English is left in them, they use the papers' terms, and one word per concept.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -33,7 +33,7 @@ struct Text {
     QString ukrainian;
 };
 
-// All of the .ts files and of the table of messages. Of plural forms each is a text.
+// Returns all texts of the .ts files and of the table of messages; each plural form is a text.
 std::vector<Text> allTexts() {
     std::vector<Text> texts;
     for (const char* const name : {"reliefscope_uk.ts", "algorithms_uk.ts"}) {
@@ -45,7 +45,7 @@ std::vector<Text> allTexts() {
             if (xml.readNext() != QXmlStreamReader::StartElement) continue;
             if (xml.name() == QLatin1String("source")) source = xml.readElementText();
             if (xml.name() != QLatin1String("translation") && xml.name() != QLatin1String("numerusform")) continue;
-            // A translation of plural forms has no text of its own.
+            // A translation with plural forms has no text of its own.
             if (xml.readNext() == QXmlStreamReader::Characters && !xml.isWhitespace()) {
                 texts.push_back({source, xml.text().toString()});
             }
@@ -73,7 +73,7 @@ void addOptions(std::set<QString>& words, const std::vector<relief::OptionDescri
     }
 }
 
-// Names that are typed as they are: of methods, options and their values, files and columns; of keys; of measures,
+// Words that are typed literally: names of methods, options and their values, files and columns; of keys; of measures,
 // formats and papers.
 const std::set<QString>& allowedWords() {
     static const std::set<QString> words = [] {
@@ -105,7 +105,7 @@ const std::set<QString>& allowedWords() {
     return words;
 }
 
-// Latin words that are neither allowed nor a symbol (u, S0, F11, u_x), nor an option of the command line.
+// Returns the Latin words that are neither allowed nor symbols (u, S0, F11, u_x) nor command-line options.
 QStringList foreignWords(QString text) {
     static const QRegularExpression holes(QStringLiteral("\\{\\w+\\}|%(\\d|n)|<[^>]*>|--[a-z-]+|800x600|\\d+e-?\\d+"));
     static const QRegularExpression word(QStringLiteral("[A-Za-z][A-Za-z0-9]*"));
@@ -127,8 +127,9 @@ bool isUkrainian(const QString& text) {
 
 }  // namespace
 
-// History outlives a change of language (workspace/change_name.h), and so do the names of parts that told of pauses.
-TEST(Ukrainian, NamesOfChangesAndPartsAreSaidAgain) {
+// Names in the undo history, and of logged pauses, must be translated again after a change of language
+// (workspace/change_name.h).
+TEST(Ukrainian, NamesOfChangesAndPartsAreTranslatedAgain) {
     const QRegularExpression changes(
         QStringLiteral("\\b(?:workspace_?(?:\\(\\))?(?:->|\\.)(?:change|show|setBreakpoints|setBookmarks))"
                        "\\(([^;]*);"));
@@ -169,7 +170,7 @@ TEST(Ukrainian, NoEnglishIsLeftInTheTexts) {
     }
 }
 
-// A word of the English and the stems of which one stands in the Ukrainian; names of methods do not count.
+// An English term, and the stems of which one must occur in the Ukrainian text; names of methods are excluded.
 TEST(Ukrainian, ATermHasOneTranslation) {
     struct Term {
         const char* english;
@@ -206,8 +207,8 @@ TEST(Ukrainian, ATermHasOneTranslation) {
     }
 }
 
-// Words that the papers do not use for these notions, misspellings, typewriter's apostrophes, % without a space.
-TEST(Ukrainian, NoOtherWordsForTheSame) {
+// Words that the papers do not use for these concepts, misspellings, typewriter apostrophes, % without a space.
+TEST(Ukrainian, TermsAreUsedConsistently) {
     const QRegularExpression wrong(
         QString::fromUtf8(
             "картинк|малюнк|влуча|клітин|обережн|тексели|істин|схова|здогад|вгада|піксел(?![іюяье])|проекц|"
@@ -220,7 +221,7 @@ TEST(Ukrainian, NoOtherWordsForTheSame) {
     }
 }
 
-// Names, units and helps of numbers, methods, filters and their options.
+// Names, units and help texts of numbers, methods, filters and their options.
 TEST(Ukrainian, TheAlgorithmsDescribeThemselvesInIt) {
     QTranslator translator;
     ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
@@ -260,13 +261,13 @@ TEST_F(WindowTest, AUkrainianWindowHasNoEnglish) {
     openWindow(deepRay());
     QTest::qWait(300);
     const auto expectForeignless = [](const QString& text) {
-        // Paths, commands and names of pictures are quoted as they are.
+        // Paths, commands and names of pictures are quoted unchanged.
         if (text.contains('/') || (text.contains('_') && !text.contains(' '))) return;
         EXPECT_EQ(foreignWords(text).join(' ').toStdString(), "") << text.toStdString();
     };
     int seen = 0;
     for (const QWidget* const widget : window_->findChildren<QWidget*>()) {
-        // Qt's own: of a dock, hidden behind our title; of bars of tabs.
+        // Qt's own widgets: the buttons of a dock, hidden behind our title, and of tab bars.
         const QString name = widget->objectName();
         if (name.startsWith(QLatin1String("qt_dockwidget")) || name.startsWith(QLatin1String("Scroll"))) continue;
         expectForeignless(widget->toolTip());

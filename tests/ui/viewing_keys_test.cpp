@@ -1,5 +1,5 @@
-// The keys that look at things (Home, End, Space, digits, ...) mean the same wherever the focus is: they never change a
-// method, an option or the scene. Only what somebody types on purpose goes into a box.
+// The keys for viewing (Home, End, Space, digits, ...) have the same meaning wherever the focus is: they never change a
+// method, an option or the scene. Only deliberate typing reaches a box.
 #include <algorithm>
 #include <cstdlib>
 #include <random>
@@ -29,7 +29,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr std::uint64_t kSeed = 20261123;  // RELIEF_SEED: another
+constexpr std::uint64_t kSeed = 20261123;  // set RELIEF_SEED for another one
 constexpr int kServerMs = 60;
 constexpr int kKeysARound = 8;
 
@@ -38,8 +38,8 @@ struct Key {
     Qt::KeyboardModifiers modifiers;
 };
 
-// As the table in ui/README.md has them, but those that open a dialog or undo, and the projector (slow to draw; an
-// action below).
+// The keys in the table of ui/README.md, except those that open a dialog or undo, and the projector's (slow to draw; it
+// is an action below).
 const std::vector<Key>& viewingKeys() {
     static const std::vector<Key> keys = [] {
         std::vector<Key> all;
@@ -53,7 +53,7 @@ const std::vector<Key>& viewingKeys() {
         for (const Qt::Key key : {Qt::Key_E, Qt::Key_S, Qt::Key_O, Qt::Key_D, Qt::Key_F5, Qt::Key_F10}) {
             all.push_back({key, Qt::ShiftModifier});
         }
-        // What a control would take for itself, more often.
+        // Keys that controls might handle themselves are tested more often.
         for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Space, Qt::Key_R, Qt::Key_Up}) {
             all.insert(all.end(), 3, {key, Qt::NoModifier});
         }
@@ -62,8 +62,8 @@ const std::vector<Key>& viewingKeys() {
     return keys;
 }
 
-// What viewing keys must leave alone: all but pixel, step and notes.
-relief::Scenario whatStays(relief::Scenario scenario) {
+// Removes what viewing keys may change: pixel, step, breakpoints and bookmarks.
+relief::Scenario unchangedPart(relief::Scenario scenario) {
     scenario.pixel.reset();
     scenario.step = 0;
     scenario.breakpoints.clear();
@@ -84,7 +84,7 @@ class ViewingKeys : public WindowTest {
         return window_->findChild<Control*>(QString::fromLatin1(name));
     }
     QDockWidget* dock(const char* name) { return control<QDockWidget>(name); }
-    // To where a keyboard sends it.
+    // Sends the key to the widget with the focus, as a keyboard would.
     static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         ASSERT_NE(QApplication::focusWidget(), nullptr);
         QTest::keyClick(QApplication::focusWidget(), key, modifiers);
@@ -92,13 +92,13 @@ class ViewingKeys : public WindowTest {
     static void idle() {
         for (int i = 0; i < 3; ++i) QApplication::processEvents();
     }
-    // After a list was open: nobody manages windows here, and the X server takes the focus away, somewhat later.
+    // To be called after a list was open: without a window manager the X server takes the focus away, with some delay.
     void activate() {
         QTest::qWait(kServerMs);
         QApplication::setActiveWindow(window_.get());
         idle();
     }
-    // As with the mouse: the list opens, the pointer goes to the item.
+    // Operates the list as with a mouse: it opens, and the pointer moves to the item.
     void choose(QComboBox* list, int item) {
         QTest::mouseClick(list, Qt::LeftButton);
         QWidget* const viewport = list->view()->viewport();
@@ -119,7 +119,7 @@ class ViewingKeys : public WindowTest {
         QTest::mouseDClick(title, Qt::LeftButton, Qt::NoModifier, QPoint(30, title->height() / 2));
         idle();
     }
-    // The upper arrow of a number.
+    // Clicks the upper arrow of a number box.
     static void clickUp(QDoubleSpinBox* box) {
         QStyleOptionSpinBox option;
         option.initFrom(box);
@@ -151,12 +151,12 @@ TEST_F(ViewingKeys, afterAMethodIsChosenWithTheMouse) {
     EXPECT_EQ(QApplication::focusWidget(), window_->result());
     // Also at once, while the list still has the focus.
     method->setFocus(Qt::MouseFocusReason);
-    const relief::Scenario before = whatStays(scenario());
+    const relief::Scenario before = unchangedPart(scenario());
     expectSteps();
     for (const Qt::Key key : {Qt::Key_Space, Qt::Key_Space, Qt::Key_C, Qt::Key_Down}) press(key);
-    EXPECT_EQ(whatStays(scenario()), before);
+    EXPECT_EQ(unchangedPart(scenario()), before);
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << "Space plays";
-    // A box to tick does not keep Space.
+    // A check box does not handle Space.
     QTest::mouseClick(control<QCheckBox>("shadows"), Qt::LeftButton);
     const bool shadows = scenario().shadows;
     press(Qt::Key_Space);
@@ -173,17 +173,17 @@ TEST_F(ViewingKeys, afterAPaneFillsTheWindow) {
             QWidget* const focus = QApplication::focusWidget();
             ASSERT_NE(focus, nullptr);
             EXPECT_TRUE(dock(pane)->isAncestorOf(focus)) << pane << ": " << focus->metaObject()->className();
-            const relief::Scenario before = whatStays(scenario());
+            const relief::Scenario before = unchangedPart(scenario());
             expectSteps();
-            EXPECT_EQ(whatStays(scenario()), before);
+            EXPECT_EQ(unchangedPart(scenario()), before);
         }
     }
 }
 
-// A digit came into an option behind another pane's tab.
-TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
+// A digit once reached an option behind another pane's tab.
+TEST_F(ViewingKeys, noHiddenControlHasTheFocus) {
     open();
-    const relief::Scenario before = whatStays(scenario());
+    const relief::Scenario before = unchangedPart(scenario());
     press(Qt::Key_2, Qt::AltModifier);
     press(Qt::Key_F11);
     idle();
@@ -195,8 +195,8 @@ TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
     press(Qt::Key_6);
     idle();
     EXPECT_EQ(QApplication::focusWidget(), window_->pane<ProfileView>()->canvas());
-    EXPECT_EQ(whatStays(scenario()), before);
-    // The pane of the box that is typed into goes behind another.
+    EXPECT_EQ(unchangedPart(scenario()), before);
+    // The pane that contains the edited box is hidden behind another.
     press(Qt::Key_5);
     idle();
     auto* const base = dock("scene-pane")->findChild<NumberControl*>(QStringLiteral("base"));
@@ -207,7 +207,7 @@ TEST_F(ViewingKeys, nothingOutOfSightHasTheFocus) {
     QTest::qWait(50);
     EXPECT_NE(QApplication::focusWidget(), base->box());
     press(Qt::Key_7);
-    EXPECT_EQ(whatStays(scenario()), before);
+    EXPECT_EQ(unchangedPart(scenario()), before);
 }
 
 TEST_F(ViewingKeys, digitsAreTypedWhereSomebodyTypes) {
@@ -226,7 +226,7 @@ TEST_F(ViewingKeys, digitsAreTypedWhereSomebodyTypes) {
     EXPECT_EQ(QApplication::focusWidget(), window_->result()) << "Enter ends typing";
     waitForFull();
     expectSteps();
-    // Its arrows are no typing.
+    // A click on its arrows is not typing.
     clickUp(box);
     press(Qt::Key_3);
     idle();
@@ -245,21 +245,21 @@ TEST_F(ViewingKeys, everythingIsReachedByTab) {
     press(Qt::Key_Down, Qt::AltModifier);
     QWidget* const list = method->view();
     ASSERT_TRUE(QTest::qWaitFor([&] { return list->isVisible(); }, 2000));
-    // Its own keys while it is open.
+    // While the list is open it handles its own keys.
     QTest::keyClick(list, Qt::Key_Home);
     QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(list, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !list->isVisible(); }, 2000));
     EXPECT_EQ(scenario().method.name, method->itemData(1).toString().toStdString());
     activate();
-    EXPECT_EQ(QApplication::focusWidget(), method) << "who uses the keyboard goes on from here";
+    EXPECT_EQ(QApplication::focusWidget(), method) << "the keyboard's user continues from here";
     press(Qt::Key_3);
     EXPECT_EQ(QApplication::focusWidget(), window_->pane<PyramidView>()->canvas());
     ASSERT_NO_FATAL_FAILURE(tabTo(control<QCheckBox>("shadows")));
     const bool shadows = scenario().shadows;
     press(Qt::Key_Space);
     EXPECT_NE(scenario().shadows, shadows);
-    // Not behind other panes' tabs.
+    // Controls behind other panes' tabs are not reached.
     for (int i = 0; i < 40; ++i) {
         press(Qt::Key_Tab);
         idle();
@@ -292,7 +292,7 @@ TEST_F(ViewingKeys, theWheelTurnsOnlyWhatWasChosen) {
     EXPECT_EQ(scenario(), before);
     EXPECT_EQ(workspace_->layer(), Layer::Color);
     for (const QWidget* const box : window_->findChildren<QWidget*>()) {
-        // Lists that drop down are windows of their own.
+        // Drop-down lists are windows of their own.
         if (box->window() != window_.get() || !box->isVisible()) continue;
         EXPECT_NE(box->focusPolicy(), Qt::WheelFocus) << box->objectName().toStdString() << ": it moves the focus";
     }
@@ -323,17 +323,17 @@ TEST_F(ViewingKeys, digitsByHandAreTheTexelsHeight) {
     idle();
     waitForFull();
     expectSteps();
-    // Where no texel is chosen, they choose panes.
+    // If no texel is chosen, digits choose panes.
     view->grid()->choose(std::nullopt);
     press(Qt::Key_3);
     EXPECT_EQ(QApplication::focusWidget(), window_->pane<PyramidView>()->canvas());
 }
 
-// Random actions with the mouse, after each random viewing keys.
+// Random actions with the mouse, each followed by random viewing keys.
 TEST_F(ViewingKeys, changeNothingAfterAnything) {
     open();
-    const char* const wanted = std::getenv("RELIEF_SEED");
-    const std::uint64_t seed = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeed;
+    const char* const given = std::getenv("RELIEF_SEED");
+    const std::uint64_t seed = given != nullptr ? std::strtoull(given, nullptr, 10) : kSeed;
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
     std::mt19937_64 random(seed);
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -384,7 +384,7 @@ TEST_F(ViewingKeys, changeNothingAfterAnything) {
     for (const auto& [name, act] : actions) {
         ASSERT_NO_FATAL_FAILURE(act());
         waitForFull();
-        const relief::Scenario before = whatStays(scenario());
+        const relief::Scenario before = unchangedPart(scenario());
         QString story = QString::fromLatin1(name);
         for (int n = 0; n < kKeysARound; ++n) {
             const Key& key = viewingKeys()[below(viewingKeys().size())];
@@ -394,11 +394,11 @@ TEST_F(ViewingKeys, changeNothingAfterAnything) {
             QTest::keyClick(focus != nullptr ? focus : window_.get(), key.key, key.modifiers);
             if (below(3) == 0) idle();
             ASSERT_EQ(QApplication::activePopupWidget(), nullptr) << story.toStdString();
-            ASSERT_EQ(whatStays(scenario()), before) << story.toStdString();
+            ASSERT_EQ(unchangedPart(scenario()), before) << story.toStdString();
         }
-        // What was typed into a number counts when the focus goes.
+        // A number that was typed would take effect when the focus moves.
         window_->result()->setFocus();
-        ASSERT_EQ(whatStays(scenario()), before) << story.toStdString();
+        ASSERT_EQ(unchangedPart(scenario()), before) << story.toStdString();
     }
 }
 

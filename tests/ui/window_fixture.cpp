@@ -55,7 +55,7 @@ void WindowTest::openWindow(const relief::Scenario& scenario) {
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
     ASSERT_NO_FATAL_FAILURE(waitForFull());
-    // Without a window manager nobody makes it the active one.
+    // There is no window manager to activate the window.
     QApplication::setActiveWindow(window_.get());
 }
 

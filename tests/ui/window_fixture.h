@@ -1,4 +1,4 @@
-// A window with a small picture in it, and what the tests ask it again and again.
+// A window with a small picture, and functions that many tests use.
 #pragma once
 
 #include <memory>
@@ -17,9 +17,9 @@ namespace reliefui {
 // Set by main().
 bool& haveDisplay();
 
-// Procedural bricks on a wall, drawn small, a pixel chosen.
+// Procedural bricks on a wall in a small picture, with a chosen pixel.
 relief::Scenario smallScenario();
-// The same, with a long log over several levels: the paper's recursion, from the top.
+// The same, with a long log over several levels: the paper's recursion from the top level.
 relief::Scenario deepRay();
 
 class WindowTest : public ::testing::Test {
@@ -27,11 +27,11 @@ class WindowTest : public ::testing::Test {
     void SetUp() override;
     void TearDown() override;
 
-    // Opens the window on `scenario`, waits for its first full picture.
+    // Opens the window with `scenario` and waits for its first full picture.
     void openWindow(const relief::Scenario& scenario);
-    // Waits for the full picture of what is asked for; fails the test after some seconds.
+    // Waits for the full picture of the current scenario; fails the test after some seconds.
     void waitForFull();
-    // Lets the panes draw, then takes a picture of one.
+    // Lets the panes draw, then returns an image of the widget.
     static QImage grab(QWidget* widget);
     // Saves the pane as a figure and waits for it.
     static void saveFigure(FigureView* view, const QString& path, int pixels = 0);
@@ -44,9 +44,9 @@ class WindowTest : public ::testing::Test {
     std::unique_ptr<MainWindow> window_;
 };
 
-// How many colours an image has: 1 is a blank one.
+// Returns the number of colours of an image; 1 means that it is blank.
 int colorsIn(const QImage& image);
-// Whether it is a whole PNG or PDF, or an SVG of words and lines without any picture in it.
+// Returns true if the file is a complete PNG or PDF, or an SVG of text and lines without embedded pictures.
 bool validFigure(const QString& file);
 
 }  // namespace reliefui

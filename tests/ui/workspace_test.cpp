@@ -1,4 +1,4 @@
-// Undo, refusals, files: window and scenario never disagree.
+// Undo, refusals, files: window and scenario always agree.
 #include <fstream>
 
 #include <QApplication>
@@ -72,7 +72,7 @@ TEST_F(WindowTest, UndoAndRedoGiveTheSameBits) {
     EXPECT_FALSE(workspace_->canRedo());
 }
 
-TEST_F(WindowTest, ABadFileIsSaidAndEverythingStays) {
+TEST_F(WindowTest, ABadFileIsReportedAndNothingChanges) {
     openWindow(smallScenario());
     const relief::Scenario before = scenario();
     const auto shown = snapshot();
@@ -94,7 +94,7 @@ TEST_F(WindowTest, ABadFileIsSaidAndEverythingStays) {
         EXPECT_EQ(snapshot(), shown);
         EXPECT_FALSE(workspace_->canUndo());
     }
-    // A value out of its range is refused at once.
+    // A value outside its range is refused at once.
     relief::Scenario impossible = before;
     impossible.reliefDepth = -1;
     const QSignalSpy problems(workspace_.get(), &Workspace::problem);
@@ -136,7 +136,7 @@ TEST_F(WindowTest, ADroppedFileIsOpened) {
     EXPECT_EQ(scenario().pictures.height, file.toStdString());
     EXPECT_EQ(snapshot()->assets.heights->width(), 32);
     EXPECT_EQ(snapshot()->assets.heights->height(), 24);
-    // And a scenario, saved by the window.
+    // Also a scenario, saved by the window.
     const QString saved = folder.filePath(QStringLiteral("scenario.json"));
     workspace_->save(saved);
     const relief::Scenario before = scenario();
@@ -168,7 +168,7 @@ TEST_F(WindowTest, MethodsAreChosen) {
     openWindow(smallScenario());
     const QImage before = snapshot()->picture;
     QComboBox* const methods = window_->topBar()->method();
-    // And a line and a heading before those that do not search.
+    // The list also contains a separator and a heading before the methods that do not search.
     ASSERT_EQ(methods->count(), static_cast<int>(relief::tracerList().size()) + 2);
     const int exact = methods->findData(QStringLiteral("exact"));
     methods->setCurrentIndex(exact);
@@ -222,7 +222,7 @@ TEST_F(WindowTest, CancelTakesBackWhatIsNotThere) {
     EXPECT_TRUE(workspace_->busy());
     workspace_->cancel();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, 10000));
-    // Either the coarse picture of it was there already and stays, or everything is as it was.
+    // Either the coarse picture had already been shown and is kept, or everything is as before.
     relief::Scenario shown = snapshot()->scenario;
     shown.step = scenario().step;
     EXPECT_EQ(scenario(), shown);

@@ -9,7 +9,7 @@ namespace reliefui {
 
 namespace {
 
-// 0 for windows that do not say it.
+// Returns 0 for windows without that property.
 long long processOf(Display* display, Window window) {
     Atom type = 0;
     int format = 0;

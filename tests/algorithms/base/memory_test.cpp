@@ -1,4 +1,5 @@
-// What memory is free, by files of /proc and /sys as systems have them; and that what is larger is refused.
+// The available memory as computed from files of /proc and /sys in the forms that systems have; larger requests are
+// refused.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMega = std::uint64_t{1} << 20U;
 
-// A folder that stands for "/".
+// A folder that takes the place of "/".
 class Root {
   public:
     Root() : folder_(fs::path(testing::TempDir()) / "memory_root") { fs::remove_all(folder_); }
@@ -58,7 +59,8 @@ TEST(Memory, ofTheMachine) {
     EXPECT_EQ(root.mega(), 3000U);
 }
 
-// The limit of a group above counts as well; file cache does not, half of what is in use.
+// The limit of a parent group counts as well; the inactive file cache and half of the active one do not count as
+// used.
 TEST(Memory, groupsOfVersion2) {
     const Root root;
     root.machine(3000);
@@ -76,7 +78,7 @@ TEST(Memory, groupsOfVersion2) {
     EXPECT_EQ(root.bytes(), 0U);
 }
 
-// Also beside version 2, and where a container shows its own group at the top instead of the host's path.
+// Also next to version 2, and in a container, which shows its own group at the top instead of the host's path.
 TEST(Memory, groupsOfVersion1) {
     const Root root;
     root.machine(3000);
@@ -126,12 +128,12 @@ TEST(Memory, theLineSaysWhatIsNeededAndWhatIsFree) {
     }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers reserve terabytes
 TEST(Memory, aPictureBeyondTheLimitIsRefused) {
     rlimit before{};
     ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
     rlimit limit = before;
-    // More than any test process has mapped, less than the picture.
+    // More than any test process has mapped, less than the picture needs.
     limit.rlim_cur = std::min<rlim_t>(before.rlim_max, rlim_t{16} << 30U);
     ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
     EXPECT_THROW(Image<glm::dvec3>(32768, 32768), MemoryError);

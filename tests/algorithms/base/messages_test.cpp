@@ -1,4 +1,4 @@
-// Names that are nearly those that are known, and progress of work in several stages.
+// Suggestions for names that resemble known ones; progress of work in several stages.
 #include "relief/messages.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(Messages, slipsOfTheFingerAreNearNames) {
                                                           {"", ""}}) {
         EXPECT_EQ(nearestName(typed, names), meant) << typed;
     }
-    EXPECT_EQ(nearestName("ab", {"a", "xy"}), "") << "all short names would be near";
+    EXPECT_EQ(nearestName("ab", {"a", "xy"}), "") << "all short names would be suggestions";
     EXPECT_EQ(nearestName(std::string(100'000, 'x'), names), "");
 }
 
@@ -38,11 +38,11 @@ TEST(Messages, unknownNamesAreAnsweredByWhatIsNearAndWhatIsKnown) {
     EXPECT_EQ(said("magic", ""), "there is no tracer \"magic\", nor any other");
 }
 
-// Stages within are not told, and do not begin the whole anew.
-TEST(Progress, ofSeveralStagesIsToldAsOne) {
-    std::vector<std::string> told;
+// Nested stages are not reported and do not restart the outer one.
+TEST(Progress, ofSeveralStagesIsReportedAsOne) {
+    std::vector<std::string> reported;
     Progress progress([&](std::string_view what, double fraction) {
-        told.push_back(std::string(what) + " " + numberText(fraction));
+        reported.push_back(std::string(what) + " " + numberText(fraction));
     });
     {
         WholeProgress whole(progress, "all", 4);
@@ -54,7 +54,7 @@ TEST(Progress, ofSeveralStagesIsToldAsOne) {
         whole.advance();
     }
     progress.begin("next", 1);
-    EXPECT_EQ(told, (std::vector<std::string>{"all 0", "all 0.25", "all 0.5", "next 0"}));
+    EXPECT_EQ(reported, (std::vector<std::string>{"all 0", "all 0.25", "all 0.5", "next 0"}));
 }
 
 TEST(Progress, reliefsAreMadeRowByRowAndCanBeStopped) {

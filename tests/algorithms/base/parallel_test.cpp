@@ -1,4 +1,4 @@
-// Loops of base/parallel.h: the same laws on oneTBB and on the plain threads of the thread sanitizer's build.
+// Loops of base/parallel.h; the same tests run with oneTBB and with the plain threads of the thread sanitizer's build.
 #include "base/parallel.h"
 
 #include <atomic>
@@ -60,7 +60,7 @@ TEST(Parallel, AnExceptionComesOut) {
     };
     EXPECT_THROW(parallelFor(work, 1000, body), std::runtime_error);
     EXPECT_THROW(parallelFor(1000, body), std::runtime_error);
-    // And the threads serve the next loop.
+    // The threads can be used for the next loop.
     std::atomic<int> done{0};
     parallelFor(work, 1000, [&](int) { ++done; });
     EXPECT_EQ(done, 1000);
@@ -113,7 +113,7 @@ TEST(Parallel, ScratchIsNobodyElses) {
 }
 
 #ifdef __SANITIZE_THREAD__
-// The proof that a silent run under the thread sanitizer means something.
+// Shows that the thread sanitizer detects races in these loops, so that a run without reports means something.
 TEST(ParallelDeathTest, ARaceInALoopIsReported) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const auto race = [] {

@@ -1,4 +1,4 @@
-// Footprints along rows (ellipse_rows.h) against each pixel's own Jacobian, on the scenes that pictures show.
+// Footprints computed along rows (ellipse_rows.h) against those from each pixel's own Jacobian, on rendered scenes.
 #include "filtering/ellipse_rows.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string nameOf(EllipseForm form) {
 
 FrameRequest request(SceneKind scene, double elevation) {
     FrameRequest request(HeightField(share(makeRelief("bricks", 64, 48, 1)), Surface::Bilinear, Address::Repeat, 0.1));
-    request.width = 93;  // no multiple of the anchor or of a tile
+    request.width = 93;  // not a multiple of the anchor spacing or of a tile
     request.height = 70;
     request.scene = scene;
     request.camera.elevation = elevation;
@@ -34,10 +34,10 @@ FrameRequest request(SceneKind scene, double elevation) {
     return request;
 }
 
-// A frame, and what all of its hits ask, row after row.
-struct Asked {
-    explicit Asked(const FrameRequest& wanted) : Asked(wanted, 1) {}
-    Asked(const FrameRequest& wanted, int threads) : request(wanted) {
+// A rendered frame and the filter queries of all its hits, row by row.
+struct FrameQueries {
+    explicit FrameQueries(const FrameRequest& wanted) : FrameQueries(wanted, 1) {}
+    FrameQueries(const FrameRequest& wanted, int threads) : request(wanted) {
         Work work(threads);
         frame = FrameRenderer(std::make_shared<MapCache>()).render(request, work);
         visible = frame->visible(request);
@@ -72,17 +72,17 @@ std::vector<Color> colorsOf(const TextureFilter& filter, const FilterBlock& bloc
     return colors;
 }
 
-// Relative, of the semi-axes.
+// Relative errors of the semi-axes.
 struct Tolerance {
     double major, minor;
 };
 
-// Derived. u = 2^-24 is the unit roundoff of float. A pixel's q and its a, b, c, d are each sums of two or three terms:
-// off by at most 4 u times the sum of the terms' sizes; the iterative form adds up to 15 more steps, each rounding once
-// and carrying the rounding of what it adds. As J = N / q^2, semi-axes are off by twice q's relative error, and by the
-// norm of N's: relative to the major axis, or, where the minor one comes of the difference a d - b c (iterative),
-// relative to the minor one. The cached F' = det^2 / q^2 has no difference, only q a third time. 16 u: the operations
-// after that.
+// Derived bound. u = 2^-24 is the unit roundoff of float. A pixel's q and its a, b, c, d are each sums of two or three
+// terms, with an error of at most 4 u times the sum of the terms' magnitudes. The iterative form adds up to 15 more
+// steps, each with one rounding, and accumulates the rounding of its increments. Since J = N / q^2, the relative error
+// of the semi-axes is twice that of q plus that of the norm of N: relative to the major axis or, where the minor axis
+// is computed from the difference a d - b c (iterative), relative to the minor axis. The cached F' = det^2 / q^2
+// contains no difference, only q a third time. 16 u covers the remaining operations.
 Tolerance toleranceOf(EllipseForm form, const PixelView& view, int x, int y) {
     const double u = std::ldexp(1, -24), k = form == EllipseForm::Iterative ? 4 + 2 * 15 : 4;
     const Homography& m = view.texelFromScreen;
@@ -101,7 +101,7 @@ Tolerance toleranceOf(EllipseForm form, const PixelView& view, int x, int y) {
     return {inN + inQ, form == EllipseForm::Iterative ? inN * axes.major / axes.minor + inQ : inN + 2.5 * inQ};
 }
 
-// Both forms of the block, each pixel within its tolerance.
+// Checks every pixel of the block against its tolerance, for all forms.
 void expectNearDirect(const FilterBlock& block) {
     for (const EllipseForm form : kForms) {
         SCOPED_TRACE(nameOf(form));
@@ -120,7 +120,8 @@ void expectNearDirect(const FilterBlock& block) {
             most = std::max({most, major, minor});
             share = std::max({share, major / allowed.major, minor / allowed.minor});
         }
-        // The form itself, not the direct one in its place; a tolerance that is not idle; and what is reported.
+        // Most values differ, so the form itself was used and not the direct one; the tolerance is not far too large;
+        // the reported difference is the largest one found.
         EXPECT_GT(moved, rows.size() / 2);
         EXPECT_GT(share, 0.01);
         EXPECT_EQ(largestAxisDifference(rows, block), most);
@@ -130,13 +131,13 @@ void expectNearDirect(const FilterBlock& block) {
 TEST(EllipseRows, SemiAxesAreWithinTheirRoundingOfDirect) {
     for (const FrameRequest& request : views()) {
         SCOPED_TRACE("elevation " + std::to_string(request.camera.elevation));
-        const Asked asked(request);
-        ASSERT_GT(asked.block.size(), 50U);
-        expectNearDirect(asked.block);
+        const FrameQueries queries(request);
+        ASSERT_GT(queries.block.size(), 50U);
+        expectNearDirect(queries.block);
     }
 }
 
-// A plane without end, its horizon slanting through the picture: q from 2 down to 1e-4.
+// An infinite plane whose horizon crosses the picture at an angle: q from 2 down to 1e-4.
 TEST(EllipseRows, AndUpToTheHorizon) {
     PixelView view;
     view.texelFromScreen = Homography{30, 2, -900, 1, 11, 300, 0.002, 0.03, -0.8}.normalised();
@@ -158,16 +159,17 @@ TEST(EllipseRows, AndUpToTheHorizon) {
     expectNearDirect(block);
 }
 
-// The whole ellipse, not its axes' lengths alone: the form of one is that of the other.
+// The whole ellipse agrees, not only the lengths of its axes: the quadratic forms are compared.
 TEST(EllipseRows, DirectionsAreThoseOfDirect) {
     for (const FrameRequest& request : views()) {
-        const Asked asked(request);
+        const FrameQueries queries(request);
         for (const EllipseForm form : kForms) {
             FilterBlock rows;
-            ellipseRows(form, asked.block, rows);
+            ellipseRows(form, queries.block, rows);
             for (std::size_t i = 0; i < rows.size(); ++i) {
-                const Ellipse is = ellipseOf(rows[i].jacobian), direct = ellipseOf(asked.block[i].jacobian);
-                const Tolerance most = toleranceOf(form, *asked.block.view[i], asked.block.x[i], asked.block.y[i]);
+                const Ellipse is = ellipseOf(rows[i].jacobian), direct = ellipseOf(queries.block[i].jacobian);
+                const Tolerance most =
+                    toleranceOf(form, *queries.block.view[i], queries.block.x[i], queries.block.y[i]);
                 const double apart = std::hypot(is.a - direct.a, (is.b - direct.b) / 2, is.c - direct.c);
                 ASSERT_LE(apart, 4 * most.major * (direct.a + direct.c)) << nameOf(form) << ' ' << i;
             }
@@ -177,40 +179,40 @@ TEST(EllipseRows, DirectionsAreThoseOfDirect) {
 
 TEST(EllipseRows, DirectIsTheKernelWithItsUsualOptions) {
     for (const char* implementation : {"lanes", "scalar"}) {
-        const Asked asked(request(SceneKind::Cube, 20));
+        const FrameQueries queries(request(SceneKind::Cube, 20));
         EllipticalOptions usual;
         usual.implementation = implementation;
         Work work(1);
-        FilterTools tools{asked.request.color, std::make_shared<const ColorLevels>(asked.request.color, work),
-                          asked.request.field};
-        std::vector<Color> expected(asked.block.size());
+        FilterTools tools{queries.request.color, std::make_shared<const ColorLevels>(queries.request.color, work),
+                          queries.request.field};
+        std::vector<Color> expected(queries.block.size());
         FootprintCounts counts;
-        ellipticalKernel(usual, tools, work).filter(asked.block, tools.pictureScale(), expected, counts);
+        ellipticalKernel(usual, tools, work).filter(queries.block, tools.pictureScale(), expected, counts);
         for (const OptionValues& options : {OptionValues{}, OptionValues{{"ellipse", "direct"}}}) {
             OptionValues all = options;
             all["implementation"] = implementation;
-            MadeFilter made = filterOf(asked.request, all);
-            EXPECT_EQ(colorsOf(*made.filter, asked.block, made.counts), expected);
-            for (std::size_t i = 0; i < expected.size(); i += 7) ASSERT_EQ(made.at(asked.block[i]), expected[i]);
+            MadeFilter made = filterOf(queries.request, all);
+            EXPECT_EQ(colorsOf(*made.filter, queries.block, made.counts), expected);
+            for (std::size_t i = 0; i < expected.size(); i += 7) ASSERT_EQ(made.at(queries.block[i]), expected[i]);
         }
     }
 }
 
-// Blocks of any size, in any order, and pixels alone.
+// Blocks of any size, in any order, and single pixels.
 TEST(EllipseRows, ColoursDependOnNoNeighbour) {
-    const Asked asked(request(SceneKind::Cube, 20));
-    const std::size_t count = asked.block.size();
+    const FrameQueries queries(request(SceneKind::Cube, 20));
+    const std::size_t count = queries.block.size();
     for (const EllipseForm form : kForms) {
-        MadeFilter made = filterOf(asked.request, {{"ellipse", nameOf(form)}});
-        const auto expected = colorsOf(*made.filter, asked.block, made.counts);
-        EXPECT_NE(expected, colorsOf(*filterOf(asked.request, {}).filter, asked.block, made.counts));
+        MadeFilter made = filterOf(queries.request, {{"ellipse", nameOf(form)}});
+        const auto expected = colorsOf(*made.filter, queries.block, made.counts);
+        EXPECT_NE(expected, colorsOf(*filterOf(queries.request, {}).filter, queries.block, made.counts));
         std::vector<std::size_t> order(count);
         for (std::size_t i = 0; i < count; ++i) order[i] = i;
         Random random(kSeed);
         for (const std::size_t size : {count, std::size_t{211}, std::size_t{16}, std::size_t{1}}) {
             for (std::size_t first = 0; first < count; first += size) {
                 FilterBlock part;
-                for (std::size_t i = first; i < std::min(first + size, count); ++i) part.push(asked.block[order[i]]);
+                for (std::size_t i = first; i < std::min(first + size, count); ++i) part.push(queries.block[order[i]]);
                 const auto colors = colorsOf(*made.filter, part, made.counts);
                 for (std::size_t i = 0; i < part.size(); ++i) ASSERT_EQ(colors[i], expected[order[first + i]]) << size;
             }
@@ -218,17 +220,18 @@ TEST(EllipseRows, ColoursDependOnNoNeighbour) {
                 std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
             }
         }
-        for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(made.at(asked.block[i]), expected[i]) << i;
+        for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(made.at(queries.block[i]), expected[i]) << i;
     }
 }
 
-// And none on threads or on what was rendered before: the option is part of what a frame's colours depend on.
+// Pictures depend neither on the number of threads nor on earlier frames: the option is part of the key by which a
+// frame's colours are reused.
 TEST(EllipseRows, PicturesAreTheirPixels) {
     for (const EllipseForm form : kForms) {
         FrameRequest rows = request(SceneKind::Cube, 20);
         const FrameRequest direct = rows;
         rows.filter.options["ellipse"] = nameOf(form);
-        const Asked one(rows, 1), two(rows, 2);
+        const FrameQueries one(rows, 1), two(rows, 2);
         EXPECT_EQ(one.frame->color->color, two.frame->color->color);
         Work work(1);
         FilterBlock own;
@@ -251,12 +254,12 @@ TEST(EllipseRows, PicturesAreTheirPixels) {
     }
 }
 
-// Where float has no ellipse the pixel's own is taken, to the bit.
+// Where the ellipse cannot be represented in float, the pixel's own is used, with the same bits.
 TEST(EllipseRows, WithoutAnEllipseTheDirectOne) {
     const double nan = std::nan(""), huge = 1e300;
     std::vector<PixelView> none(7);
     none[0].texelFromScreen = {1, 2, 3, 2, 4, 6, 0.001, 0, 1};         // edge-on: t = 2 s
-    none[1].texelFromScreen = {1, 2, 3, 2, 4 + 1e-7, 6, 0.001, 0, 1};  // as good as
+    none[1].texelFromScreen = {1, 2, 3, 2, 4 + 1e-7, 6, 0.001, 0, 1};  // nearly edge-on
     none[2].texelFromScreen = {0, 0, 3, 0, 0, 5, 0, 0, 1};             // a point
     none[3].texelFromScreen = {1, 0, 0, 0, 1, 0, 0, 1, -20.5};         // q = 0 in row 20
     none[4].texelFromScreen = {nan, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -284,7 +287,7 @@ TEST(EllipseRows, WithoutAnEllipseTheDirectOne) {
     }
 }
 
-// The parallax of a hit scales the footprint; a hit that is none is not a reason to scale by NaN.
+// The parallax of a hit scales the footprint; a missing hit must not scale it by NaN.
 TEST(EllipseRows, DeeperHitsHaveWiderFootprints) {
     PixelView view;
     view.texelFromScreen = {2, 0.25, 0, 0.5, 3, 0, 0, 0, 1};
@@ -303,7 +306,7 @@ TEST(EllipseRows, DeeperHitsHaveWiderFootprints) {
     }
 }
 
-// What needs more than an ellipse says so.
+// Filters that need more than the ellipse refuse the option.
 TEST(EllipseRows, RefusedWhereThePixelsOrientationCounts) {
     const FrameRequest with = request(SceneKind::Floor, 30);
     for (const char* weights : {"box", "lcd", "crt"}) {

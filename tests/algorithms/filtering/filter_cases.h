@@ -1,4 +1,4 @@
-// Pictures, footprints and filters for the tests of texture filtering: seeded, the same everywhere.
+// Pictures, footprints and filters for the tests of texture filtering: seeded, the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,8 @@ inline Picture constantPicture(int width, int height, Color color) {
     return std::make_shared<ColorImage>(width, height, color);
 }
 
-// A pixel's projection: semi-axes in texels, turned by an angle, either handed.
+// Returns a pixel's Jacobian. major, minor: semi-axes in texels. angle: of the major axis on the texture. pixelAngle:
+// rotation in the pixel. mirrored: with a negative determinant.
 inline Jacobian jacobian(double major, double minor, double angle, double pixelAngle = 0, bool mirrored = false) {
     const double c = std::cos(angle), s = std::sin(angle);
     const double pc = std::cos(pixelAngle), ps = std::sin(pixelAngle);
@@ -42,7 +43,7 @@ inline Jacobian randomJacobian(Random& random, double largest = 20) {
     return jacobian(major, minor, random.between(0, 6.3), random.between(0, 6.3), random.below(2) == 1);
 }
 
-// Every filter of textures, the elliptical ones with each choice of each of their options.
+// Returns every texture filter, the elliptical ones with each value of each of their options.
 inline std::vector<FilterChoice> allFilters() {
     std::vector<FilterChoice> all;
     for (const FilterDescription& filter : filterList()) {
@@ -59,7 +60,7 @@ inline std::vector<FilterChoice> allFilters() {
     return all;
 }
 
-// A relief as wide as the picture.
+// Returns a relief with the picture's sides.
 inline HeightField fieldFor(const ColorImage& picture, Address address, float height = 1,
                             Surface surface = Surface::Bilinear) {
     return HeightField(std::make_shared<const FloatImage>(picture.width(), picture.height(), height), surface, address);

@@ -1,4 +1,4 @@
-// Laws that every filter keeps, run over the list.
+// Properties that every filter must have, tested for the whole list.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ using namespace relief::test;
 
 namespace {
 
-// Sums of some thousand float weights, taken in double, of values up to one.
+// Rounding of sums in double of some thousand float weights times values of at most one.
 constexpr double kRounding = 2e-6;
 // Half a step of 16 bits, and sums in float.
 constexpr double kLaneRounding = 1.2e-5;
@@ -45,7 +45,7 @@ TEST(FilterLaws, aConstantPictureStaysConstant) {
     }
 }
 
-// Everything turned about the diagonal: the same colour.
+// Mirroring everything at the diagonal gives the same colour.
 TEST(FilterLaws, transposedIsTheSame) {
     const Picture picture = randomPicture(45, 32, 7);
     auto turned = std::make_shared<ColorImage>(32, 45);
@@ -59,19 +59,19 @@ TEST(FilterLaws, transposedIsTheSame) {
         if (weights != choice.options.end() && (weights->second == "lcd" || weights->second == "crt")) continue;
         MadeFilter one(choice, picture, fieldFor(*picture, Address::Repeat));
         MadeFilter other(choice, turned, fieldFor(*turned, Address::Repeat));
-        // A map's cells are not symmetric to the last bit, nor is a tie between the ends of its cells.
+        // The cells of a map are not symmetric to the last bit, nor is a tie between two cells.
         const bool cells = choice.options.contains("source") || weights != choice.options.end();
         for (int n = 0; n < kFootprints; ++n) {
             const Jacobian j = randomJacobian(random);
             const glm::dvec2 place{random.between(0, 45), random.between(0, 32)};
-            // Texel axes exchanged, and pixel axes too.
+            // Both the texel axes and the pixel axes are exchanged.
             const Jacobian t{j.vy, j.uy, j.vx, j.ux};
             expectNear(one.at(place, j), other.at({place.y, place.x}, t), cells ? 0.02 : 1e-5, filterText(choice));
         }
     }
 }
 
-// A symmetric filter, inside: the ramp's value at the centre.
+// Inside a linear ramp a symmetric filter returns the ramp's value at the centre.
 TEST(FilterLaws, aRampIsReproduced) {
     auto ramp = std::make_shared<ColorImage>(256, 256);
     for (int y = 0; y < 256; ++y) {
@@ -80,7 +80,7 @@ TEST(FilterLaws, aRampIsReproduced) {
         }
     }
     Random random(3);
-    // A footprint's texels lie on a lattice, not symmetric about its centre: so many texels off at most.
+    // Largest error in texels: a footprint's texels lie on a lattice that is not symmetric about its centre.
     constexpr double kLattice = 0.35;
     for (const char* text : {"bilinear", "trilinear", "elliptical", "elliptical:weights=uniform",
                              "elliptical:source=map", "elliptical:levels=exhaustive"}) {
@@ -89,11 +89,11 @@ TEST(FilterLaws, aRampIsReproduced) {
         for (int n = 0; n < kFootprints; ++n) {
             const Jacobian j = randomJacobian(random, 6);
             const glm::dvec2 place{random.between(80, 176), random.between(80, 176)};
-            const double wanted = 0.001 * place.x + 0.002 * place.y;
+            const double expected = 0.001 * place.x + 0.002 * place.y;
             FootprintLog log;
             const Color color = filter.at(place, j, &log);
             const double texel = std::ldexp(1.0, log.footprint.level) * 0.003;
-            EXPECT_NEAR(color.r, wanted, kLattice * texel + kRounding) << text;
+            EXPECT_NEAR(color.r, expected, kLattice * texel + kRounding) << text;
         }
     }
 }
@@ -122,7 +122,7 @@ TEST(FilterLaws, weightsOfTheLogMakeTheColour) {
     }
 }
 
-// Exactly the texels of the quadratic form, on the level chosen.
+// The footprint contains exactly the texels of the quadratic form, on the level chosen.
 TEST(FilterLaws, theEllipseHoldsExactlyItsTexels) {
     const Picture picture = randomPicture(96, 96, 6);
     Random random(5);
@@ -139,7 +139,7 @@ TEST(FilterLaws, theEllipseHoldsExactlyItsTexels) {
         std::set<std::pair<double, double>> visited;
         for (const FootprintTexel& texel : log.texels) visited.emplace(texel.u, texel.v);
         EXPECT_EQ(visited.size(), log.texels.size());
-        // Texels so near to the outline that rounding decides are left out.
+        // Texels so near to the outline that rounding decides are skipped.
         constexpr double kOutline = 1e-9;
         for (double v = -200.5; v < 300; ++v) {
             for (double u = -200.5; u < 300; ++u) {
@@ -185,8 +185,8 @@ TEST(FilterLaws, nothingAtTheHorizonOrEdgeOnIsNotANumber) {
     }
 }
 
-// A whole period further the colour is the same, also where the size is no power of two.
-TEST(FilterLaws, repeatKnowsNoSeam) {
+// One whole period further the colour is the same, also if the size is not a power of two.
+TEST(FilterLaws, repeatHasNoSeam) {
     const Picture picture = randomPicture(37, 26, 9);
     Random random(6);
     for (const FilterChoice& choice : allFilters()) {
@@ -194,7 +194,7 @@ TEST(FilterLaws, repeatKnowsNoSeam) {
         const bool cells = choice.options.contains("source") || choice.options.contains("weights");
         for (int n = 0; n < 20; ++n) {
             const Jacobian j = randomJacobian(random);
-            // Sixteenths are exact in both places.
+            // Multiples of 1/16 are exact in both places.
             const glm::dvec2 place{random.below(37 * 16) / 16.0, random.below(26 * 16) / 16.0};
             if (choice.name == "nearest" && (place.x == std::floor(place.x) || place.y == std::floor(place.y)))
                 continue;
@@ -224,7 +224,8 @@ TEST(FilterLaws, tablesAndMapsKeepTheirStatedError) {
                 ASSERT_EQ(exact.texels.size(), near.texels.size());
                 for (std::size_t k = 0; k < exact.texels.size(); ++k) {
                     const float w = exact.texels[k].weight.r;
-                    // The map is cut at R along its cells, not along the circle: by a weight of the rim's.
+                    // The map cuts the Gaussian at R along its cells, not along the circle; the error is at most the
+                    // weight at the rim.
                     const double rim = std::exp(-0.5 * 2.5 * 2.5);
                     EXPECT_NEAR(near.texels[k].weight.r, w, error + rim) << source << " " << resolution;
                 }
@@ -234,7 +235,7 @@ TEST(FilterLaws, tablesAndMapsKeepTheirStatedError) {
 }
 
 TEST(FilterLaws, aMirroredPixelSeesAMirroredShape) {
-    // Left half white: the red stripe of a pixel astride the edge sees it, the blue one does not.
+    // The left half is white: a pixel centred on the edge sees white in its red stripe but not in its blue one.
     auto picture = std::make_shared<ColorImage>(64, 64, Color(0));
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 32; ++x) (*picture)(x, y) = Color(1);

@@ -1,5 +1,5 @@
-// What the scalar and the SIMD version share is held against sums over the picture in long double: the level that a
-// pixel is read on, and the second moments of what it sees.
+// Compares what the scalar and the SIMD version share with sums over the picture in long double: the level from which a
+// pixel is read, and the second moments of its footprint.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace {
 using Truth = long double;
 constexpr Truth kTurn = 2 * std::numbers::pi_v<Truth>;
 
-// Level l of a picture whose sides are powers of two: means of squares, summed anew.
+// A texel of level l of a picture whose sides are powers of two: the mean of a square of texels, computed
+// independently.
 Color levelTexel(const ColorImage& picture, int l, int i, int j) {
     const int side = 1 << l, width = picture.width() >> l, height = picture.height() >> l;
     const int x0 = ((i % width + width) % width) * side, y0 = ((j % height + height) % height) * side;
@@ -26,7 +27,7 @@ Color levelTexel(const ColorImage& picture, int l, int i, int j) {
     return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count), static_cast<float>(sum[2] / count)};
 }
 
-// Repeated.
+// Bilinear interpolation under repeat.
 glm::dvec3 bilinear(const ColorImage& picture, int l, glm::dvec2 place) {
     const glm::dvec2 p = place * std::ldexp(1.0, -l) - 0.5;
     const int i = static_cast<int>(std::floor(p.x)), j = static_cast<int>(std::floor(p.y));
@@ -35,10 +36,10 @@ glm::dvec3 bilinear(const ColorImage& picture, int l, glm::dvec2 place) {
     return (1 - v) * ((1 - u) * at(0, 0) + u * at(1, 0)) + v * ((1 - u) * at(0, 1) + u * at(1, 1));
 }
 
-// The level is the longer of the two ways that a step of one pixel leads on the texture, however the texture's axes lie
-// under the pixel; colours are mixed of that level and the next.
+// The level follows from the longer of the two paths on the texture that a step of one pixel makes, for any rotation of
+// the texture under the pixel; colours are interpolated between that level and the next.
 TEST(FilterTruth, TrilinearReadsTheLevelOfTheLongerStep) {
-    constexpr double kColor = 1e-5;  // floats, summed in another order
+    constexpr double kColor = 1e-5;  // float sums in another order
     const auto picture = randomPicture(64, 64, 4);
     MadeFilter made({"trilinear", {}}, picture, fieldFor(*picture, Address::Repeat));
     const Truth lengths[][2] = {{9, 0.1L}, {0.1L, 9}, {5, 3}, {2.5L, 20}, {1.5L, 1.5L}, {0.6L, 0.2L}};
@@ -62,7 +63,7 @@ TEST(FilterTruth, TrilinearReadsTheLevelOfTheLongerStep) {
     }
 }
 
-// x^2, x y and y^2 about the middle of a picture.
+// A picture of x^2, x y and y^2 relative to its centre.
 Picture squares(int size) {
     auto image = std::make_shared<ColorImage>(size, size);
     for (int j = 0; j < size; ++j) {
@@ -74,7 +75,7 @@ Picture squares(int size) {
     return image;
 }
 
-// Of a Gaussian cut off at its radius, of the variance that it would have whole: both directions have it.
+// Variance of a Gaussian cut off at `radius`, as a share of the whole Gaussian's variance, per direction.
 Truth shareWithin(Truth radius, Truth sigma) {
     const Truth h = radius * radius / (2 * sigma * sigma);
     return 1 - h * std::exp(-h) / (1 - std::exp(-h));
@@ -84,9 +85,9 @@ struct Moments {
     Truth xx, xy, yy;
 };
 
-// What a pixel should see on level l, as its ellipse is meant (level_footprint.h): the cut Gaussian of the pixel, with
-// the reconstruction of level 0 in place of the level's own boxes, read from those boxes. The picture's texels are
-// points, not boxes: of the level's boxes that of level 0 is not there.
+// The second moments that a pixel should have on level l (level_footprint.h): the truncated Gaussian of the pixel,
+// combined with the reconstruction of level 0 in place of the level's own box filters and sampled from those boxes. The
+// test picture's texels are point samples, not boxes, so the box of level 0 is subtracted.
 Moments meant(const Jacobian& j, const EllipticalSettings& settings, int l) {
     constexpr Truth kReconstruction = 0.25L, kBox = 1 / 12.0L;
     const Truth share = shareWithin(settings.radius, settings.sigma);
@@ -99,8 +100,8 @@ Moments meant(const Jacobian& j, const EllipticalSettings& settings, int l) {
 
 TEST(FilterTruth, SecondMomentsAreThePixelsOnEveryLevel) {
     constexpr int kSize = 256;
-    constexpr int kPhases = 6;  // of the centre among the level's texels, across and down
-    // Of the trace: a Gaussian summed at some twenty points is not its integral.
+    constexpr int kPhases = 6;  // positions of the centre within a texel of the level, in each direction
+    // Tolerance as a share of the trace: a Gaussian summed at some twenty points differs from its integral.
     constexpr Truth kMoments = 0.015L;
     const Picture picture = squares(kSize);
     for (const char* implementation : {"scalar", "lanes"}) {
@@ -129,9 +130,9 @@ TEST(FilterTruth, SecondMomentsAreThePixelsOnEveryLevel) {
                 }
                 const Moments truth = meant(j, settings, level);
                 const Truth allowed = kMoments * (truth.xx + truth.yy);
-                const auto near = [&](Truth found, Truth wanted, const char* what) {
-                    worst = std::max(worst, std::abs(found - wanted) / (truth.xx + truth.yy));
-                    EXPECT_NEAR(static_cast<double>(found), static_cast<double>(wanted), static_cast<double>(allowed))
+                const auto near = [&](Truth found, Truth expected, const char* what) {
+                    worst = std::max(worst, std::abs(found - expected) / (truth.xx + truth.yy));
+                    EXPECT_NEAR(static_cast<double>(found), static_cast<double>(expected), static_cast<double>(allowed))
                         << what << ", level " << level << ", axes " << major << " " << minor << ", angle " << angle;
                 };
                 near(seen.xx, truth.xx, "xx");

@@ -1,5 +1,6 @@
-// The footprint of a pixel by its definition, in long double and without the library's formulas: the ellipse from the
-// eigenvectors of J J^T, membership texel by texel, levels as means of the picture's own texels, copies one by one.
+// The footprint of a pixel computed from its definition, in long double and independently of the library: the ellipse
+// from the eigenvectors of J J^T, membership tested texel by texel, levels as means of the picture's own texels,
+// periodic copies one by one.
 #pragma once
 
 #include <array>
@@ -26,14 +27,14 @@ inline int wrapped(long i, int size) {
     return static_cast<int>(((i % size) + size) % size);
 }
 
-// One texel of a level as a footprint meets it: unwrapped, and what of it the picture has.
+// A texel of a level within a footprint: its unwrapped position, and its part inside the picture.
 struct LevelTexel {
-    int i = 0, j = 0;  // of its level
-    Vector centre;     // texels of the level
-    Vector size;       // the same unit; below 1 at the end of a side that is no multiple of 2^l
+    int i = 0, j = 0;  // indices in its level
+    Vector centre;     // in texels of the level
+    Vector size;       // in texels of the level; below 1 at the end of a side that is not a multiple of 2^l
 };
 
-// A picture's levels as their definition has them.
+// A picture's mip levels, computed from their definition.
 class Levels {
   public:
     Levels(const ColorImage& picture, Address address) : picture_(picture), address_(address) {}
@@ -58,8 +59,8 @@ class Levels {
         for (Truth& mean : found->second) mean /= count;
         return found->second;
     }
-    // All texels of the level whose centres are within `half` of the centre, row by row. Clamped sides must be
-    // multiples of 2^l: there the rim's texels go on for ever.
+    // Visits all texels of the level whose centres are within `half` of `centre`, row by row. With clamping the sides
+    // must be multiples of 2^l; the texels of the rim are repeated without limit.
     template <class Visit>
     void around(int l, Vector centre, Vector half, const Visit& visit) const {
         const auto along = [&](int size, Truth middle, Truth reach) {
@@ -94,7 +95,7 @@ class Levels {
             }
         }
     }
-    // Level 0 between its texels.
+    // Bilinear interpolation of level 0.
     Rgb bilinear(Vector place) const {
         const Truth x = place.x - 0.5L, y = place.y - 0.5L;
         const auto i = static_cast<long>(std::floor(x)), j = static_cast<long>(std::floor(y));
@@ -120,17 +121,19 @@ class Levels {
     mutable std::map<std::array<int, 3>, Rgb> means_;
 };
 
-// What the options say, in the test's own words (elliptical_options.h, level_footprint.h).
+// The filter's options, interpreted independently of the library (elliptical_options.h, level_footprint.h).
 struct Settings {
     Truth radius = 2.5L * 0.53L, sigma = 0.53L, floor = 1.25L, anisotropy = 16;
     bool exhaustive = false, texelSize = true, shaped = false;
-    Truth leastMinor = 0;  // semi-axis on the level, texels, below which the footprint is widened or read as a shape
+    // semi-axis on the level, in texels, below which the footprint is widened, or read as a shape
+    Truth leastMinor = 0;
 };
-// A circle of radius sqrt(1/2) texels, and a little for rounding, holds a texel's centre wherever it lies.
+// A circle of radius sqrt(1/2) texels, plus a margin for rounding, contains a texel's centre wherever it lies.
 inline constexpr Truth kCovering = 0.7072L;
-// Semi-axis of the Gaussian below which level 0 is read bilinearly, texels.
+// Semi-axis of the Gaussian, in texels, below which level 0 is read bilinearly.
 inline constexpr Truth kSmallMajor = 0.4L;
-// Variances, texels of level 0 and of the level: of bilinear reconstruction, and of a texel's own box.
+// Variances of the bilinear reconstruction, in squared texels of level 0, and of a texel's own box, in squared texels
+// of the level.
 inline constexpr Truth kReconstruction = 0.25L, kBox = 1 / 12.0L;
 
 enum class Kind { Ellipse, Bilinear, Shape, Top };
@@ -140,17 +143,17 @@ struct Footprint {
     Kind kind = Kind::Ellipse;
     int level = 0;
     bool tie = false;      // rounding may choose another level or kind
-    Vector centre;         // texels of the level
+    Vector centre;         // in texels of the level
     Vector along, across;  // unit vectors of the major and minor axis
-    Truth major, minor;    // of the circle of radius 1 pixel, texels of the level, as it is read
-    Vector toPixel[2];     // the axes' directions in the pixel
+    Truth major, minor;    // of the circle of radius 1 pixel, in texels of the level, after widening
+    Vector toPixel[2];     // directions of the axes in the pixel
 
-    // Pixels from the centre: of an offset in texels of the level.
+    // Converts an offset in texels of the level to pixels from the centre.
     Vector pixel(Vector offset) const {
         const Truth p = dot(offset, along) / major, q = dot(offset, across) / minor;
         return {p * toPixel[0].x + q * toPixel[1].x, p * toPixel[0].y + q * toPixel[1].y};
     }
-    // r^2, pixels^2.
+    // Returns r^2, in squared pixels.
     Truth square(Vector offset) const {
         const Truth p = dot(offset, along) / major, q = dot(offset, across) / minor;
         return p * p + q * q;
@@ -161,7 +164,7 @@ struct Footprint {
     }
 };
 
-// j, place: texels of level 0.
+// j, place: in texels of level 0.
 inline Footprint footprintOf(const Jacobian& j, glm::dvec2 place, const Settings& settings, int top) {
     constexpr Truth kTie = 1e-9L;
     const Truth ux = j.ux, vx = j.vx, uy = j.uy, vy = j.vy;
@@ -173,7 +176,7 @@ inline Footprint footprintOf(const Jacobian& j, glm::dvec2 place, const Settings
     f.along = length > 0 ? Vector{f.along.x / length, f.along.y / length} : Vector{1, 0};
     f.across = {-f.along.y, f.along.x};
     const Truth major = std::sqrt(largest), minor = std::abs(ux * vy - uy * vx) / major;
-    // J^T (axis) over its length: where the axis points in the pixel.
+    // J^T (axis), normalised: the direction of the axis in the pixel.
     const Vector axes[2] = {f.along, f.across};
     const Truth lengths[2] = {major, minor};
     for (int n = 0; n < 2; ++n) {

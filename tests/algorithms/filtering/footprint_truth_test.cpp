@@ -1,5 +1,5 @@
-// Plain elliptical filtering of turned cameras' pixels, near and far, against sums over all texels in long double:
-// level, membership of the ellipse, every texel's weight, and the colour.
+// Plain elliptical filtering of pixels of rotated cameras, near and far, against sums over all texels in long double:
+// level, membership in the ellipse, every texel's weight, and the colour.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -13,14 +13,14 @@ namespace {
 
 using namespace truth;
 
-// A pixel as a filter is asked about it.
+// The arguments of a filter for one pixel.
 struct Pixel {
     glm::dvec2 place;
     Jacobian j;
 };
 
-// Pixels of a floor, from all round and from low to steep, by cameras from close by (a texel covers many pixels) to far
-// off (the whole picture in one). The derivatives by the quotient rule.
+// Pixels of a floor, from all sides and at low and steep angles, by cameras from nearby (a texel covers many pixels) to
+// far away (a pixel covers the whole picture). Derivatives are computed by the quotient rule.
 std::vector<Pixel> cameraPixels(int width, int height) {
     constexpr int kWide = 160, kHigh = 120, kStep = 41;
     const TexturedPlane plane = makeScene(SceneKind::Floor, width, height).front().plane;
@@ -53,7 +53,7 @@ std::vector<Pixel> cameraPixels(int width, int height) {
     return pixels;
 }
 
-// The weight of a texel: of its place in the pixel, r^2, and its distance in texels. One a channel.
+// Returns the weight of a texel per channel, from its position in the pixel, r^2, and its distance in texels.
 using Weigh = std::function<Rgb(Vector pixel, Truth square, Truth texels)>;
 
 Rgb same(Truth weight) {
@@ -65,9 +65,10 @@ struct Case {
     OptionValues options;
     Settings settings;
     Weigh weigh;
-    // How near a texel's place may be to where its weight jumps (the rim, a cell of a map): of r^2 and of cells.
+    // Returns true if a texel is so close to a discontinuity of the weight (the rim, the edge of a map's cell) that
+    // rounding may change its weight.
     std::function<bool(Vector pixel, Truth square)> jumps = [](Vector, Truth) { return false; };
-    double weight = 1e-6;  // relative, of a weight in float
+    double weight = 1e-6;  // relative tolerance of a weight in float
 };
 
 Weigh gaussian(Truth sigma) {
@@ -82,7 +83,7 @@ Settings plain(Truth radius, bool texelSize) {
     return settings;
 }
 
-// What a display's pixel weighs, by its description in pixel_model.h.
+// Weight of a display's pixel, by its description in pixel_model.h.
 Rgb box(Vector p) {
     return same(p.x >= -0.5L && p.x < 0.5L && p.y >= -0.5L && p.y < 0.5L ? 1 : 0);
 }
@@ -104,16 +105,17 @@ Rgb crt(Vector p) {
     return weights;
 }
 
-// Weights that are stored: the cell that a place falls into, and its middle.
+// Stored weights: the cell that contains a position, and the cell's centre.
 constexpr int kCells = 48;
 struct Cell {
-    Truth middle, toEdge;  // of the cell, the same unit as the place; how far the place is from its edge, cells
+    // centre of the cell in the unit of the position; distance of the position from the cell's edge, in cells
+    Truth middle, toEdge;
 };
 Cell cellOf(Truth place, Truth from, Truth to, int cells) {
     const Truth at = (place - from) / (to - from) * cells, cell = std::floor(at);
     return {from + (cell + 0.5L) / cells * (to - from), std::min(at - cell, cell + 1 - at)};
 }
-// Places are float: of a table of 2304 cells off by half of this.
+// Tolerance in cells: positions are float, which in a table of 2304 cells is half of this.
 constexpr Truth kCellTie = 3e-4L;
 
 Case stored(const std::string& name, OptionValues options, Settings settings, const std::function<Rgb(Vector)>& at) {
@@ -135,7 +137,7 @@ Settings shaped(Truth radius, Truth leastMinor) {
     settings.texelSize = false;
     settings.shaped = true;
     settings.leastMinor = leastMinor;
-    // A coarser shape than two texels of a level across half a pixel is too coarse.
+    // With fewer than two texels across half a pixel the level would be too coarse for the shape.
     settings.floor = std::max(Truth{2}, leastMinor);
     return settings;
 }
@@ -167,7 +169,7 @@ std::vector<Case> storedCases() {
         const Truth square = dot(p, p);
         return same(square > kRadius * kRadius ? 0 : std::exp(-square / (2 * kSigma * kSigma)));
     }));
-    // A table over r^2, with as many entries as a map has cells.
+    // A table over r^2 with as many entries as a map has cells.
     Case table{"table", {{"source", "table"}, {"resolution", cells}}, plain(kRadius, true), {}};
     constexpr int kEntries = kCells * kCells;
     table.weigh = [=](Vector, Truth square, Truth) {
@@ -186,22 +188,22 @@ std::vector<Case> storedCases() {
 }
 
 struct Painted {
-    int width, height;  // of the picture
-    int across, down;   // of the height map
+    int width, height;  // size of the picture
+    int across, down;   // size of the height map
     Address address;
 };
 const std::vector<Painted> kPictures{
     {64, 64, 64, 64, Address::Repeat}, {37, 50, 37, 50, Address::Repeat}, {64, 32, 32, 64, Address::Clamp}};
 
-// How pixels were read, so that none of the ways is left out unseen.
+// Counts how pixels were read, to check that every case occurs.
 struct Tally {
     std::map<Kind, int> kinds;
     std::map<int, int> levels;
     int ties = 0;
 };
 
-// Of one form of the filter, over all pixels. tie: of r^2 / R^2, within which a texel on the rim may fall to either
-// side; color: what colours may be off by.
+// Compares one implementation of the filter with the truth, over all pixels. tie: relative distance of r^2 from R^2
+// within which a texel on the rim may be in or out. weight, color: tolerances.
 void expectTruth(const Case& c, const std::string& implementation, Truth tie, double weight, double color,
                  Tally& tally) {
     for (const Painted& painted : kPictures) {
@@ -215,15 +217,15 @@ void expectTruth(const Case& c, const std::string& implementation, Truth tie, do
                                static_cast<double>(painted.height) / painted.down);
         for (const Pixel& pixel : cameraPixels(painted.across, painted.down)) {
             const glm::dvec2 place = pixel.place * scale;
-            // Far outside a clamped picture only its rim is seen, which needs no sums.
+            // Far outside a clamped picture only its rim is seen; such pixels are skipped.
             const bool far = std::abs(place.x) > 3 * painted.width || std::abs(place.y) > 3 * painted.height;
             if (painted.address != Address::Repeat && far) continue;
             const Jacobian j{pixel.j.ux * scale.x, pixel.j.vx * scale.y, pixel.j.uy * scale.x, pixel.j.vy * scale.y};
             const Footprint f = footprintOf(j, place, c.settings, levels.top());
-            // Longer footprints are cut (levelFootprint).
+            // Longer footprints are shortened (levelFootprint) and skipped here.
             if (std::hypot(j.ux, j.uy) + std::hypot(j.vx, j.vy) > 4.0 * std::max(painted.width, painted.height))
                 continue;
-            if (f.kind == Kind::Shape) continue;  // below
+            if (f.kind == Kind::Shape) continue;  // tested below
             FootprintLog log;
             const Color found = made.at(pixel.place, pixel.j, &log);
             Rgb sum{}, total{};
@@ -250,7 +252,7 @@ void expectTruth(const Case& c, const std::string& implementation, Truth tie, do
                 total = same(1);
                 sum = f.kind == Kind::Top ? levels.texel(levels.top(), 0, 0) : levels.bilinear({place.x, place.y});
             }
-            // A place between two cells, or on the rim, is rounded to either side.
+            // A position between two cells, or on the rim, may be rounded to either side.
             if (tied) {
                 ++tally.ties;
                 continue;
@@ -286,14 +288,14 @@ void expectTruth(const Case& c, const std::string& implementation, Truth tie, do
     }
 }
 
-// Weights are float, of at most 1, and their sums double.
+// Weights are float values of at most 1, their sums are double.
 constexpr double kScalarWeight = 1e-6, kScalarColor = 2e-6;
-// In double a texel is on the rim for nearly no pixel.
+// In double hardly any pixel has a texel on the rim.
 constexpr Truth kScalarTie = 1e-9L;
-// SIMD: 16-bit levels, the exponential to 1e-5, ellipses in float (lanes_test.cpp).
+// SIMD: levels of 16 bits, the exponential with an error of 1e-5, ellipses in float (lanes_test.cpp).
 constexpr double kSimdWeight = 1e-4, kSimdColor = 1e-4;
 constexpr Truth kSimdTie = 1e-4L;
-// Of all pixels, those that a tie keeps from being held against anything.
+// Largest share of pixels that may be skipped because of ties.
 constexpr double kMostTies = 0.1;
 
 void expectEveryKind(const Tally& tally, std::initializer_list<Kind> kinds) {
@@ -326,9 +328,9 @@ TEST(FootprintTruth, TablesAndMapsHaveTheWeightOfTheirCells) {
     expectEveryKind(tally, {Kind::Ellipse, Kind::Bilinear, Kind::Top});
 }
 
-// nearest and bilinear at the pixels' places, in pictures of the height map's sides and of others.
+// Tests nearest and bilinear at the pixels' positions, in pictures of the height map's size and of others.
 TEST(FootprintTruth, PointFiltersReadTheirTexels) {
-    constexpr Truth kBorder = 1e-9L;  // between two texels rounding decides
+    constexpr Truth kBorder = 1e-9L;  // near a border between two texels rounding decides
     int read = 0;
     for (const Painted& painted : kPictures) {
         for (const Address address : {painted.address, Address::Clamp, Address::Border}) {
@@ -360,10 +362,10 @@ TEST(FootprintTruth, PointFiltersReadTheirTexels) {
     EXPECT_GT(read, 500);
 }
 
-// Near by, a display's pixel is its own shape over the bilinear picture: the integral by a fine grid. The filter looks
-// at two places a texel, twelve at least along a side.
+// Seen from nearby, a display's pixel has its own shape and the picture is bilinear: the result is compared with the
+// integral over a fine grid. The filter takes two samples per texel, and at least twelve along a side.
 TEST(FootprintTruth, ShapesNearByAreTheirIntegrals) {
-    constexpr int kGrid = 48;  // places along a side, of a third each on a stripe
+    constexpr int kGrid = 48;  // samples along a side; a stripe gets a third of them
     constexpr double kFewPlaces = 0.03;
     const Picture picture = randomPicture(64, 64, 12);
     const Levels levels(*picture, Address::Repeat);

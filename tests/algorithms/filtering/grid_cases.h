@@ -1,4 +1,4 @@
-// What tests of form=grid share: frames with what their pixels ask.
+// Shared by the tests of form=grid: rendered frames with the filter queries of their pixels.
 #pragma once
 
 #include "algorithms/every_target.h"
@@ -28,22 +28,22 @@ inline FrameRequest requestOf(const HeightField& field, const Picture& picture, 
     return request;
 }
 
-// The random picture about its middle, by so much less.
+// Returns the random picture with its contrast scaled by `contrast` about 0.5.
 inline Picture faintPicture(int width, int height, float contrast) {
     auto picture = std::make_shared<ColorImage>(*randomPicture(width, height, kSeed));
     for (Color& color : picture->pixels()) color = Color(0.5F) + contrast * (color - Color(0.5F));
     return picture;
 }
 
-// A frame with what its pixels ask, in its order.
-struct Asked {
+// A rendered frame and the filter queries of its pixels, in scan order.
+struct FrameQueries {
     Work work{1};
     FrameRequest request;
     std::shared_ptr<const Frame> frame;
     VisiblePolygons visible;
     FilterBlock block;
 
-    explicit Asked(const FrameRequest& frameRequest, int threads = 1) : work(threads), request(frameRequest) {
+    explicit FrameQueries(const FrameRequest& frameRequest, int threads = 1) : work(threads), request(frameRequest) {
         FrameRenderer renderer(std::make_shared<MapCache>());
         frame = renderer.render(request, work);
         visible = frame->visible(request);

@@ -1,4 +1,5 @@
-// The grid's arithmetic in lanes: planes and edges among hits, rays and footprints of points.
+// The SIMD arithmetic of the grid filter: detection of planes and edges between hits, and rays and footprints of sample
+// points.
 #include "filtering/grid_lanes.h"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
     const auto cells = static_cast<std::size_t>(kWidth * kHeight);
     struct Case {
         const char* name;
-        float s, lambda;  // beyond the edge: texels more, descent more
-        float fold;       // of the step across
+        float s, lambda;  // change at the edge: of s in texels, and of lambda
+        float fold;       // ratio of the steps in s beyond and before the edge
     };
     for (const Case& c : {Case{"level", 0, 0, 1}, Case{"plane", 0, 0.01F, 1}, Case{"fold", 0, 0.01F, 1.4F},
                           Case{"step", 5, 0.3F, 1}, Case{"hole", std::nanf(""), 0, 1}}) {
@@ -49,7 +50,7 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
         if (name == "plane") {
             EXPECT_EQ(at(kEdge, 4), all);
         }
-        // Bent by a sixth: smooth, and neither straight nor a plane.
+        // A bend of a sixth: smooth, but neither straight nor planar.
         if (name == "fold") {
             EXPECT_EQ(at(kEdge, 4) & across, unsigned{kSmooth << kAcross});
             EXPECT_EQ(at(kEdge, 4) & kOnPlane, 0U);
@@ -68,8 +69,8 @@ TEST(GridLanes, surroundingsOfAPlaneAFoldAndAStep) {
     }
 }
 
-// The same bend: a plane and smooth where hits lie near each other; by lower bounds neither.
-TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
+// The same bend counts as planar and smooth if hits are close to each other, but not with smaller bounds.
+TEST(GridLanes, surroundingsDependOnTheDistanceOfHitsAndOnTheBounds) {
     constexpr int kSide = 5;
     constexpr auto kMiddle = static_cast<std::size_t>(kSide * kSide / 2);
     const auto middle = [&](float texels, float fold, float bounds) {
@@ -85,7 +86,7 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
         findSurroundings({kSide, kSide, s.data(), t.data(), lambda.data()}, bounds, found.data());
         return unsigned{found[kMiddle]};
     };
-    // Second differences over the first: 0.13, 0.375.
+    // Ratios of the second differences to the first: 0.13, 0.375.
     EXPECT_NE(middle(2, 1.3F, 1) & kOnPlane, 0U);
     EXPECT_EQ(middle(10, 1.3F, 1) & kOnPlane, 0U);
     EXPECT_EQ(middle(2, 1.3F, boundsFor(5)) & kOnPlane, 0U);
@@ -95,22 +96,22 @@ TEST(GridLanes, surroundingsHangOnTheDistanceOfHitsAndOnTheBounds) {
     EXPECT_NE(middle(2, 1.3F, 1) & kNearAround, 0U);
     EXPECT_EQ(middle(10, 1.3F, 1) & kNearAround, 0U);
     EXPECT_EQ(boundsFor(2), 1.0F);
-    // Magnified, only what is flat.
+    // If the texture is magnified, only flat surroundings count as planar.
     EXPECT_NE(middle(0.7F, 1.2F, 1) & kOnPlane, 0U);
     EXPECT_EQ(middle(0.7F, 1.4F, 1) & kOnPlane, 0U);
 }
 
-// Rays and footprints of points against the text of single pixels.
-TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
+// Rays and footprints of sample points against the code for single pixels.
+TEST(GridLanes, raysAndFootprintsEqualThoseOfSinglePixels) {
     constexpr double kRelative = 1e-7;  // rounding to float
     for (const Address address : {Address::Repeat, Address::Border}) {
         const HeightField field = reliefOf("city", address);
-        const Asked asked(requestOf(field, randomPicture(64, 48, kSeed), grid()));
-        const std::size_t count = asked.block.size();
-        const PixelView& view = *asked.block.view[0];
+        const FrameQueries queries(requestOf(field, randomPicture(64, 48, kSeed), grid()));
+        const std::size_t count = queries.block.size();
+        const PixelView& view = *queries.block.view[0];
         std::vector<double> x, y;
         for (std::size_t i = 0; i < count; ++i) {
-            x.push_back(asked.block.x[i] + 0.5), y.push_back(asked.block.y[i] + 0.5);
+            x.push_back(queries.block.x[i] + 0.5), y.push_back(queries.block.y[i] + 0.5);
         }
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
@@ -119,28 +120,29 @@ TEST(GridLanes, raysAndFootprintsAreThoseOfPixels) {
             PointBlock points;
             const SlopeScene slopes(field);
             const PointBlur blur{0.5, 0.125, 0.25};
-            layFootprints(view, &slopes, blur, {2, 3}, {x, y, asked.block.lambda, asked.block.s, asked.block.t},
+            layFootprints(view, &slopes, blur, {2, 3}, {x, y, queries.block.lambda, queries.block.s, queries.block.t},
                           points);
             for (std::size_t i = 0; i < count; ++i) {
-                ASSERT_EQ(rays[i], asked.block.rays[i]) << i;
-                const Jacobian pixel = asked.block[i].jacobian;
-                // Of the pixel's footprint blurred, its x.
+                ASSERT_EQ(rays[i], queries.block.rays[i]) << i;
+                const Jacobian pixel = queries.block[i].jacobian;
+                // The x component of the pixel's blurred footprint.
                 const Jacobian j{blur.xx * pixel.ux + blur.xy * pixel.uy, blur.xx * pixel.vx + blur.xy * pixel.vy, 0,
                                  0};
-                const auto [slopeS, slopeT] = field.slope(asked.block.s[i], asked.block.t[i]);
+                const auto [slopeS, slopeT] = field.slope(queries.block.s[i], queries.block.t[i]);
                 const double facing = std::max(1.0, 1 + rays.a[i] * slopeS + rays.b[i] * slopeT);
                 const double alongX = (slopeS * j.ux + slopeT * j.vx) / facing;
                 const double size = std::abs(pixel.ux) + std::abs(pixel.vx) + std::abs(pixel.uy) + std::abs(pixel.vy) +
                                     std::abs(rays.a[i] * alongX);
                 ASSERT_NEAR(points.ux[i], 2 * (j.ux - rays.a[i] * alongX), kRelative * size) << i;
                 ASSERT_NEAR(points.vx[i], 3 * (j.vx - rays.b[i] * alongX), 2 * kRelative * size) << i;
-                ASSERT_EQ(points.t[i], 3 * asked.block.t[i]);
+                ASSERT_EQ(points.t[i], 3 * queries.block.t[i]);
             }
         }
     }
 }
 
-// Under border nothing is hit from beyond the edge: a centre on it must not be rounded out of the polygon.
+// Under border nothing can be hit from beyond the edge, so rounding must not move a centre on the edge out of the
+// polygon.
 TEST(GridLanes, raysOnTheEdgeStayInsideByRounding) {
     PixelView view;
     view.width = 64, view.height = 48;
@@ -156,14 +158,14 @@ TEST(GridLanes, raysOnTheEdgeStayInsideByRounding) {
     });
 }
 
-TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
+TEST(GridLanes, uniformColorsAreThoseOfFourCorners) {
     constexpr std::size_t kRow = 21, kCells = 7 * kRow, kCount = kCells - kRow - 1;
     Random random(kSeed);
     std::array<std::vector<float>, 3> channel;
     for (auto& column : channel) {
         column.assign(kCells + kCellSlack, 0.5F);
         for (float& color : column) color += static_cast<float>(random.between(0, 1.3 * kUniformColors));
-        // In the dark.
+        // A dark picture.
         for (std::size_t c = 0; c < 2 * kRow; ++c) column[c] = 0.05F * column[c];
         column[3 * kRow + 5] = std::numeric_limits<float>::infinity();
     }
@@ -191,9 +193,9 @@ TEST(GridLanes, evenColorsAreThoseOfFourCorners) {
 TEST(GridLanes, centresAreSplitIntoColumns) {
     constexpr std::size_t kCells = 37, kPoints = 3;
     std::vector<PointColor> colors((kCells + kCellSlack) * kPoints);
-    std::vector<std::uint16_t> asked(kCells + kCellSlack);
+    std::vector<std::uint16_t> queries(kCells + kCellSlack);
     for (std::size_t c = 0; c < kCells; ++c) {
-        asked[c] = static_cast<std::uint16_t>(c % 3 == 0 ? 6 : 1);
+        queries[c] = static_cast<std::uint16_t>(c % 3 == 0 ? 6 : 1);
         const auto value = static_cast<float>(c);
         colors[c * kPoints] = {{value, value + 0.25F, value + 0.5F, c % 5 == 0 ? 0.0F : 1.0F}};
     }
@@ -201,7 +203,7 @@ TEST(GridLanes, centresAreSplitIntoColumns) {
         const ForcedTarget forced(target);
         std::array<std::vector<float>, 3> out;
         for (auto& column : out) column.resize(kCells + kCellSlack);
-        splitCentres(colors.data(), kPoints, asked.data(), kCells, {out[0].data(), out[1].data(), out[2].data()});
+        splitCentres(colors.data(), kPoints, queries.data(), kCells, {out[0].data(), out[1].data(), out[2].data()});
         for (std::size_t c = 0; c < kCells; ++c) {
             for (std::size_t n = 0; n < 3; ++n) {
                 const float known = colors[c * kPoints].channel[n];
@@ -211,24 +213,24 @@ TEST(GridLanes, centresAreSplitIntoColumns) {
     }
 }
 
-// Places and footprints of points that follow, where they are asked for, against one by one.
+// Positions and footprints of interpolated points, where requested, against a computation one by one.
 TEST(GridLanes, pointsFollowFromCentres) {
     constexpr std::size_t kRow = 9, kCells = 6 * kRow, kFirst = kRow + 1, kLast = kCells - kRow - 1;
     Random random(kSeed);
     std::vector<double> s(kCells + kCellSlack), t(s);
     for (std::size_t c = 0; c < kCells; ++c) s[c] = random.between(-1, 1), t[c] = random.between(-1, 1);
-    std::vector<std::uint16_t> asked(kCells + kCellSlack), follows(asked);
+    std::vector<std::uint16_t> queries(kCells + kCellSlack), follows(queries);
     for (std::size_t c = kFirst; c < kLast; ++c) {
-        asked[c] = static_cast<std::uint16_t>(random.between(0, 8));
+        queries[c] = static_cast<std::uint16_t>(random.between(0, 8));
         follows[c] = static_cast<std::uint16_t>(random.between(0, 8));
     }
     const std::array<double, 4> shares{0.5, 0.125, 0.25, 0.0625};
     const PointBlur blur{0.5, 0.125, 0.25};
     for (const std::size_t point : {std::size_t{0}, std::size_t{2}}) {
         const std::size_t square = point == 0 ? 0 : kRow + 1;
-        const FollowJob job{s.data(), t.data(), kRow,   kFirst, kLast, asked.data(), follows.data(),
+        const FollowJob job{s.data(), t.data(), kRow,   kFirst, kLast, queries.data(), follows.data(),
                             point,    3,        square, shares, blur,  {2, 3}};
-        // Of a column at cell c: the value, and its differences across and down.
+        // The value of a column at cell c, and its differences across and down.
         const auto expected = [&](const std::vector<double>& column, std::size_t c) -> std::array<double, 3> {
             const double* x = column.data() + c;
             if (point == 0) return {x[0], (x[1] - x[-1]) / 2, (x[kRow] - *(x - kRow)) / 2};
@@ -246,7 +248,7 @@ TEST(GridLanes, pointsFollowFromCentres) {
             followPoints(job, points, slots);
             std::size_t n = 1;
             for (std::size_t c = kFirst; c < kLast; ++c) {
-                if ((asked[c] & follows[c] & (1U << point)) == 0) continue;
+                if ((queries[c] & follows[c] & (1U << point)) == 0) continue;
                 ASSERT_LT(n, points.size());
                 const auto [atS, acrossS, downS] = expected(s, c);
                 const auto [atT, acrossT, downT] = expected(t, c);

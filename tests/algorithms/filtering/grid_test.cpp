@@ -1,4 +1,4 @@
-// elliptical-visible:form=grid: pixels that are no plane as sums of points that neighbours share.
+// elliptical-visible:form=grid: pixels that are not planar are sums of sample points that neighbouring pixels share.
 #include "filtering/elliptical_grid.h"
 
 #include <gtest/gtest.h>
@@ -10,15 +10,15 @@
 namespace relief::test {
 namespace {
 
-// Sums of sums of 16-bit texels in float.
+// Nested float sums of 16-bit texels.
 constexpr double kRounding = 1e-4;
-// Between a bilinear reading of 16-bit texels, its place in float, and the same in double: places are off by up to
-// 1e-5 texel, texels by 8e-6.
+// Difference between a bilinear sample of 16-bit texels at a float position and the same in double: positions differ by
+// up to 1e-5 texels, texels by 8e-6.
 constexpr double kTapRounding = 1e-4;
-// Levels and numbers of taps are chosen by comparisons: so many of a thousand points may fall to the other side.
+// Levels and numbers of taps are chosen by comparisons: the share of points for which rounding may choose differently.
 constexpr double kOtherSide = 2e-3;
 
-TEST(Grid, latticesAreEvenAndKeepTheMean) {
+TEST(Grid, latticesAreUniformAndKeepTheMean) {
     for (const int points : {2, 3, 4, 5, 7, 10, 16}) {
         const PointLattice lattice = PointLattice::of(points);
         ASSERT_EQ(lattice.places.size(), static_cast<std::size_t>(points));
@@ -29,7 +29,7 @@ TEST(Grid, latticesAreEvenAndKeepTheMean) {
                 least = std::min(least, glm::length(lattice.places[k] + glm::dvec2(n % 3 - 1, n / 3 - 1)));
             }
         }
-        // Of the hexagonal lattice 1.07 / sqrt(points), and no lattice of so few points comes nearer than this.
+        // A hexagonal lattice has a spacing of 1.07 / sqrt(points); a lattice of so few points cannot reach that.
         EXPECT_GE(least, 0.79 / std::sqrt(points)) << points;
         glm::dvec2 mean(0);
         double total = 0;
@@ -47,13 +47,13 @@ TEST(Grid, latticesAreEvenAndKeepTheMean) {
 
 TEST(Grid, isTheDefault) {
     const Picture picture = randomPicture(64, 48, kSeed);
-    const Asked plain(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {}}));
-    const Asked named(requestOf(reliefOf("bricks"), picture, grid()));
+    const FrameQueries plain(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {}}));
+    const FrameQueries named(requestOf(reliefOf("bricks"), picture, grid()));
     EXPECT_TRUE(plain.frame->color->color == named.frame->color->color);
-    // Weights with a shape of their own cannot be points': the surface is summed.
-    const Asked shaped(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {{"weights", "box"}}}));
-    const Asked summed(requestOf(reliefOf("bricks"), picture,
-                                 {"elliptical-visible", {{"weights", "box"}, {"form", "position-area"}}}));
+    // Points cannot represent weights with a shape of their own: the visible surface is summed instead.
+    const FrameQueries shaped(requestOf(reliefOf("bricks"), picture, {"elliptical-visible", {{"weights", "box"}}}));
+    const FrameQueries summed(requestOf(reliefOf("bricks"), picture,
+                                        {"elliptical-visible", {{"weights", "box"}, {"form", "position-area"}}}));
     EXPECT_TRUE(shaped.frame->color->color == summed.frame->color->color);
 }
 
@@ -63,17 +63,18 @@ TEST(Grid, aConstantPictureStaysConstant) {
     for (const char* name : {"bricks", "city"}) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
-                const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
-                ASSERT_GT(asked.block.size(), 1000U);
-                for (std::size_t i = 0; i < asked.block.size(); ++i) {
-                    for (int c = 0; c < 3; ++c) ASSERT_NEAR(asked.color(i)[c], color[c], kRounding) << name << ' ' << i;
+                const FrameQueries queries(requestOf(reliefOf(name, address, surface), picture, grid()));
+                ASSERT_GT(queries.block.size(), 1000U);
+                for (std::size_t i = 0; i < queries.block.size(); ++i) {
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_NEAR(queries.color(i)[c], color[c], kRounding) << name << ' ' << i;
                 }
             }
         }
     }
 }
 
-// No colour lies beyond the picture's, whose colours are too far apart for any to be taken as the mean of others.
+// Colours lie within the range of the picture's. These are too far apart for any point to be interpolated from others.
 TEST(Grid, colorsStayWithinThePictures) {
     const Color dark(0.25F, 0.5F, 0.125F), bright(0.75F, 0.9F, 0.25F);
     auto picture = std::make_shared<ColorImage>(64, 48);
@@ -83,12 +84,12 @@ TEST(Grid, colorsStayWithinThePictures) {
     for (const char* name : {"bricks", "city"}) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
-                const Asked asked(requestOf(reliefOf(name, address, surface), picture, grid()));
-                EXPECT_GT(asked.frame->counters.at(MessageId::CountTexelsTraced), 1000);
-                for (std::size_t i = 0; i < asked.block.size(); ++i) {
+                const FrameQueries queries(requestOf(reliefOf(name, address, surface), picture, grid()));
+                EXPECT_GT(queries.frame->counters.at(MessageId::CountTexelsTraced), 1000);
+                for (std::size_t i = 0; i < queries.block.size(); ++i) {
                     for (int c = 0; c < 3; ++c) {
-                        ASSERT_GE(asked.color(i)[c], dark[c] - kRounding) << name << ' ' << i;
-                        ASSERT_LE(asked.color(i)[c], bright[c] + kRounding) << name << ' ' << i;
+                        ASSERT_GE(queries.color(i)[c], dark[c] - kRounding) << name << ' ' << i;
+                        ASSERT_LE(queries.color(i)[c], bright[c] + kRounding) << name << ' ' << i;
                     }
                 }
             }
@@ -96,13 +97,15 @@ TEST(Grid, colorsStayWithinThePictures) {
     }
 }
 
-// Even colours save rays and change next to nothing.
-TEST(Grid, evenColorsAreNotTraced) {
+// Uniform colours save rays at almost no change of the picture.
+TEST(Grid, uniformColorsAreNotTraced) {
     const HeightField field = reliefOf("bricks");
-    const Asked even(requestOf(field, faintPicture(128, 96, 0.9F * kUniformColors), grid()));
-    const Asked uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
-    const auto rays = [](const Asked& asked) { return asked.frame->counters.at(MessageId::CountTexelsTraced); };
-    // What is left: centres beyond the picture's rim, and points round centres that meet nothing.
+    const FrameQueries even(requestOf(field, faintPicture(128, 96, 0.9F * kUniformColors), grid()));
+    const FrameQueries uneven(requestOf(field, faintPicture(128, 96, 1), grid()));
+    const auto rays = [](const FrameQueries& queries) {
+        return queries.frame->counters.at(MessageId::CountTexelsTraced);
+    };
+    // The remaining rays: centres beyond the picture's rim, and points around centres without a hit.
     EXPECT_LT(rays(even), rays(uneven) / 3);
     EXPECT_GT(rays(uneven), 1000);
     RecordProperty("rays", std::to_string(rays(even) / rays(uneven)));
@@ -112,38 +115,39 @@ TEST(Grid, levelGroundIsPlainFiltering) {
     const Picture picture = randomPicture(64, 64, kSeed);
     for (const float height : {0.0F, 0.4F, 1.0F}) {
         const HeightField field = fieldFor(*picture, Address::Repeat, height);
-        const Asked seen(requestOf(field, picture, grid())), plain(requestOf(field, picture, {"elliptical", {}}));
+        const FrameQueries seen(requestOf(field, picture, grid())),
+            plain(requestOf(field, picture, {"elliptical", {}}));
         ASSERT_GT(seen.block.size(), 2000U);
         EXPECT_TRUE(seen.frame->color->color == plain.frame->color->color) << height;
     }
 }
 
-// Alone, in rows, and as the frame's tiles have them; the log changes nothing.
-TEST(Grid, anyCompanyAndAnyTargetHaveTheSameBits) {
-    // Of the faint picture some points are means of centres.
+// Single pixels, rows, and the frame's tiles give the same bits; so does logging.
+TEST(Grid, bitsDependOnNeitherNeighboursNorTarget) {
+    // In the faint picture some points are interpolated from centres.
     for (const std::string name : {"bricks", "hills", "faint bricks", "bricks with an edge"}) {
         const bool faint = name == "faint bricks";
         const Picture picture = faintPicture(100, 96, faint ? 3 * kUniformColors : 1);
         const HeightField field = reliefOf(name == "hills" ? "hills" : "bricks",
                                            name == "bricks with an edge" ? Address::Border : Address::Repeat);
-        const Asked asked(requestOf(field, picture, grid("5")));
+        const FrameQueries queries(requestOf(field, picture, grid("5")));
         MadeFilter made(grid("5"), picture, field);
-        std::vector<Color> rows(asked.block.size());
+        std::vector<Color> rows(queries.block.size());
         FootprintCounts counts;
-        made.filter->colors(asked.block, rows, counts, made.work);
+        made.filter->colors(queries.block, rows, counts, made.work);
         EXPECT_GT(counts.flat, 20) << name;
         EXPECT_GT(counts.footprints, counts.flat + 100) << name;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            ASSERT_EQ(rows[i], asked.color(i)) << name << ' ' << i;
+            ASSERT_EQ(rows[i], queries.color(i)) << name << ' ' << i;
             if (i % 17 != 0) continue;
             FootprintLog log;
-            ASSERT_EQ(made.at(asked.block[i]), rows[i]) << name << ' ' << i;
-            ASSERT_EQ(made.at(asked.block[i], &log), rows[i]) << name << ' ' << i;
+            ASSERT_EQ(made.at(queries.block[i]), rows[i]) << name << ' ' << i;
+            ASSERT_EQ(made.at(queries.block[i], &log), rows[i]) << name << ' ' << i;
         }
         for (const std::int64_t target : laneTargets()) {
             const ForcedTarget forced(target);
             std::vector<Color> again(rows.size());
-            made.filter->colors(asked.block, again, counts, made.work);
+            made.filter->colors(queries.block, again, counts, made.work);
             EXPECT_EQ(again, rows) << laneTargetName(target);
         }
     }
@@ -154,25 +158,25 @@ TEST(Grid, framesAreTheSameForAnyNumberOfThreadsAndWithoutSkipping) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Cube}) {
         request.scene = scene;
         request.skip = true;
-        const Asked first(request), other(request, 3);
+        const FrameQueries first(request), other(request, 3);
         request.skip = false;
-        const Asked all(request);
+        const FrameQueries all(request);
         EXPECT_TRUE(first.frame->color->color == other.frame->color->color);
         EXPECT_TRUE(first.frame->color->color == all.frame->color->color);
     }
 }
 
-// Hits of methods that are not exact are filtered as form=rays does.
+// With a method that is not exact the hits are filtered as by form=rays.
 TEST(Grid, withoutExactHitsItIsRays) {
     FrameRequest request = requestOf(reliefOf("bricks"), randomPicture(128, 96, kSeed), grid());
     request.method = {"layers", {}};
-    const Asked seen(request);
+    const FrameQueries seen(request);
     request.filter = {"elliptical-visible", {{"form", "rays"}}};
-    const Asked rays(request);
+    const FrameQueries rays(request);
     EXPECT_TRUE(seen.frame->color->color == rays.frame->color->color);
 }
 
-// Nearer to the truth than plain filtering, by the part measured and some room; with more points nearer.
+// Closer to the truth than plain filtering, by the measured factor with some margin; more points are closer still.
 TEST(Grid, behindBricksTheErrorIsAThirdOfPlain) {
     FilterBenchOptions options;
     options.scenes = {filterScene("bricks", 256, kSeed)};
@@ -193,13 +197,13 @@ TEST(Grid, behindBricksTheErrorIsAThirdOfPlain) {
 
 void logSumsUp(const Picture& picture) {
     const HeightField field = reliefOf("bricks");
-    const Asked asked(requestOf(field, picture, grid()));
+    const FrameQueries queries(requestOf(field, picture, grid()));
     MadeFilter made(grid(), picture, field);
     const ColorLevels levels(picture, made.work);
     int planes = 0, summed = 0, apart = 0;
-    for (std::size_t i = 0; i < asked.block.size(); i += 5) {
+    for (std::size_t i = 0; i < queries.block.size(); i += 5) {
         FootprintLog log;
-        const Color color = made.at(asked.block[i], &log);
+        const Color color = made.at(queries.block[i], &log);
         ASSERT_EQ(color, log.color);
         (log.skipped ? planes : summed) += 1;
         if (log.texels.empty()) continue;
@@ -212,40 +216,41 @@ void logSumsUp(const Picture& picture) {
     }
     EXPECT_GT(planes, 10);
     EXPECT_GT(summed, 100);
-    // A pixel is a dozen points.
+    // A pixel has a dozen points.
     EXPECT_LE(apart, 3 * 12 * kOtherSide * summed);
 }
 
 TEST(Grid, theLogSumsUpToTheColour) {
     logSumsUp(randomPicture(128, 96, kSeed));
-    // Some points are means of centres.
+    // Some points are interpolated from centres.
     logSumsUp(faintPicture(128, 96, 3 * kUniformColors));
 }
 
-// What the picture has is not traced again, with the same bits; nor is what lies between hits that belong together.
+// Rays whose hits the picture already has are not traced again, with the same bits; neither are rays between hits on
+// one smooth surface.
 TEST(Grid, thePictureAndSmoothGroundSaveRays) {
     for (const char* name : {"city", "bricks"}) {
         const Picture picture = randomPicture(64, 48, kSeed);
         const HeightField field(std::make_shared<const FloatImage>(makeRelief(name, 256, 192, kSeed)));
         FrameRequest request = requestOf(field, picture, grid());
         request.camera.elevation = 60;
-        Asked asked(request);
+        FrameQueries queries(request);
         MadeFilter made(grid(), picture, field);
-        std::vector<Color> alone(asked.block.size()), together(asked.block.size());
+        std::vector<Color> alone(queries.block.size()), together(queries.block.size());
         FootprintCounts traced, saved;
-        made.filter->colors(asked.block, alone, traced, made.work);
-        const PictureHits hits{asked.frame->width, asked.frame->height, asked.frame->rays->polygon.data(),
-                               &asked.frame->rays->rays, &asked.frame->hits->hits};
-        asked.block.picture = &hits;
-        made.filter->colors(asked.block, together, saved, made.work);
+        made.filter->colors(queries.block, alone, traced, made.work);
+        const PictureHits hits{queries.frame->width, queries.frame->height, queries.frame->rays->polygon.data(),
+                               &queries.frame->rays->rays, &queries.frame->hits->hits};
+        queries.block.picture = &hits;
+        made.filter->colors(queries.block, together, saved, made.work);
         EXPECT_EQ(alone, together) << name;
         EXPECT_LT(saved.tested, traced.tested) << name;
-        // Of the frame, whose tiles share points; two of three are no centres.
-        const auto count = [&](MessageId of) { return asked.frame->counters.at(of); };
+        // Counts of the whole frame, whose tiles share points; two of three points are not centres.
+        const auto count = [&](MessageId of) { return queries.frame->counters.at(of); };
         const double edges = count(MessageId::CountFootprints) - count(MessageId::CountFootprintsClear);
         ASSERT_GT(edges, 500) << name;
-        // Points asked for beyond the edges' own are counted, too. Behind bricks 2.34 were measured first, 2.90 if none
-        // were taken from centres; among the city's walls there is nothing to take.
+        // Includes points requested beyond those of the edges. With bricks 2.34 was measured first, and 2.90 without
+        // interpolation from centres; among the city's walls nothing can be interpolated.
         EXPECT_LT(count(MessageId::CountTexelsTraced), (name == std::string("bricks") ? 2.6 : 3) * edges) << name;
         EXPECT_GT(count(MessageId::CountTexelsTraced), edges) << name;
         RecordProperty(name, std::to_string(count(MessageId::CountTexelsTraced) / edges));
@@ -258,10 +263,10 @@ TEST(Grid, weightsAreThePixels) {
     for (std::size_t n = 0; n < lattice.terms.size(); ++n) {
         const PointLattice::Term& term = lattice.terms[n];
         const glm::dvec2 at = glm::dvec2(term.dx, term.dy) + lattice.places[static_cast<std::size_t>(term.point)];
-        // Sigma 0.545 pixels, as the notes say.
+        // Sigma is 0.545 pixels.
         EXPECT_NEAR(lattice.weights[n], std::exp(-glm::dot(at, at) / (2 * 0.545 * 0.545)), 1e-6);
     }
-    // And they are what sums are made with.
+    // The sums use these weights.
     const std::vector<PointColor> colors{{{1, 2, 3, 1}}, {{0, 0, 0, 0}}, {{4, 8, 16, 1}}};
     const std::vector<std::int32_t> base{0, 1}, offset{0, 1};
     const std::vector<float> weight{0.5F, 0.25F};
@@ -299,7 +304,7 @@ TEST(PointReader, lanesAreNearTheReference) {
         }
         std::vector<PointColor> got(kPoints), expected(kPoints);
         FootprintCounts counts;
-        // Each into a slot of its own.
+        // Each point is stored in a slot of its own.
         std::vector<std::uint32_t> slots(kPoints);
         for (std::size_t i = 0; i < kPoints; ++i) slots[i] = static_cast<std::uint32_t>((i * 7) % kPoints);
         lanes.read(points, slots, got.data(), counts);
@@ -310,7 +315,7 @@ TEST(PointReader, lanesAreNearTheReference) {
             for (int k = 0; k < 4; ++k) {
                 difference = std::max(difference, std::abs(double{got[i].channel[k]} - expected[i].channel[k]));
             }
-            // Not finite: neither.
+            // NaN: the comparison is false, too.
             apart += difference <= kTapRounding ? 0 : 1;
         }
         EXPECT_LE(apart, kOtherSide * kPoints) << c.width << 'x' << c.height;

@@ -1,4 +1,4 @@
-// elliptical_lanes.h against its reference, and against itself on every instruction set and in any company.
+// elliptical_lanes.h against its reference, and independence of instruction set and neighbours.
 #include "filtering/elliptical_lanes.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,11 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20;
 
-// 16-bit levels are off by 8e-6, the exponential by 3e-6, ellipses of ratio 16 made in float by 2e-5 of their weights.
+// Errors: 8e-6 of 16-bit levels, 3e-6 of the exponential, 2e-5 of the weights of ellipses with ratio 16 computed in
+// float.
 constexpr double kLaneTolerance = 1e-4;
-// A texel on the rim of the footprint, or a pixel between two levels, may fall to either side by rounding: so many
-// pixels of a hundred thousand, and then by as much as a rim's texel weighs.
+// Share of pixels in which a texel on the rim, or the choice between two levels, may be rounded to the other side. Such
+// pixels may differ by the weight of a texel at the rim.
 constexpr double kRimShare = 5e-4;
 
 struct LaneCase {
@@ -31,7 +32,8 @@ const std::vector<OptionValues> kSettings{{},
                                           {{"anisotropy", "64"}, {"floor", "3"}},
                                           {{"sigma", "0.3"}, {"radius", "3"}, {"texel-size", "off"}}};
 
-// Footprints from a hundredth of a texel to the horizon's, at places far off, on seams and on rims, some not finite.
+// Footprints from a hundredth of a texel to the size at the horizon, at far positions, on seams and on rims; some not
+// finite.
 FilterBlock block(Random& random, const LaneCase& picture, std::size_t count) {
     FilterBlock block;
     for (std::size_t i = 0; i < count; ++i) {
@@ -89,7 +91,7 @@ TEST(EllipticalLanes, NearTheReference) {
     }
 }
 
-TEST(EllipticalLanes, SameBitsOnEveryInstructionSetAndInAnyCompany) {
+TEST(EllipticalLanes, BitsDependOnNeitherInstructionSetNorNeighbours) {
     Random random(kSeed + 1);
     ASSERT_FALSE(laneTargets().empty());
     for (const OptionValues& options : kSettings) {
@@ -106,7 +108,7 @@ TEST(EllipticalLanes, SameBitsOnEveryInstructionSetAndInAnyCompany) {
                 EXPECT_EQ(colorsOf(*made.filter, queries, again), expected) << laneTargetName(target);
                 EXPECT_EQ(again.texels, counts.texels) << laneTargetName(target);
                 for (std::size_t i = 0; i < queries.size(); ++i) {
-                    // Alone, and between others.
+                    // Alone, and among others.
                     ASSERT_EQ(made.at(queries[i]), expected[i]) << laneTargetName(target) << ' ' << i;
                 }
                 FilterBlock turned;
@@ -148,7 +150,7 @@ TEST(EllipticalLanes, TheLogIsWhatWasSummed) {
     }
 }
 
-// 16 bits would not do: the reference serves.
+// 16 bits cannot represent these values: the reference is used.
 TEST(EllipticalLanes, BrighterThanWhite) {
     Random random(kSeed + 5);
     const auto picture = std::make_shared<ColorImage>(*randomPicture(32, 32, kSeed));

@@ -66,7 +66,8 @@ TEST(LevelAxis, supportInterpolatesBetweenTrueCentres) {
     }
 }
 
-// Everywhere, across the seam too: the two centres, mixed by the share, are the place itself.
+// At every position, also across the seam, interpolating the two supporting centres by the share gives the position
+// itself.
 TEST(LevelAxis, supportIsExactBetweenCentresAndAcrossTheSeam) {
     for (const int size : {1, 2, 5, 37, 64}) {
         for (int level = 0; level < 5; ++level) {
@@ -96,7 +97,7 @@ TEST(PixelModels, namesAreReadBack) {
     EXPECT_THROW(parsePixelModel("round"), InputError);
 }
 
-// Each channel's density has its centre of mass where the display has its stripe or spot.
+// Each channel's density has its centre of mass at the display's stripe or spot.
 TEST(PixelModels, channelsLieWhereTheDisplayHasThem) {
     const auto centre = [](PixelModel model, int channel) {
         double x = 0, y = 0, sum = 0;
@@ -128,7 +129,7 @@ TEST(WeightMap, thePapersPixelIsCutAtItsBase) {
     EXPECT_EQ(map.at(0.51F, 0).x, 0);
     EXPECT_GT(map.at(0.4F, 0.1F).x, 0);
     EXPECT_EQ(map.at(0.45F, 0.45F).x, 0);
-    // The closed form of its volume: 2 pi sigma^2 (1 - exp(-R^2 / (2 sigma^2))).
+    // The closed form of the volume: 2 pi sigma^2 (1 - exp(-R^2 / (2 sigma^2))).
     double volume = 0;
     for (const glm::vec3& w : map.weights().pixels()) volume += static_cast<double>(w.x);
     volume /= std::pow(settings.resolution, 2);

@@ -1,4 +1,4 @@
-// Pictures of the reference scenes: a filter's picture against the supersampled one, pixel by pixel.
+// Rendered reference scenes: the picture of a filter against the supersampled one, pixel by pixel.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -10,8 +10,9 @@ using namespace relief;
 
 namespace {
 
-// Linear light, the largest of three channels. threshold: what counts as off; share: of pixels that may be; limit: no
-// pixel may be further off. Half as much again as measured first, with the seed below.
+// Errors are in linear light, the largest of the three channels. threshold: smallest error that counts. share: largest
+// share of pixels with such an error. limit: largest error of any pixel. The values are 1.5 times those measured first,
+// with the seed below.
 struct Case {
     const char* scene;
     double depth;
@@ -36,7 +37,7 @@ TEST_P(FilterPicture, isNearTheReference) {
     request.color = scene.color;
     request.camera.elevation = c.elevation;
     request.camera.distance = 1.2;
-    request.light.ambient = 1;  // the colour alone
+    request.light.ambient = 1;  // only the colour, without shading
     request.light.intensity = 1;
     Work work(2);
     const auto maps = std::make_shared<MapCache>();

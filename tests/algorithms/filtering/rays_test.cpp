@@ -1,4 +1,4 @@
-// elliptical-visible:form=rays: pixels seen through a fixed number of rays.
+// elliptical-visible:form=rays: pixels sampled by a fixed number of rays.
 #include "filtering/elliptical_rays.h"
 
 #include <gtest/gtest.h>
@@ -12,19 +12,19 @@ namespace relief::test {
 namespace {
 
 constexpr std::uint64_t kSeed = 41;
-// Sums of sums of 16-bit texels in float.
+// Nested float sums of 16-bit texels.
 constexpr double kRounding = 1e-4;
-// The plane's Jacobian is made of differences of hits, in double; a texel on the rim may fall to the other side.
+// The plane's Jacobian is computed from differences of hits, in double; a texel on the rim may be in or out.
 constexpr double kSlopeRounding = 2e-3;
 
-// Of the weights' radius: the outermost of 64 points stand for the last part of the whole bell.
+// As a multiple of the weights' radius: the outermost of 64 points represent the tail of the whole Gaussian.
 constexpr double kReach = 1.25;
 
 FilterChoice rays(const char* samples = "16") {
     return {"elliptical-visible", {{"form", "rays"}, {"samples", samples}}};
 }
 
-// Queries at hits of rays over the field, as cameras of different heights see it.
+// Filter queries at hits of rays on the field, as seen by cameras at different elevations.
 FilterBlock queries(const HeightField& field, int count, std::uint64_t seed) {
     MapCache maps;
     Work work(1);
@@ -69,7 +69,7 @@ TEST(Rays, thePatternSeesAsWideAsPlainFiltering) {
             EXPECT_NEAR(second.z, 0, 1e-12);
         }
     }
-    // What the weights cut off, against a sum over the disc.
+    // The share that truncation removes, against a sum over the disc.
     const EllipticalSettings settings = EllipticalSettings::of({});
     double sum = 0, total = 0;
     constexpr double kStep = 0.004;
@@ -105,7 +105,7 @@ TEST(Rays, aConstantPictureStaysConstant) {
 
 TEST(Rays, levelGroundAndSlopesArePlainFiltering) {
     const Picture picture = randomPicture(64, 64, kSeed);
-    // Level: the very bits.
+    // Level ground: the same bits.
     for (const float height : {0.0F, 0.4F, 1.0F}) {
         const HeightField field = fieldFor(*picture, Address::Repeat, height);
         MadeFilter plain({"elliptical", {}}, picture, field);
@@ -114,7 +114,7 @@ TEST(Rays, levelGroundAndSlopesArePlainFiltering) {
         for (std::size_t i = 0; i < block.size(); ++i) ASSERT_EQ(plain.at(block[i]), seen.at(block[i])) << height;
         EXPECT_EQ(seen.counts.tested, 0);
     }
-    // A slope: plain filtering with the Jacobian of its plane, J - r (g J) / (1 + r g).
+    // A slope: plain filtering with the Jacobian on its plane, J - r (g J) / (1 + r g).
     FloatImage ramp(64, 64);
     constexpr double kSlope = 1.0 / 128;
     for (int y = 0; y < 64; ++y) {
@@ -182,7 +182,7 @@ TEST(Rays, framesAreTheSameForAnyNumberOfThreads) {
     }
 }
 
-// Nearer to the truth behind bricks than plain filtering, by the part measured and some room.
+// Closer to the truth behind bricks than plain filtering, by the measured factor with some margin.
 TEST(Rays, behindBricksTheErrorIsAtMostHalfOfPlain) {
     FilterBenchOptions options;
     options.scenes = {filterScene("bricks", 256, kSeed)};
@@ -200,7 +200,7 @@ TEST(Rays, behindBricksTheErrorIsAtMostHalfOfPlain) {
     EXPECT_LT(rows[1].rmse, rows[2].rmse);
 }
 
-// What is logged makes the colour, whether the pixel was a plane or not.
+// The logged samples sum up to the colour, whether or not the pixel was treated as a plane.
 TEST(Rays, theLogSumsUpToTheColour) {
     const Picture picture = randomPicture(128, 96, kSeed);
     const HeightField field = reliefOf("bricks");

@@ -1,4 +1,5 @@
-// tangent_footprint.h: what it calls clear is not hidden, what it calls planar is seen where its plane is.
+// tangent_footprint.h: a footprint reported as clear is not hidden; one reported as planar is visible where its tangent
+// plane is.
 #include "filtering/tangent_footprint.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 31;
 constexpr int kPoints = 40;
-// Footprints of two texels and more: the size of texels, which the bound allows for, is a tenth of theirs.
+// Footprints have at least two texels: the size of the texels, which the bound includes, is a tenth of that.
 constexpr double kTexelAllowance = 1.15;
 
 double runOf(double elevation) {
@@ -20,7 +21,7 @@ double runOf(double elevation) {
     return kDepthTexels / std::tan(elevation * 0.017453292519943295);
 }
 
-// Level ground with walls of all heights, thin and far apart: what hides the ground is one of them alone.
+// Level ground with walls of various heights, thin and far apart, so that each hidden point is hidden by a single wall.
 FloatImage walls(int width, int height, std::uint64_t seed) {
     constexpr int kApart = 32;
     Random random(seed);
@@ -80,7 +81,7 @@ TEST(TangentFootprint, ClearIsNotHiddenAndPlanarIsSeenOnItsPlane) {
             }
         }
     }
-    // Each of them is tried.
+    // Both cases occur.
     EXPECT_GT(clear, 300);
     EXPECT_GT(planar, 15);
     EXPECT_GT(hidden, 10000);

@@ -1,5 +1,5 @@
-// Filtering of what a pixel really sees: equal to plain filtering on flat maps, lossless skipping, hidden texels really
-// hidden, and nearer to the truth behind relief.
+// Filtering of the visible part of a footprint: equal to plain filtering on flat maps; skipping is lossless; hidden
+// texels are really hidden; closer to the truth behind relief.
 #include <gtest/gtest.h>
 
 #include "filter_cases.h"
@@ -17,7 +17,7 @@ const std::vector<std::string>& forms() {
     return all;
 }
 
-// Queries at hits of rays over the field.
+// Filter queries at hits of rays on the field.
 std::vector<FilterQuery> queries(const HeightField& field, int count, std::uint64_t seed, double lowest = 8) {
     MapCache maps;
     Work work(1);
@@ -83,13 +83,14 @@ TEST(Visible, skippingChangesNoBit) {
     EXPECT_GT(hidden, 1000);
 }
 
-// A far wall hides ground that is flat all round the footprint: the range under the footprint alone would not tell.
+// A distant wall hides ground that is flat all around the footprint: the height range under the footprint alone would
+// not show that.
 TEST(Visible, aFarWallHidesFlatGround) {
     FloatImage heights(64, 64, 0.1F);
     for (int y = 0; y < 64; ++y) heights(10, y) = 1;
     const HeightField field(std::make_shared<const FloatImage>(heights), Surface::Bilinear, Address::Clamp, 0.25);
     const Picture picture = randomPicture(64, 64, 6);
-    // The ray comes from the left, over the wall's top, down to the ground behind its shadow's edge.
+    // The ray comes from the left over the wall's top, down to the ground behind the edge of its shadow.
     const double a = 20;
     const FilterQuery query{{29.5, 32}, jacobian(8, 3, 0), {29.5 - 0.9 * a, 32, a, 0}, 0.9};
     MadeFilter visible({"elliptical-visible", {{"form", "plane"}}}, picture, field);
@@ -100,14 +101,15 @@ TEST(Visible, aFarWallHidesFlatGround) {
     for (const FootprintTexel& texel : log.texels) {
         if (!texel.hidden) continue;
         ++hidden;
-        EXPECT_NEAR(texel.blocker.x, 10.5, 1.0);  // the cells beside the wall
+        EXPECT_NEAR(texel.blocker.x, 10.5, 1.0);  // the cells next to the wall
         EXPECT_LT(texel.u, log.footprint.centre.x);
     }
     EXPECT_GT(hidden, 3);
     EXPECT_LT(hidden, static_cast<int>(log.texels.size()));
 }
 
-// What is hidden is, by an exact walk of every cell from the viewer: the ray through the point hits before it.
+// Texels reported as hidden are hidden according to an exact traversal from the viewer: the ray through the texel's
+// point hits something in front of it.
 TEST(Visible, hiddenTexelsAreBehindTheFirstHit) {
     int hidden = 0, seen = 0;
     for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
@@ -131,7 +133,7 @@ TEST(Visible, hiddenTexelsAreBehindTheFirstHit) {
                 HitBlock hit;
                 NullSink sink;
                 exact->trace(one, hit, sink, work);
-                // Within this of the point itself, in heights, it is the point that is hit.
+                // A hit within this height difference is the point itself.
                 constexpr double kHere = 1e-6;
                 if (!texel.tested) continue;
                 EXPECT_EQ(texel.hidden, hit.lambda[0] < lambda - kHere) << texel.u << " " << texel.v;
@@ -143,8 +145,8 @@ TEST(Visible, hiddenTexelsAreBehindTheFirstHit) {
     EXPECT_GT(seen, 500);
 }
 
-// The sum over the surface against the supersampled picture: far nearer than the plain ellipse. The shares are half as
-// much again as what was measured first (0.18 on bricks, 0.11 on city).
+// The sum over the visible surface against the supersampled picture: much closer than the plain ellipse. The bounds are
+// 1.5 times the ratios measured first (0.18 on bricks, 0.11 on city).
 TEST(Visible, nearerToTheTruthBehindRelief) {
     constexpr double kLargestShare = 0.3;
     Work work(2);

@@ -1,5 +1,5 @@
-// elliptical-visible against brute force in long double: which texels of a footprint the relief hides from the viewer,
-// by the largest height of the surface above the line of sight, and the colour of those that are left.
+// elliptical-visible against brute force in long double: which texels of a footprint are hidden from the viewer, by the
+// largest height of the surface above the line of sight, and the colour of the visible ones.
 #include <gtest/gtest.h>
 
 #include "footprint_truth.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace truth;
 
-// A relief by its definition in height_field.h. Under border there is nothing outside the picture.
+// A relief by the definition in height_field.h. Under border there is nothing outside the picture.
 class Ground {
   public:
     explicit Ground(const HeightField& field)
@@ -27,11 +27,11 @@ class Ground {
         return (1 - v) * ((1 - u) * texel(i, j) + u * texel(i + 1, j)) +
                v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
     }
-    // Whether it is the border of a column; bilinear relief has no jump there.
+    // Returns true if the position is on a border of columns, where the height jumps; bilinear relief has no jumps.
     bool onALine(Truth place) const { return columns_ && std::abs(place - std::round(place)) < 1e-9L; }
-    // By how much the surface rises above the line of sight from (s, t, h) back along the ray, at most, or so
-    // much as is enough; 0 where it nowhere does. Between crossings of its lines the surface along the line is a
-    // parabola (bilinear) or level.
+    // Returns the largest height of the surface above the line of sight from (s, t, h) back along the ray; 0 if it is
+    // nowhere above; may stop at any value of at least `enough`. Between crossings of the texel lines the surface along
+    // the line of sight is a parabola (bilinear) or constant.
     Truth rise(Truth s, Truth t, Truth h, Truth a, Truth b, Truth enough = 1) const {
         std::vector<Truth> ends{0, 1 - h};
         const auto crossings = [&](Truth from, Truth run) {
@@ -83,15 +83,15 @@ class Ground {
     Address address_;
 };
 
-// Heights within which rounding decides whether a line of sight is free: the library asks for 2^-30.
+// Heights between which rounding decides whether a line of sight is free: the library uses 2^-30.
 constexpr Truth kSurelyFree = 1e-12L, kSurelyHidden = 1e-6L;
 
 struct View {
     double azimuth, elevation, distance;
 };
 
-// What the pixels of a frame ask: the view's own rays, and where they meet the relief.
-std::vector<FilterQuery> askedBy(const HeightField& field, const View& view) {
+// Filter queries of the pixels of a frame: the view's rays and their hits on the relief.
+std::vector<FilterQuery> queriesOf(const HeightField& field, const View& view) {
     FrameRequest request(field);
     request.width = 40;
     request.height = 30;
@@ -105,12 +105,12 @@ std::vector<FilterQuery> askedBy(const HeightField& field, const View& view) {
     const auto frame = renderer.render(request, work);
     const VisiblePolygons visible = frame->visible(request);
     std::vector<FilterQuery> all;
-    // From afar the floor is a few pixels wide.
+    // From afar the floor is only a few pixels wide.
     const int step = view.distance > 2 ? 1 : 3;
     for (int y = 1; y < request.height; y += step) {
         for (int x = 2; x < request.width; x += step) {
             if (auto query = filterQuery(*frame, request, visible, x, y)) {
-                query->view = nullptr;  // the frame's, which is gone
+                query->view = nullptr;  // would point into the frame, which no longer exists
                 all.push_back(*query);
             }
         }
@@ -129,7 +129,7 @@ const char* nameOf(Form form) {
     return form == Form::Plane ? "plane" : form == Form::Position ? "position" : "position-area";
 }
 
-// Texels without a part of their own: what a texel spans in the pixel must be small (surface_pieces.h), pixels.
+// Largest extent, in pixels, of a texel that is not split into parts (surface_pieces.h).
 constexpr Truth kWhole = 0.5L;
 
 void expectTruth(Form form, const HeightField& field, const Picture& picture, const std::vector<View>& views,
@@ -137,7 +137,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                  Tally& tally) {
     constexpr double kColor = 1e-5;  // weights and products are float
     constexpr double kWeight = 1e-5;
-    constexpr Truth kTie = 1e-7L;  // of r^2: hits are rounded
+    constexpr Truth kTie = 1e-7L;  // relative to r^2: hits are rounded
     const Levels levels(*picture, field.address());
     const Ground ground(field);
     const Truth toFieldX = static_cast<Truth>(field.width()) / picture->width();
@@ -147,7 +147,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
     options["implementation"] = "scalar";
     MadeFilter made({"elliptical-visible", options}, picture, field, false);
     for (const View& view : views) {
-        for (const FilterQuery& query : askedBy(field, view)) {
+        for (const FilterQuery& query : queriesOf(field, view)) {
             const glm::dvec2 scale(static_cast<double>(1 / toFieldX), static_cast<double>(1 / toFieldY));
             const Jacobian j{query.jacobian.ux * scale.x, query.jacobian.vx * scale.y, query.jacobian.uy * scale.x,
                              query.jacobian.vy * scale.y};
@@ -157,14 +157,14 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
             FootprintLog log;
             const Color found = made.at(query, &log);
             ++tally.pixels;
-            // Where nothing is hidden and the relief is as good as a plane, these forms are plain filtering.
+            // Where nothing is hidden and the relief is nearly planar, these forms equal plain filtering.
             if (form != Form::Plane && log.skipped) {
                 ++tally.plain;
                 continue;
             }
             const Truth texels = std::ldexp(Truth{1}, f.level), reach = settings.radius * settings.radius;
             const Truth a = query.ray.a, b = query.ray.b, h0 = 1 - static_cast<Truth>(query.lambda);
-            // Of the view ray, texels of the level.
+            // Direction of the view ray in texels of the level.
             const Vector run{a / (texels * toFieldX), b / (texels * toFieldY)};
             if (form == Form::Position && field.surface() == Surface::Bilinear) {
                 ASSERT_LT(f.square(run), kWhole * kWhole) << "texels would be split";
@@ -178,7 +178,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 bool hidden;
                 Rgb color;
             };
-            std::map<std::pair<long, long>, Seen> wanted, beyond;  // by place, in 1/1024 texels
+            std::map<std::pair<long, long>, Seen> expected, beyond;  // keyed by position in 1/1024 texels
             const auto key = [](Truth u, Truth v) { return std::pair(std::lround(1024 * u), std::lround(1024 * v)); };
             Rgb sum{};
             Truth total = 0;
@@ -187,7 +187,7 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
             levels.around(f.level, f.centre, box, [&](const LevelTexel& texel) {
                 const Vector offset{texel.centre.x - f.centre.x, texel.centre.y - f.centre.y};
                 const Truth s = texel.centre.x * texels * toFieldX, t = texel.centre.y * texels * toFieldY;
-                // Between columns rounding decides whose height it is.
+                // Between columns rounding decides which height applies.
                 unsure = unsure || (ground.onALine(s) || ground.onALine(t));
                 const bool outside = ground.outside(s, t);
                 if (outside && form != Form::Plane) return;
@@ -209,23 +209,23 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 const Truth rise = outside ? 0 : ground.rise(s, t, h, a, b, kSurelyHidden);
                 unsure = unsure || (rise > kSurelyFree && rise < kSurelyHidden);
                 const Seen seen{weigh(square) * share, rise >= kSurelyHidden, levels.texel(f.level, texel.i, texel.j)};
-                (outside ? beyond : wanted)[key(offset.x, offset.y)] = seen;
+                (outside ? beyond : expected)[key(offset.x, offset.y)] = seen;
                 hides = hides || seen.hidden;
             });
             if (unsure) {
                 ++tally.unsure;
                 continue;
             }
-            // Beyond the border nothing is hidden: the rim's texels go on, as in plain filtering.
-            if (!hides || form == Form::Plane) wanted.merge(beyond);
-            for (const auto& [where, seen] : wanted) {
+            // Nothing is hidden beyond the border: the texels of the rim are repeated, as in plain filtering.
+            if (!hides || form == Form::Plane) expected.merge(beyond);
+            for (const auto& [where, seen] : expected) {
                 if (seen.hidden) continue;
                 for (std::size_t k = 0; k < 3; ++k) sum[k] += seen.weight * seen.color[k];
                 total += seen.weight;
             }
             ++tally.levels[f.level];
             ASSERT_EQ(log.footprint.level, f.level);
-            ASSERT_EQ(log.texels.size(), wanted.size());
+            ASSERT_EQ(log.texels.size(), expected.size());
             const bool none = !(total > 0);
             ASSERT_EQ(log.allHidden, none);
             tally.nothingSeen += none ? 1 : 0;
@@ -234,8 +234,8 @@ void expectTruth(Form form, const HeightField& field, const Picture& picture, co
                 logged += texel.hidden ? 0 : static_cast<Truth>(texel.weight.x);
             }
             for (const FootprintTexel& texel : log.texels) {
-                const auto at = wanted.find(key(texel.u - log.footprint.centre.x, texel.v - log.footprint.centre.y));
-                ASSERT_NE(at, wanted.end()) << texel.u << " " << texel.v;
+                const auto at = expected.find(key(texel.u - log.footprint.centre.x, texel.v - log.footprint.centre.y));
+                ASSERT_NE(at, expected.end()) << texel.u << " " << texel.v;
                 ASSERT_EQ(texel.hidden, at->second.hidden) << nameOf(form) << " " << texel.u << " " << texel.v;
                 (texel.hidden ? tally.hidden : tally.seen) += 1;
                 if (none) continue;
@@ -280,10 +280,10 @@ Truth uniformWeight(Truth) {
     return 1;
 }
 
-// From all round, low and steep, near (a pixel is about a texel) and far (on higher levels).
+// From all sides, low and steep, near (a pixel is about a texel) and far (on higher levels).
 const std::vector<View> kTurned{{20, 60, 1.2}, {-75, 25, 1.5}, {130, 15, 1}, {200, 40, 3}, {-20, 35, 6}, {95, 8, 0.9}};
 
-// Over deep relief lines of sight are long: few of them.
+// Over deep relief lines of sight are long, so only a few views are tested.
 const std::vector<View> kDeep{{-75, 25, 1.5}, {200, 40, 3}};
 
 void expectMany(const Tally& tally, int hidden, int seen) {
@@ -297,7 +297,7 @@ TEST(VisibleTruth, PlaneLeavesOutWhatTheReliefHides) {
     for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
         Tally tally;
         const HeightField field = randomGround(48, 40, surface, 0.06);
-        // Over columns of other sides than theirs, so that no texel's centre lies between two columns.
+        // For columns the picture has another size, so that no texel's centre lies between two columns.
         const Picture picture = surface == Surface::Bilinear ? randomPicture(48, 40, 22) : randomPicture(64, 64, 22);
         expectTruth(Form::Plane, field, picture, kTurned, {}, gaussianSettings(false), gaussianWeight, tally);
         expectTruth(Form::Plane, field, picture, kTurned, {{"weights", "uniform"}}, uniformSettings(), uniformWeight,
@@ -305,14 +305,14 @@ TEST(VisibleTruth, PlaneLeavesOutWhatTheReliefHides) {
         expectMany(tally, 1000, 1000);
         EXPECT_GT(tally.levels[0], 100);
         EXPECT_GT(tally.levels[1], 50);
-        // Deep ones, of which some footprints see no texel's centre.
+        // In deep relief some footprints contain no visible texel.
         expectTruth(Form::Plane, randomGround(48, 40, surface, 0.4), picture, kDeep, {}, gaussianSettings(false),
                     gaussianWeight, all);
     }
     EXPECT_GT(all.nothingSeen, 0);
 }
 
-// Where the tests find nothing hidden, a footprint of form=plane has the bits of plain filtering, in SIMD, too.
+// If the tests find nothing hidden, form=plane gives the bits of plain filtering, also in SIMD.
 TEST(VisibleTruth, WhatIsNotHiddenHasThePlainFiltersBits) {
     const HeightField field = randomGround(48, 40, Surface::Bilinear, 0.03);
     const Picture picture = randomPicture(48, 40, 27);
@@ -320,7 +320,7 @@ TEST(VisibleTruth, WhatIsNotHiddenHasThePlainFiltersBits) {
     MadeFilter visible({"elliptical-visible", {{"form", "plane"}}}, picture, field, false);
     int free = 0, hidden = 0;
     for (const View& view : kTurned) {
-        for (const FilterQuery& query : askedBy(field, view)) {
+        for (const FilterQuery& query : queriesOf(field, view)) {
             FootprintLog log;
             const FootprintCounts before = visible.counts;
             const Color color = visible.at(query, &log);
@@ -336,7 +336,7 @@ TEST(VisibleTruth, WhatIsNotHiddenHasThePlainFiltersBits) {
     EXPECT_GT(hidden, 100);
 }
 
-// A picture of other sizes than the height map, neither a power of two.
+// A picture of another size than the height map, neither a power of two.
 TEST(VisibleTruth, PicturesFinerThanTheHeights) {
     Tally tally;
     const HeightField field = randomGround(24, 20, Surface::Bilinear, 0.1);
@@ -345,13 +345,13 @@ TEST(VisibleTruth, PicturesFinerThanTheHeights) {
     expectMany(tally, 500, 500);
 }
 
-// Beyond the rim a clamped relief goes on for ever; under border nothing is there that could hide or be hidden, and the
-// rim's colours go on whether or not anything else is hidden.
+// Beyond the rim a clamped relief continues without limit. Under border nothing there can hide or be hidden, and the
+// rim's colours are repeated whether or not anything else is hidden.
 TEST(VisibleTruth, RimsGoOnOrEnd) {
     for (const Address address : {Address::Clamp, Address::Border}) {
         for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
             Tally tally;
-            // By these sides no texel's centre lies between two columns.
+            // With these sides no texel's centre lies between two columns.
             const HeightField field = randomGround(12, 12, surface, 0.2, address);
             const Picture picture = randomPicture(16, 16, 28);
             expectTruth(Form::Plane, field, picture, kTurned, {}, gaussianSettings(false), gaussianWeight, tally);
@@ -360,7 +360,7 @@ TEST(VisibleTruth, RimsGoOnOrEnd) {
     }
 }
 
-// Each column's top at its own place in the pixel.
+// The top of each column is at its own position in the pixel.
 TEST(VisibleTruth, PositionMovesColumnsToTheirOwnPlaces) {
     Tally tally;
     expectTruth(Form::Position, randomGround(48, 40, Surface::Columns, 0.05), randomPicture(48, 40, 25), kTurned,
@@ -369,7 +369,8 @@ TEST(VisibleTruth, PositionMovesColumnsToTheirOwnPlaces) {
     EXPECT_LT(tally.plain, tally.pixels / 2);
 }
 
-// Low relief, so that no texel is split: what a texel's slope turns away counts less, what it turns to the viewer more.
+// Low relief, so that no texel is split: slopes turned away from the viewer count less, those turned to the viewer
+// more.
 TEST(VisibleTruth, AreasAreThoseTurnedToTheViewer) {
     Tally tally;
     const HeightField field = randomGround(48, 40, Surface::Bilinear, 0.02);
@@ -382,7 +383,7 @@ TEST(VisibleTruth, AreasAreThoseTurnedToTheViewer) {
     EXPECT_LT(tally.unsure, tally.pixels / 10);
 }
 
-// The line of sight along a slope, over a ridge and beside a wall: whether it is free is decided by hand.
+// Lines of sight along a slope, over a ridge and next to a wall, with results computed by hand.
 TEST(VisibleTruth, LinesOfSightByHand) {
     // One ridge at s = 10.5, one texel wide on either side (bilinear), 0.5 high over ground of 0.2.
     FloatImage heights(32, 8, 0.2F);
@@ -390,16 +391,16 @@ TEST(VisibleTruth, LinesOfSightByHand) {
     const auto shared = std::make_shared<const FloatImage>(heights);
     const Ground slope(HeightField(shared, Surface::Bilinear)), wall(HeightField(shared, Surface::Columns));
     constexpr double kRounding = 1e-7;  // heights are float
-    // The viewer is to the left: over (20.5, 0.2) the sight rises by 0.1 a texel, at the ridge it is at 1.2.
+    // The viewer is to the left: from (20.5, 0.2) the line of sight rises by 0.1 per texel; at the ridge it is at 1.2.
     EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 10, 0)), 0, kRounding);
-    // It rises by 0.02 a texel: at the ridge it is at 0.4, 0.1 below.
+    // It rises by 0.02 per texel: at the ridge it is at 0.4, which is 0.1 below the top.
     EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 50, 0)), 0.1, kRounding);
-    // The wall's near side is at s = 11, where the sight is at 0.2 + 9.5 * 0.02.
+    // The wall's near side is at s = 11, where the line of sight is at 0.2 + 9.5 * 0.02.
     EXPECT_NEAR(static_cast<double>(wall.rise(20.5L, 4, 0.2L, 50, 0)), 0.11, kRounding);
-    // From the other side nothing is in the way until the next period's ridge, at 10.5 + 32.
+    // In the other direction nothing blocks the view up to the next period's ridge, at 10.5 + 32.
     EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, -50, 0)), 0, kRounding);
     EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, -100, 0)), 0.5 - (0.2 + 22 * 0.01), kRounding);
-    // Across, 22 texels in t for each 10 in s: as far in s.
+    // Diagonally, 22 texels in t for each 10 in s: the ridge is as far in s.
     EXPECT_NEAR(static_cast<double>(slope.rise(20.5L, 4, 0.2L, 50, 110)), 0.1, kRounding);
 }
 

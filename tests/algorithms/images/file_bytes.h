@@ -1,4 +1,4 @@
-// Files put together byte by byte, right ones and wrong ones. PNG's data are stored, not compressed.
+// Files assembled byte by byte, valid and invalid ones. The data of PNG files are stored without compression.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ inline std::string pngChunk(const std::string& type, const std::string& data) {
     return bigEndian(static_cast<std::uint32_t>(data.size())) + type + data + bigEndian(~crc);
 }
 
-// A zlib stream of one stored block; data shorter than 64 kB.
+// Returns a zlib stream of one stored block; the data must be shorter than 64 kB.
 inline std::string stored(const std::string& data) {
     std::uint32_t a = 1, b = 0;
     for (const char c : data) {
@@ -47,14 +47,14 @@ inline std::string pngHeader(std::uint32_t width, std::uint32_t height, int bits
                                 static_cast<char>(colorType) + "\0\0\0"s);
 }
 
-// rows: as PNG filters them, each opened by its filter byte. extra: chunks between the header and the data.
+// rows: the rows as PNG filters them, each preceded by its filter byte. extra: chunks between the header and the data.
 inline std::string png(std::uint32_t width, std::uint32_t height, int bits, int colorType, const std::string& rows,
                        const std::string& extra = {}) {
     return kPngSignature + pngHeader(width, height, bits, colorType) + extra + pngChunk("IDAT", stored(rows)) +
            pngChunk("IEND", {});
 }
 
-// An entry of a little-endian TIFF directory. type: 3 for 16 bits, 4 for 32.
+// Returns an entry of a little-endian TIFF directory. type: 3 for 16 bits, 4 for 32.
 inline std::string tiffEntry(std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
     return littleEndian(tag, 2) + littleEndian(type, 2) + littleEndian(count, 4) + littleEndian(value, 4);
 }

@@ -1,4 +1,4 @@
-// What the formats hide in themselves: palettes, few bits, odd chunks, alpha, channels of several types.
+// Special features of picture formats: palettes, few bits, unusual chunks, alpha, channels of several types.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ ColorImage colors(const std::string& path) {
     return readColor(path, work);
 }
 
-// Two-bit indices 3 2 1 0, of which only three have a colour: the missing one is black.
+// Two-bit indices 3 2 1 0, only three of which have a colour: the missing one is black.
 TEST(Formats, PalettePng) {
     const TemporaryFolder folder;
     const std::string rows("\0\xe4", 2);
@@ -47,12 +47,12 @@ TEST(Formats, PalettePng) {
                                                  static_cast<float>(10 / 255.0)}));
     EXPECT_EQ(image.channel, "R");
     EXPECT_EQ(colors(path)(1, 0).b, linearFromSrgb(static_cast<float>(220 / 255.0)));
-    // With a transparency chunk it has an alpha channel, which multiplies nothing.
+    // A transparency chunk adds an alpha channel, by which the colours are not multiplied.
     const std::string clear = palette + pngChunk("tRNS", "\xff\x80");
     EXPECT_EQ(heights(folder.with("t.png", png(4, 1, 2, 3, rows, clear))).heights(2, 0), image.heights(2, 0));
 }
 
-// Adobe's segment says how the colours are coded; what says nothing of them is dropped before the library reads it.
+// Adobe's segment specifies the colour coding and is kept; other metadata are dropped before libjpeg reads them.
 TEST(Formats, JpegKeepsAdobesSegmentAndDropsMetadata) {
     const auto segment = [](unsigned char marker, const std::string& data) {
         return std::string{'\xff', static_cast<char>(marker)} +
@@ -66,7 +66,8 @@ TEST(Formats, JpegKeepsAdobesSegmentAndDropsMetadata) {
     EXPECT_EQ(std::string(clean.begin(), clean.end()), start + jfif + adobe + scan);
 }
 
-// Metadata that end with the file are dropped; what would end behind it stays, for the library to refuse.
+// Metadata that end within the file are dropped; a segment that would extend beyond it stays, so that libjpeg rejects
+// it.
 TEST(Formats, JpegWithASegmentBeyondItsEndIsLeftAlone) {
     const auto cleaned = [](const std::string& file) {
         const auto clean = cleanJpeg({reinterpret_cast<const unsigned char*>(file.data()), file.size()});
@@ -87,7 +88,7 @@ TEST(Formats, FewBitsSpanTheFullRange) {
               (std::vector<float>{0, static_cast<float>(85 / 255.0), static_cast<float>(170 / 255.0), 1}));
 }
 
-// Nothing of this matters to the pixels, and nothing of it is printed.
+// None of these chunks affects the pixels, and no warning is printed.
 TEST(Formats, PngWithOddAncillaryChunks) {
     const TemporaryFolder folder;
     std::string wrongSum = pngChunk("tEXt", "a comment");
@@ -129,7 +130,7 @@ TEST(Formats, PaletteTiff) {
     const HeightImage image = heights(folder.with("p.tif", bytes));
     EXPECT_EQ(values(image), (std::vector<float>{static_cast<float>(10 / 255.0), static_cast<float>(20 / 255.0)}));
     EXPECT_EQ(image.info.channels.size(), 3U);
-    // The same with its last byte gone.
+    // The same file without its last bytes.
     const std::string cut = folder.with("cut.tif", bytes.substr(0, bytes.size() - 2));
     EXPECT_TRUE(faultOf([&] { heights(cut); }).starts_with(cut + ": is damaged or cut short"));
 }
@@ -142,7 +143,8 @@ TEST(Formats, PaletteGif) {
     EXPECT_NEAR(image.heights(1, 0), 200 / 255.0, 0.02);
 }
 
-// A colour profile whose only tag lies so far off that its end is small again: OpenImageIO 2.4 goes there.
+// A colour profile whose only tag has such a large offset that the end of the tag overflows to a small number:
+// OpenImageIO 2.4 would read there.
 std::string brokenProfile() {
     std::string profile(128, '\0');
     profile.replace(0, 4, bigEndian(144));
@@ -172,7 +174,7 @@ TEST(Formats, BrokenColourProfilesAreNotFollowed) {
 TEST(Formats, ChannelsByTheirNamesInExr) {
     const TemporaryFolder folder;
     OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::FLOAT);
-    // Luminance beside its colour differences is a grey picture.
+    // Luminance with its colour differences is read as a grey picture.
     spec.channelnames = {"BY", "RY", "Y"};
     EXPECT_EQ(colors(writeRaw<float>(folder / "yc.exr", spec, {0.1F, 0.2F, 0.75F}))(0, 0), Color(0.75F, 0.75F, 0.75F));
     spec.channelnames = {"Z", "X", "Y"};

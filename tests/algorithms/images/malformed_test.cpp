@@ -1,4 +1,4 @@
-// What is refused, each with one line that names the file and the fault, and not a word on stderr.
+// Malformed pictures are refused, each with one line that names the file and the fault, and without output on stderr.
 #include <OpenImageIO/deepdata.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -27,8 +27,8 @@ using testing::TemporaryFolder;
 using testing::tiffEntry;
 using testing::writeRaw;
 
-// The line without the file's name, from both readers and from the one that reads no pixels, if that refuses already.
-// Fails if anything was printed.
+// Returns the error line without the file's name. Checks that both readers give the same line, and the reader of the
+// header as well if it refuses the file. Fails if anything was printed.
 std::string refusal(const std::string& path, std::int64_t maxPixels = kDefaultMaxPixels) {
     ::testing::internal::CaptureStderr();
     ::testing::internal::CaptureStdout();
@@ -49,7 +49,7 @@ void expectDamaged(const std::string& path, const std::string& what = {}) {
     EXPECT_TRUE(refusal(path).starts_with("is damaged or cut short")) << path << ' ' << what << ' ' << refusal(path);
 }
 
-// A picture with something in every pixel, so that what is cut off is missed.
+// Writes a picture of noise, so that any missing part is noticed.
 std::string noisy(const std::string& path, int width = 61, int height = 47, int channels = 3) {
     std::mt19937 generator(1);
     std::vector<std::uint8_t> numbers(static_cast<std::size_t>(width * height * channels));
@@ -87,7 +87,7 @@ TEST(Malformed, NotAPicture) {
         EXPECT_EQ(refusal(folder.with(name, "just some text\n")), "is not a picture that can be read") << name;
         EXPECT_EQ(refusal(folder.with(name, random)), "is not a picture that can be read") << name;
     }
-    // Formats without a signature go by the name: their libraries have to see it.
+    // Formats without a signature are recognised by the file's name: their libraries must examine the content.
     for (const char* name : {"a.tga", "a.rla", "a.heic"}) {
         expectDamaged(folder.with(name, "just some text\n"), name);
         expectDamaged(folder.with(name, random), name);
@@ -103,7 +103,7 @@ TEST(Malformed, OnlyASignature) {
         expectDamaged(folder.with("head.png", head), head);
 }
 
-// Every kind cut at many places: never a grey rest.
+// Files of every kind, truncated at many places: the missing part is never filled with grey.
 TEST(Malformed, CutShort) {
     const TemporaryFolder folder;
     for (const char* extension : {"png", "jpg", "tif", "exr", "hdr", "bmp", "tga", "ppm", "webp", "jp2", "gif"}) {
@@ -162,7 +162,7 @@ TEST(Malformed, ZeroSize) {
     EXPECT_NE(refusal(folder.with("zero.pgm", "P5\n0 4\n255\n")), "");
 }
 
-// Headers that promise more than anybody has: refused by what they say, before a byte is allocated for it.
+// Headers that declare unrealistic sizes are refused before memory is allocated for them.
 TEST(Malformed, PixelBombs) {
     const TemporaryFolder folder;
     const std::string limit = " pixels are more than the limit of 268435456 (--max-pixels)";
@@ -182,7 +182,7 @@ TEST(Malformed, PixelBombs) {
     EXPECT_EQ(refusal(folder.with("most.j2k", most)), "4294967295 x 4294967295" + limit);
     const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 300000 +X 300000\n";
     EXPECT_EQ(refusal(folder.with("bomb.hdr", hdr)), "300000 x 300000" + limit);
-    // The largest that a limit allows, one less, and a limit of nothing.
+    // The exact size as the limit, one pixel less, and a limit of zero.
     const std::string small = noisy(folder / "small.png", 20, 30);
     Work work(1);
     EXPECT_NO_THROW(readColor(small, work, 600));
@@ -219,7 +219,7 @@ TEST(Malformed, Volume) {
     EXPECT_EQ(refusal(folder.with("volume.tif", bytes)), "is a volume 3 layers deep, not a picture");
 }
 
-// Many samples a pixel, as renderers write for compositing.
+// Several samples per pixel, as renderers write them for compositing.
 TEST(Malformed, DeepPicture) {
     const TemporaryFolder folder;
     const std::string path = folder / "deep.exr";
@@ -248,7 +248,8 @@ TEST(Malformed, ExrWithMissingRows) {
     expectDamaged(path);
 }
 
-// Whatever the bytes are: a picture or one line, never a crash (the sanitizers watch) and nothing on stderr.
+// For any bytes the result is a picture or one line of error; never a crash (checked by the sanitizers), never output
+// on stderr.
 TEST(Malformed, FlippedBytesOfOtherFormats) {
     const TemporaryFolder folder;
     Work work(1);

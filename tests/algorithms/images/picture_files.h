@@ -1,4 +1,4 @@
-// Pictures of any type written straight through OpenImageIO, as other programs would, for the readers' tests.
+// Writes pictures of any type directly through OpenImageIO, as other programs would, for the readers' tests.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -14,7 +14,7 @@ OIIO::TypeDesc typeOf() {
     return OIIO::TypeDesc(OIIO::BaseTypeFromC<T>::value);
 }
 
-// numbers: interleaved, as many as the spec wants. asType: the type in the file, if not T.
+// numbers: interleaved, as many as `spec` requires. asType: the type in the file, if other than T.
 template <class T>
 std::string writeRaw(const std::string& path, OIIO::ImageSpec spec, const std::vector<T>& numbers) {
     const auto output = OIIO::ImageOutput::create(path);

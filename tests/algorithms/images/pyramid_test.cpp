@@ -24,7 +24,7 @@ void expectLevel(const FloatImage& level, int width, std::initializer_list<doubl
     }
 }
 
-// Fig. 3 of [MIP18]; the maxima stand there, means and minima were worked out by hand.
+// Fig. 3 of [MIP18]; the maxima are taken from there, means and minima were computed by hand.
 TEST(Pyramid, PaperExampleMax) {
     Work work(1);
     const Pyramid pyramid(PyramidKind::Max, makeRelief("paper8x8", 8, 8, 0), work);
@@ -47,10 +47,10 @@ TEST(Pyramid, PaperExampleMean) {
     Work work(1);
     const Pyramid pyramid(PyramidKind::Mean, makeRelief("paper8x8", 8, 8, 0), work);
     ASSERT_EQ(pyramid.levels(), 4);
-    // Sums of four tenths: 22 19 26 14 / 19 19 18 19 / 14 14 18 12 / 17 19 19 10.
+    // Sums of four texels, in tenths: 22 19 26 14 / 19 19 18 19 / 14 14 18 12 / 17 19 19 10.
     expectLevel(pyramid.level(1), 4,
                 {.55, .475, .65, .35, .475, .475, .45, .475, .35, .35, .45, .3, .425, .475, .475, .25});
-    // Sums of sixteen tenths: 79 77 / 64 59; of all, 279.
+    // Sums of sixteen texels, in tenths: 79 77 / 64 59; of all, 279.
     expectLevel(pyramid.level(2), 2, {7.9 / 16, 7.7 / 16, 6.4 / 16, 5.9 / 16});
     expectLevel(pyramid.level(3), 1, {27.9 / 64});
 }
@@ -117,14 +117,14 @@ TEST(Pyramid, CountsItsBytesAndLevels) {
     EXPECT_EQ(Pyramid::levelCount(65537, 1), 18);
 }
 
-TEST(Pyramid, StopsWhenNobodyWantsItAnyMore) {
+TEST(Pyramid, CanBeCancelled) {
     std::stop_source stop;
     stop.request_stop();
     Work work(2, stop.get_token());
     EXPECT_THROW(Pyramid(PyramidKind::Mean, FloatImage(64, 64), work), Cancelled);
 }
 
-TEST(Pyramid, TellsProgressOfLargeMapsToTheEnd) {
+TEST(Pyramid, ReportsProgressOfLargeMapsToTheEnd) {
     double last = -1;
     std::mutex mutex;
     const auto listener = [&](std::string_view, double fraction) {
@@ -157,7 +157,7 @@ bool sameTexels(const FloatImage& a, const FloatImage& b) {
     return std::ranges::equal(a.pixels(), b.pixels());
 }
 
-// An edit gives the bits of one built, and shares every level in which nothing changed.
+// An edited pyramid has the same bits as one built from the edited heights, and shares every unchanged level.
 TEST(Pyramid, EditsShareWhatDoesNotChange) {
     constexpr unsigned kSeed = 20261122;
     std::printf("seed %u\n", kSeed);
@@ -170,11 +170,12 @@ TEST(Pyramid, EditsShareWhatDoesNotChange) {
             std::size_t shared = 0;
             for (int n = 0; n < 50; ++n) {
                 FloatImage next = *heights;
-                // None, one or a few texels.
+                // Edits none, one or a few texels.
                 for (unsigned k = generator() % 4; k > 0; --k) {
                     const auto x = static_cast<int>(generator() % static_cast<unsigned>(width));
                     const auto y = static_cast<int>(generator() % static_cast<unsigned>(height));
-                    // Or by the least there is: means may stay, and change higher up all the same.
+                    // Or edits by the smallest possible amount: means may stay the same and still change on a higher
+                    // level.
                     next(x, y) = generator() % 2 == 0 ? static_cast<float>(generator() % 1000) / 1000.0F
                                                       : std::nextafter(next(x, y), 1.0F);
                 }
@@ -199,7 +200,7 @@ TEST(Pyramid, EditsShareWhatDoesNotChange) {
     }
 }
 
-// A picture of its own counts, one that is shared does not.
+// A pyramid counts the bytes of a picture that it owns, but not those of a shared one.
 TEST(Pyramid, EditedCountsThePictureThatItOwns) {
     Work work(1);
     const auto picture = std::make_shared<const FloatImage>(16, 8, 0.5F);

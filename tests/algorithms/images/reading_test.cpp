@@ -1,4 +1,4 @@
-// What readable files become: exact numbers, channels, ranges, colours.
+// The result of reading valid files: exact numbers, channels, ranges, colours.
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -99,7 +99,7 @@ TEST(Reading, HalvesAndDoubles) {
     const double least = std::numeric_limits<double>::denorm_min();
     const HeightImage tiny = heights(writeRaw<double>(folder / "t.tif", 1, 2, 1, {-least, least}));
     EXPECT_EQ(values(tiny), (std::vector<float>{0, 1}));
-    // What OpenImageIO reads as zeros without a word.
+    // OpenImageIO reads this as zeros without an error.
     const std::string row = writeRaw<double>(folder / "row.tif", 2, 1, 1, {0.25, 0.5});
     EXPECT_TRUE(faultOf([&] { heights(row); }).starts_with(row + ": 64-bit numbers in tiles or in a single row"));
 }
@@ -259,7 +259,7 @@ TEST(Reading, WrongExtensionAndCyrillicNameWithSpaces) {
     EXPECT_EQ(heights(folder / "насправді png.jpg").info.format, "png");
 }
 
-TEST(Reading, StopsWhenNobodyWantsItAnyMore) {
+TEST(Reading, CanBeCancelled) {
     std::stop_source stop;
     stop.request_stop();
     Work work(2, stop.get_token());
@@ -286,7 +286,7 @@ TEST(Reading, UkrainianLocaleChangesNothing) {
         writeColor(folder / name, ColorImage(4, 4, Color(0.5F)));
         EXPECT_NEAR(colors(folder / name)(1, 1).g, 0.5F, 0.01) << name;
     }
-    // The one text format: a scale with a point in its header.
+    // The only format with a text header: its scale has a decimal point, whatever the locale.
     const std::string map = folder.with("m.pfm", std::string("Pf\n1 1\n-1.500000\n\0\0\0\x3f", 22));
     EXPECT_NO_THROW(heights(map));
     EXPECT_EQ(faultOf([&] { heights(folder / "none.png"); }), folder / "none.png" + std::string(": no such file"));

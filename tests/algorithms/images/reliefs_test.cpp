@@ -19,7 +19,7 @@ double share(const FloatImage& image, float low, float high) {
     return static_cast<double>(inside) / static_cast<double>(image.size());
 }
 
-// FNV-1a of the heights in 65535ths: numbers, not bytes, so that it is the same on every machine.
+// FNV-1a of the heights in 65535ths; integers and not the bytes of floats, so that it is the same on every machine.
 std::uint64_t fingerprint(const FloatImage& image) {
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     for (const float h : image.pixels())
@@ -66,7 +66,7 @@ TEST(Reliefs, SeededAndRepeatable) {
     }
 }
 
-// Written down once: another machine, compiler or option must not change a bit.
+// Recorded values: another machine, compiler or option must not change a bit.
 TEST(Reliefs, SameBitsEverywhere) {
     EXPECT_EQ(fingerprint(makeRelief("bricks", 128, 128, 1)), 0x9e041a934294a37dULL);
     EXPECT_EQ(fingerprint(makeRelief("spikes", 128, 128, 1)), 0x2722f77c6546fe5cULL);
@@ -81,9 +81,9 @@ TEST(Reliefs, SameBitsEverywhere) {
 TEST(Reliefs, BricksAreFacesAndMortar) {
     const FloatImage image = makeRelief("bricks", 128, 128, 1);
     EXPECT_NEAR(share(image, 0.0799F, 0.1201F) + share(image, 0.8999F, 1), 1, 1e-12);
-    // 27 x 11 of 32 x 16.
+    // 27 x 11 texels of 32 x 16.
     EXPECT_NEAR(share(image, 0.8999F, 1), 27.0 * 11 / (32 * 16), 1e-12);
-    // Twice the size, twice the mortar.
+    // Twice the size, with mortar twice as wide.
     EXPECT_NEAR(share(makeRelief("bricks", 256, 256, 1), 0.8999F, 1), 27.0 * 11 / (32 * 16), 1e-12);
 }
 
@@ -113,7 +113,7 @@ TEST(Reliefs, StepsAreEightTerracesAndCheckerIsHalfBlack) {
     EXPECT_NE(checker(3, 0), checker(4, 0));
 }
 
-// Across the seam a smooth relief changes no more than inside, and blocks of one colour do not meet.
+// Across the seam a smooth relief changes no more than inside, and blocks of the same height do not touch.
 TEST(Reliefs, TileWithoutASeam) {
     for (const char* name : {"hills", "fractal"}) {
         for (const auto& [width, height] : {std::pair{256, 256}, {300, 200}}) {

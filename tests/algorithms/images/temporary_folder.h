@@ -1,4 +1,4 @@
-// A fresh folder for the files of one test, gone afterwards; and faults caught as text.
+// A new folder for the files of one test, removed afterwards; and a function that catches errors as text.
 #pragma once
 
 #include <unistd.h>
@@ -28,7 +28,7 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
-    // Number of files, hidden ones too: what failed writes leave behind.
+    // Returns the number of files including hidden ones, to detect files left behind by failed writes.
     int files() const {
         int count = 0;
         for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++count;
@@ -49,8 +49,8 @@ inline std::string bytesOf(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// The one line of the InputError that `call` throws; "" if it throws none. `subject` of the last one is checked to open
-// the line.
+// Returns the one line of the InputError that `call` throws; "" if it throws none. Checks that the line begins with the
+// error's subject.
 template <class Call>
 std::string faultOf(const Call& call) {
     try {

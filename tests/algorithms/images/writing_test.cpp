@@ -1,4 +1,4 @@
-// What is written reads back; what cannot be written leaves the old file and no litter.
+// Written files read back equal; after a failed write the old file is unchanged and no temporary file remains.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -23,7 +23,8 @@ using testing::bytesOf;
 using testing::faultOf;
 using testing::TemporaryFolder;
 
-// While it lives no file of this process grows beyond `bytes`: a full disk that needs no disk.
+// Limits the size of files written by this process to `bytes` during the object's lifetime, which simulates a full
+// disk.
 class SmallDisk {
   public:
     explicit SmallDisk(rlim_t bytes) {
@@ -172,7 +173,7 @@ TEST(Writing, NoPermission) {
     EXPECT_EQ(bytesOf(path), "old");
 }
 
-// Every format: the old file stays whole, nothing is left behind, nothing is printed.
+// In every format the old file stays complete, nothing is left behind, and nothing is printed.
 TEST(Writing, FullDiskKeepsTheOldFile) {
     const TemporaryFolder folder;
     const ColorImage image(200, 200, Color(0.3F, 0.1F, 0.9F));
@@ -232,7 +233,7 @@ TEST(Writing, KeepsPermissionsAndWritesThroughLinks) {
     std::filesystem::create_symlink(folder / "later.txt", folder / "dangling.txt");
     writeTextFile(folder / "dangling.txt", "there now");
     EXPECT_EQ(bytesOf(folder / "later.txt"), "there now");
-    // A link to a link: each names its target from its own folder.
+    // A link to a link: each names its target relative to its own folder.
     std::filesystem::create_directory(folder / "runs");
     std::filesystem::create_symlink("7.txt", folder / "runs/current.txt");
     std::filesystem::create_symlink("runs/current.txt", folder / "latest.txt");
@@ -265,7 +266,7 @@ TEST(Writing, AtomicFileWithoutCommitLeavesNothing) {
 
 TEST(Writing, LongAndCyrillicNames) {
     const TemporaryFolder folder;
-    // 250 bytes: a temporary name made by adding to it would not fit.
+    // A name of 250 bytes: a temporary name made by appending to it would be too long.
     const std::string path = folder / (std::string(246, 'n') + ".csv");
     writeTextFile(path, "x");
     EXPECT_EQ(readTextFile(path), "x");

@@ -24,7 +24,7 @@ std::string trace(std::uint64_t seed, int n) {
     return "seed " + std::to_string(seed) + ", case " + std::to_string(n);
 }
 
-// How often each pixel is covered by all the polygons together.
+// Counts how often each pixel is covered by all polygons together.
 class Coverage {
   public:
     Coverage(std::int64_t width, std::int64_t height)
@@ -37,7 +37,7 @@ class Coverage {
         }
     }
     int at(std::int64_t x, std::int64_t y) const { return counts_[static_cast<std::size_t>(y * width_ + x)]; }
-    // The number of pixels that are not covered exactly once.
+    // Returns the number of pixels that are not covered exactly once.
     std::int64_t wrong() const {
         return std::count_if(counts_.begin(), counts_.end(), [](int n) { return n != 1; });
     }
@@ -57,7 +57,8 @@ glm::dvec2 onBorder(double part, double width, double height) {
     return {0, (4 - at) * height};
 }
 
-// A fan of triangles from a point to the screen's border (its corners among them), some pairs cut into quads.
+// Returns a fan of triangles from a point to the screen's border, including its corners; some pairs are replaced by a
+// quad and a triangle.
 std::vector<Points> randomFan(Random& random, double width, double height, bool onCentres) {
     glm::dvec2 hub(random.real(0.0, width), random.real(0.0, height));
     if (onCentres) hub = glm::floor(hub) + 0.5;
@@ -70,7 +71,7 @@ std::vector<Points> randomFan(Random& random, double width, double height, bool 
         const glm::dvec2 b = onBorder(places[(k + 1) % places.size()], width, height);
         if (random.whole(0, 1) == 0) {
             polygons.push_back({hub, a, b});
-        } else {  // a quad at the border and a triangle at the hub
+        } else {  // a quad at the border and a triangle at the centre
             const double part = onCentres ? 0.5 : random.real(0.2, 0.8);
             const glm::dvec2 nearA = hub + part * (a - hub);
             const glm::dvec2 nearB = hub + part * (b - hub);
@@ -90,13 +91,13 @@ TEST(Clipping, FansCoverEachPixelExactlyOnce) {
         const int width = random.whole(1, 90);
         const int height = random.whole(1, 70);
         Coverage coverage(width, height);
-        // Every third case with its hub on a pixel centre: edges through centres all along.
+        // Every third fan has its centre at a pixel centre, so that many edges run through pixel centres.
         for (const Points& polygon : randomFan(random, width, height, n % 3 == 0)) coverage.add(polygon);
         ASSERT_EQ(coverage.wrong(), 0);
     }
 }
 
-// A jittered grid whose points reach over the border, so that rows and columns are cut off on all four sides.
+// A jittered grid whose points extend beyond the border, so that rows and columns are cut on all four sides.
 TEST(Clipping, GridsOfQuadsCoverEachPixelExactlyOnce) {
     constexpr std::uint64_t kSeed = 8;
     Random random(kSeed);
@@ -122,7 +123,8 @@ TEST(Clipping, GridsOfQuadsCoverEachPixelExactlyOnce) {
 }
 
 TEST(Clipping, FillRuleByHand) {
-    // Corners at pixel centres: the upper and left edges are in, the right and lower ones out.
+    // Corners at pixel centres: pixels on the upper and left edges are covered, those on the right and lower edges are
+    // not.
     const Points square{{1.5, 1.5}, {4.5, 1.5}, {4.5, 3.5}, {1.5, 3.5}};
     EXPECT_EQ(rowRange(square, 10), (PixelSpan{1, 3}));
     EXPECT_TRUE(rowSpan(square, 0, 10).empty());
@@ -130,13 +132,13 @@ TEST(Clipping, FillRuleByHand) {
     EXPECT_EQ(rowSpan(square, 2, 10), (PixelSpan{1, 4}));
     EXPECT_TRUE(rowSpan(square, 3, 10).empty());
     EXPECT_EQ(rowSpan(square, 1, 3), (PixelSpan{1, 3}));
-    // Between two rows of centres, or wholly outside: nothing.
+    // Empty if the polygon lies between two rows of centres, or wholly outside.
     EXPECT_TRUE(rowRange(Points{{0, 1.6}, {9, 1.6}, {4, 2.4}}, 10).empty());
     EXPECT_TRUE(rowRange(Points{{0, -9}, {9, -9}, {4, -2}}, 10).empty());
     EXPECT_TRUE(rowRange(Points{{0, 29}, {9, 29}, {4, 22}}, 10).empty());
     EXPECT_TRUE(rowSpan(Points{{-9, 0}, {-2, 0}, {-2, 9}}, 4, 10).empty());
     EXPECT_TRUE(rowSpan(Points{{29, 0}, {22, 0}, {22, 9}}, 4, 10).empty());
-    // Far beyond what an integer holds.
+    // Coordinates far beyond the range of integers.
     const Points huge{{-1e30, -1e30}, {1e30, -1e30}, {1e30, 1e30}, {-1e30, 1e30}};
     EXPECT_EQ(rowRange(huge, 10), (PixelSpan{0, 10}));
     EXPECT_EQ(rowSpan(huge, 5, 10), (PixelSpan{0, 10}));
@@ -158,7 +160,8 @@ TEST(Clipping, WhollyBehindIsEmptyAndWhollyInFrontIsUnchanged) {
     EXPECT_TRUE(clipToNear({}, 0.1).empty());
 }
 
-// An edge in the near plane, or a corner: nothing is left of what lies behind, nothing is doubled of what is before.
+// An edge or a corner in the near plane: a polygon behind it is removed completely, one in front of it gets no
+// duplicate corners.
 TEST(Clipping, TouchingTheNearPlane) {
     const auto at = [](double x, double y, double depth) {
         return ClipVertex{{x * depth, y * depth, depth}, {x, depth}};
@@ -170,7 +173,8 @@ TEST(Clipping, TouchingTheNearPlane) {
     EXPECT_EQ(clipToNear(ClipPolygon{at(0, 0, 2), at(5, 0, 2), at(5, 5, 0.5)}, 1.0).size(), 4U);
 }
 
-// Two polygons that share an edge share what is left of it, bit for bit, whichever way round they name it.
+// Two polygons with a common edge share the rest of that edge after clipping, bit for bit, in whichever direction each
+// lists it.
 TEST(Clipping, SharedEdgesStayShared) {
     constexpr std::uint64_t kSeed = 9;
     Random random(kSeed);
@@ -197,7 +201,7 @@ TEST(Clipping, SharedEdgesStayShared) {
             });
             ends.push_back(onShared);
         }
-        if (ends[0].size() != 2 || ends[1].size() != 2) continue;  // the edge is not to be seen
+        if (ends[0].size() != 2 || ends[1].size() != 2) continue;  // the edge is not visible
         ++cut;
         EXPECT_EQ(ends[0], ends[1]);
     }
@@ -210,8 +214,8 @@ struct Seen {
     bool partlyBehind = false;
 };
 
-// Every pixel of a small screen: covered exactly where the view ray meets the picture beyond the near plane, and there
-// with the texture coordinates that the ray has.
+// Compares every pixel of a small screen with its view ray: it is covered exactly if the ray meets the picture beyond
+// the near plane, and has the ray's texture coordinates.
 Seen compareWithRays(const View& view, double nearDepth, int width, int height) {
     Seen seen;
     const auto corners = view.texelCorners();
@@ -227,7 +231,8 @@ Seen compareWithRays(const View& view, double nearDepth, int width, int height) 
             const test::DirectHit hit = directHit(view, x + 0.5, y + 0.5);
             const double s = hit.s / view.width;
             const double t = hit.t / view.height;
-            // How far within the picture and the depth, in parts of the picture; on the edge either answer is right.
+            // Distance from the edges of the picture and from the near plane, in parts of the picture; close to zero
+            // both results are right.
             const double within = std::min({s, 1 - s, t, 1 - t, hit.depth / nearDepth - 1.0});
             if (std::abs(within) < 1e-7) {
                 ++seen.doubtful;
@@ -242,7 +247,7 @@ Seen compareWithRays(const View& view, double nearDepth, int width, int height) 
             EXPECT_NEAR(p.t / view.height, t, 1e-9);
         }
     }
-    for (const ClipVertex& vertex : kept) {  // what was cut kept its texture coordinates
+    for (const ClipVertex& vertex : kept) {  // clipping kept the texture coordinates
         const test::DirectHit hit = directHit(view, vertex.screen().x, vertex.screen().y);
         EXPECT_NEAR(vertex.texel.x / view.width, hit.s / view.width, 1e-7);
         EXPECT_NEAR(vertex.texel.y / view.height, hit.t / view.height, 1e-7);
@@ -259,7 +264,7 @@ TEST(Clipping, PartlyBehindTheEyeAgreesWithRays) {
     for (int n = 0; n < 400; ++n) {
         SCOPED_TRACE(trace(kSeed, n));
         View view = randomView(random);
-        // Over the picture and near it, so that most views have corners before and behind the eye.
+        // The eye is above or near the picture, so that most views have corners in front of it and behind it.
         const double size = glm::length(view.plane.perS) * view.width;
         view.camera = lookAlong(view.plane.at(view.width * random.real(0, 1), view.height * random.real(0, 1)) +
                                     size * random.real(0.02, 0.3) * glm::normalize(view.plane.frontNormal()),

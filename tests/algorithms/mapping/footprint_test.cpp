@@ -19,11 +19,11 @@ using test::View;
 constexpr std::uint64_t kSeed = 20181;
 constexpr int kCases = 2000;
 
-// Relative to the size of what is compared: sums and products of a few rounded terms of a Jacobian of condition up to
+// Relative to the magnitude of the values: sums and products of a few rounded terms of a Jacobian with condition up to
 // 1e3, squared once.
 constexpr double kRounding = 1e-9;
-// Of central differences over kStep pixels: their second-order term and the cancellation in u, both relative to the
-// largest derivative, at pixels where q changes by less than a hundredth in one pixel.
+// Error of central differences over kStep pixels, relative to the largest derivative: their second-order term and the
+// cancellation in u, at pixels where q changes by less than a hundredth per pixel.
 constexpr double kStep = 1.0 / 64;
 constexpr double kDifference = 1e-4;
 
@@ -34,7 +34,7 @@ Jacobian randomJacobian(Random& random) {
     const double spin = random.real(0.0, 2 * std::numbers::pi);
     const double flip = random.whole(0, 1) == 1 ? -1 : 1;
     const double c = std::cos(turn), s = std::sin(turn), cp = std::cos(spin), sp = std::sin(spin);
-    // Rotation, stretch, rotation: the semi-axes are size and size * thin.
+    // Rotation, scaling, rotation: the semi-axes are size and size * thin.
     return {size * (c * cp - s * thin * sp * flip), size * (s * cp + c * thin * sp * flip),
             size * (-c * sp - s * thin * cp * flip), size * (-s * sp + c * thin * cp * flip)};
 }
@@ -62,7 +62,8 @@ TEST(Footprint, TheEllipseIsTheImageOfTheCircle) {
             mostU = std::max(mostU, std::abs(du));
             mostV = std::max(mostV, std::abs(dv));
         }
-        // 720 points are half a degree apart: extremes are met to 1 - cos(a quarter of a degree) of the longer axis.
+        // 720 points are half a degree apart: the extremes are found up to 1 - cos(a quarter of a degree) of the longer
+        // axis.
         const double slack = 1e-5 * axes.major * radius;
         EXPECT_NEAR(farthest, axes.major * radius, slack);
         EXPECT_GE(nearest, axes.minor * radius * (1 - kRounding) - kRounding * slack);
@@ -76,7 +77,8 @@ TEST(Footprint, TheEllipseIsTheImageOfTheCircle) {
 }
 
 TEST(Footprint, SemiAxesStayGoodWhereEigenvaluesWouldCancel) {
-    // Axes 1 to 1e-7: the smaller eigenvalue of J J^T by subtraction is lost, sqrt(F) / major is not.
+    // Axis ratios down to 1e-7: computing the smaller eigenvalue of J J^T by subtraction loses all digits, sqrt(F) /
+    // major does not.
     for (const double thin : {1e-3, 1e-5, 1e-7}) {
         const double c = std::cos(0.7), s = std::sin(0.7);
         const Jacobian j{c * 300, s * 300, -s * 300 * thin, c * 300 * thin};
@@ -95,7 +97,8 @@ TEST(Footprint, SpansHoldExactlyTheTexelsOfTheForm) {
         Jacobian j = randomJacobian(random);
         const double shrink = std::min(1.0, 40.0 / ellipseOf(j).semiAxes().major);
         j = {j.ux * shrink, j.vx * shrink, j.uy * shrink, j.vy * shrink};
-        if (n % 5 == 0) j = {double(random.whole(1, 8)), 0, 0, double(random.whole(1, 8))};  // borders on texel centres
+        // borders through texel centres
+        if (n % 5 == 0) j = {double(random.whole(1, 8)), 0, 0, double(random.whole(1, 8))};
         const Ellipse e = clampedEllipse(ellipseOf(j), 1e-3, 1e4);
         const double radius = n % 5 == 0 ? 1.0 : random.real(0.3, 2.0);
         const double u0 = n % 5 == 0 ? 100.5 : random.real(-50.0, 4000.0);
@@ -115,7 +118,8 @@ TEST(Footprint, SpansHoldExactlyTheTexelsOfTheForm) {
             }
             const Span<double> real = e.rowSpan(dv, radius);
             if (span.empty()) continue;
-            const double slack = 1e-6 * (1 + box.u);  // a span's end at a tangent: the root of a rounding error
+            // the end of a span at a tangent is the square root of a rounding error
+            const double slack = 1e-6 * (1 + box.u);
             EXPECT_LE(real.begin - slack, static_cast<double>(span.begin) + 0.5 - u0);
             EXPECT_GE(real.end + slack, static_cast<double>(span.end) - 0.5 - u0);
         }
@@ -208,7 +212,7 @@ TEST(Footprint, VanishingAndInfiniteOnesAreClamped) {
 }
 
 TEST(Footprint, HorizonAndEdgeOnPolygonsStayFinite) {
-    // A floor seen at ever flatter angles, rows from the foreground through the horizon and above it.
+    // A floor seen at ever lower angles, with rows from the foreground through the horizon and above it.
     for (const double height : {1.0, 1e-3, 1e-6, 1e-9, 1e-12}) {
         View view;
         view.camera.focal = {500, 500};
@@ -238,7 +242,7 @@ TEST(Footprint, ClampingKeepsWhatIsInRange) {
         EXPECT_EQ(same.c, e.c);
         EXPECT_NEAR(same.f, e.f, kRounding * e.f);
         if (before.minor > 0.5 * before.major) continue;
-        // Raised to the geometric mean of both: the other axis and the directions stay.
+        // The minor axis is raised to the geometric mean of both; the other axis and the directions are unchanged.
         const double raised = std::sqrt(before.minor * before.major);
         const SemiAxes<double> after = clampedEllipse(e, raised, before.major * 1.1).semiAxes();
         EXPECT_NEAR(after.major, before.major, kRounding * before.major);

@@ -1,4 +1,4 @@
-// What defines no map is refused with a sentence, and only that.
+// Input that defines no homography is refused with a message, and nothing else is refused.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -58,7 +58,8 @@ TEST(HomographyFaults, DegenerateCornersAreRefused) {
     EXPECT_NE(cornersFailure({a, {huge, 0}, {huge, huge}, {0, huge}}, kSquare), MessageId::Count);
 }
 
-// Collinear up to the rounding of corners that cannot be written exactly, far off and turned; and only that is refused.
+// Nearly collinear corners, inexact by rounding, far away and rotated, are refused; corners that are slightly less
+// collinear are not.
 TEST(HomographyFaults, NearlyCollinearCorners) {
     constexpr std::uint64_t kSeed = 71;
     Random random(kSeed);
@@ -112,7 +113,7 @@ TEST(HomographyFaults, BadCamerasAndPlanesAreRefused) {
     EXPECT_EQ(failure(camera, endless), MessageId::MappingPlaneInvalid);
 }
 
-// An eye somewhere on a turned plane, as far as doubles can say so.
+// The eye lies in a rotated plane, as exactly as double can represent it.
 TEST(HomographyFaults, EdgeOnUpToRounding) {
     constexpr std::uint64_t kSeed = 81;
     Random random(kSeed);
@@ -121,7 +122,7 @@ TEST(HomographyFaults, EdgeOnUpToRounding) {
         View view = randomView(random);
         view.camera.eye = view.plane.at(view.width * random.real(-3, 3), view.height * random.real(-3, 3));
         EXPECT_EQ(failureOf([&] { fromCameraAndPlane(view.camera, view.plane); }), MessageId::MappingEdgeOn);
-        // 0.01 degrees above it is seen.
+        // From 0.01 degrees above the plane it is visible.
         const double size = glm::length(view.plane.perS) * view.width;
         view.camera.eye += 1.7e-4 * size * glm::normalize(view.plane.frontNormal());
         EXPECT_EQ(failureOf([&] { fromCameraAndPlane(view.camera, view.plane); }), MessageId::Count);

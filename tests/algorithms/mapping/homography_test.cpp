@@ -38,13 +38,14 @@ TEST(Homography, TakesCornersToCorners) {
             EXPECT_NEAR(p.t, texture[k].y, 1e-10 * size);
             EXPECT_GT(p.q, 0.0);
         }
-        // Same way round on the screen and in the picture: a front.
+        // The same orientation on the screen and in the picture means that the front is seen.
         EXPECT_EQ(map.determinant() > 0.0, (areaOf(screen) > 0.0) == (areaOf(texture) > 0.0));
     }
 }
 
-// Heckbert's example by hand: the square seen with its upper edge half as long. Straight lines through the corners meet
-// where they must: the diagonals cross at (1/2, 1/2) of the picture and at a third of the height from the upper edge.
+// Heckbert's example, computed by hand: a square whose upper edge appears half as long. Straight lines through the
+// corners must meet in the right points: the diagonals cross at (1/2, 1/2) of the picture, at a third of the height
+// below the upper edge.
 TEST(Homography, TrapeziumByHand) {
     const Corners screen{glm::dvec2(1, 0), glm::dvec2(3, 0), glm::dvec2(4, 3), glm::dvec2(0, 3)};
     const Homography map = fromCorners(screen, kSquare);
@@ -58,8 +59,8 @@ TEST(Homography, TrapeziumByHand) {
 TEST(Homography, CameraAndCornersAgree) {
     constexpr std::uint64_t kSeed = 20260;
     constexpr int kCases = 10000;
-    constexpr double kLeastPixels = 4.0;  // width of the picture on the screen, below which the corners' own rounding
-                                          // (2e-13 pixels) is no longer far below the bound
+    constexpr double kLeastPixels = 4.0;  // width of the picture on the screen, in pixels; below it the
+                                          // rounding of the corners (2e-13 pixels) is no longer far below the bound
     Random random(kSeed);
     int done = 0;
     double worst = 0.0;
@@ -87,7 +88,8 @@ TEST(Homography, CameraAndCornersAgree) {
             const TexelPoint b = fromQuad.at(pixel.x, pixel.y);
             ASSERT_GT(a.q, 0.0);
             ASSERT_GT(b.q, 0.0);
-            // The bound: the distance of the two answers, in s over the picture's width and in t over its height.
+            // The error is the distance of the two results, in s relative to the picture's width and in t to its
+            // height.
             const double error = std::max(std::abs(a.s - b.s) / view.width, std::abs(a.t - b.t) / view.height);
             worst = std::max(worst, error);
             ASSERT_LE(error, 1e-12);
@@ -112,7 +114,7 @@ TEST(Homography, CameraAgreesWithTheRayItselfOnBothSidesOfTheHorizon) {
             ASSERT_EQ(p.q > 0.0, hit.depth > 0.0);
             behind += p.q > 0.0 ? 0 : 1;
             const double nearest = std::hypot(1.0, p.s / view.width, p.t / view.height);
-            if (nearest > 1e3) continue;  // at the horizon both lose digits
+            if (nearest > 1e3) continue;  // near the horizon both computations lose digits
             ASSERT_NEAR(p.s / view.width, hit.s / view.width, 1e-8 * nearest);
             ASSERT_NEAR(p.t / view.height, hit.t / view.height, 1e-8 * nearest);
         }
@@ -144,7 +146,7 @@ TEST(Homography, InverseAndAdjugate) {
         const double texels = std::exp2(random.real(2.0, 11.0));
         const Corners screen = randomConvexQuad(random, pixels, random.point(0, 2000));
         const Corners texture = randomConvexQuad(random, texels, random.point(-2000, 2000));
-        // As the header says: digits lost twice over each distance in sizes of the polygon.
+        // As the header states: digits are lost twice with the distance in units of the polygon's size.
         const double farOff = (1.0 + 2000.0 / pixels) * (1.0 + 2000.0 / texels);
         const double bound = 1e-15 * pixels * farOff * farOff;
         const Homography map = fromCorners(screen, texture);
@@ -157,7 +159,7 @@ TEST(Homography, InverseAndAdjugate) {
             EXPECT_NEAR(again.t, pixel.y, bound);
             EXPECT_GT(again.q, 0.0);
         }
-        // M adj(M) = det I: the first row, and det (adj M) = det^2.
+        // M adj(M) = det I, tested on the first row; det (adj M) = det^2.
         const Homography adjugate = map.adjugate();
         const double det = map.determinant();
         EXPECT_NEAR((map.sx * adjugate.sx + map.sy * adjugate.tx + map.s1 * adjugate.qx) / det, 1.0, 1e-6);
@@ -172,7 +174,7 @@ TEST(Homography, InverseAndAdjugate) {
     EXPECT_EQ(failureOf([] { (Homography{1, 0, 0, 0, 1, 0, 0, 0, 0}).normalised(); }), MessageId::MappingSingular);
 }
 
-// det / q^3 is the Jacobian: compared with central differences.
+// det / q^3 is the determinant of the Jacobian; compared with central differences.
 TEST(Homography, DeterminantIsTheJacobian) {
     constexpr std::uint64_t kSeed = 42;
     Random random(kSeed);
@@ -193,14 +195,14 @@ TEST(Homography, DeterminantIsTheJacobian) {
     }
 }
 
-// The promises of the header about size, and that float gets through with nothing overflowing or vanishing.
+// The header's guarantees about magnitudes; evaluation in float neither overflows nor underflows.
 TEST(Homography, ScaledForFloat) {
     constexpr std::uint64_t kSeed = 51;
     Random random(kSeed);
     for (int n = 0; n < 2000; ++n) {
         SCOPED_TRACE("seed " + std::to_string(kSeed) + ", case " + std::to_string(n));
         View view = randomView(random);
-        const double unit = std::exp2(random.whole(-60, 60));  // metres, light years: the unit of the scene is free
+        const double unit = std::exp2(random.whole(-60, 60));  // the scene may have any unit from metres to light years
         view.plane.origin *= unit;
         view.plane.perS *= unit;
         view.plane.perT *= unit;
@@ -240,7 +242,8 @@ TEST(Homography, ScalingChangesNoBit) {
     EXPECT_EQ(a.t, c.t);
 }
 
-// s = 1e6 under repeat, polygons a million pixels off, and both: as good as the coordinates' own rounding lets it be.
+// s = 1e6 under repeat, polygons a million pixels away, and both: as accurate as the rounding of the coordinates
+// permits.
 TEST(Homography, FarOffCoordinates) {
     constexpr std::uint64_t kSeed = 61;
     Random random(kSeed);

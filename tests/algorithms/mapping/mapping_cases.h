@@ -37,7 +37,7 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-// Right-handed frame that looks along forward, turned about it by roll.
+// Returns a right-handed camera frame with direction `forward`, rotated about it by roll.
 inline PinholeCamera lookAlong(const glm::dvec3& eye, const glm::dvec3& forward, double roll) {
     PinholeCamera camera;
     camera.eye = eye;
@@ -50,7 +50,7 @@ inline PinholeCamera lookAlong(const glm::dvec3& eye, const glm::dvec3& forward,
     return camera;
 }
 
-// A picture W x H on a plane, and a camera that sees it.
+// A picture of W x H texels on a plane, and a camera that sees it.
 struct View {
     PinholeCamera camera;
     TexturedPlane plane;
@@ -60,7 +60,7 @@ struct View {
     std::array<glm::dvec2, 4> texelCorners() const {
         return {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)};
     }
-    // The pixels of those corners; all must be in front of the eye.
+    // Returns the pixel positions of the picture's corners, all of which must be in front of the eye.
     std::array<glm::dvec2, 4> screenCorners() const {
         std::array<glm::dvec2, 4> corners{};
         const auto texels = texelCorners();
@@ -72,7 +72,8 @@ struct View {
     }
 };
 
-// A parallelogram of any size, shape and place; the camera anywhere, on either side, looking somewhere near it.
+// Returns a parallelogram of any size, shape and position, and a camera at any position on either side, directed
+// approximately at it.
 inline View randomView(Random& random) {
     View view;
     view.width = std::floor(std::exp2(random.real(0.0, 13.0)));
@@ -96,7 +97,7 @@ using Corners = std::array<glm::dvec2, 4>;
 
 inline const Corners kSquare{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)};
 
-// Strictly convex, its corners on an ellipse at angles a good way apart; either way round.
+// Returns a strictly convex quad whose corners lie on an ellipse at well separated angles, in either orientation.
 inline Corners randomConvexQuad(Random& random, double size, const glm::dvec2& centre) {
     const double turn = random.real(0.0, 2.0 * std::numbers::pi);
     const bool mirrored = random.whole(0, 1) == 1;
@@ -120,7 +121,7 @@ inline double areaOf(const Corners& c) {
     return 0.5 * (d1.x * d2.y - d1.y * d2.x);
 }
 
-// Which sentence the call fails with; Count if it does not.
+// Returns the message of the error that `call` throws; Count if it throws none.
 inline MessageId failureOf(const std::function<void()>& call) {
     try {
         call();
@@ -135,8 +136,8 @@ inline MessageId failureOf(const std::function<void()>& call) {
     return MessageId::Count;
 }
 
-// Where the view ray through (x, y) meets the plane, by the ray itself and without the nine coefficients.
-// depth: along forward; not positive if the meeting point is behind the eye.
+// Intersects the view ray through (x, y) with the plane directly, without the nine coefficients. depth: along forward;
+// not positive if the intersection is behind the eye.
 struct DirectHit {
     double s = 0.0;
     double t = 0.0;

@@ -1,4 +1,4 @@
-// A tracer that is made wrong on purpose: what another one found, altered.
+// A tracer that is wrong on purpose: it alters the results of another one.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace relief::test {
 
-// Which call asks: alterations may depend on the sink.
-enum class Asking : std::uint8_t { Plain, Counting, Logging };
+// Which overload of trace() was called: alterations may depend on the sink.
+enum class Overload : std::uint8_t { Plain, Counting, Logging };
 
 class AlteredTracer final : public Tracer {
   public:
-    using Alter = std::function<void(const ViewRay&, Hit&, std::uint32_t& steps, Asking)>;
+    using Alter = std::function<void(const ViewRay&, Hit&, std::uint32_t& steps, Overload)>;
 
     AlteredTracer(std::unique_ptr<Tracer> inner, Alter alter, Guarantee guarantee)
         : inner_(std::move(inner)), alter_(std::move(alter)), guarantee_(guarantee) {}
@@ -38,22 +38,22 @@ class AlteredTracer final : public Tracer {
 
     void trace(const RayBlock& rays, HitBlock& hits, NullSink& sink, Work& work) const override {
         inner_->trace(rays, hits, sink, work);
-        alter(rays, hits, Asking::Plain);
+        alter(rays, hits, Overload::Plain);
     }
     void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& sink, Work& work) const override {
         inner_->trace(rays, hits, sink, work);
-        alter(rays, hits, Asking::Counting);
+        alter(rays, hits, Overload::Counting);
     }
     void trace(const RayBlock& rays, HitBlock& hits, StepLog& sink, Work& work) const override {
         inner_->trace(rays, hits, sink, work);
-        alter(rays, hits, Asking::Logging);
+        alter(rays, hits, Overload::Logging);
     }
 
   private:
-    void alter(const RayBlock& rays, HitBlock& hits, Asking asking) const {
+    void alter(const RayBlock& rays, HitBlock& hits, Overload overload) const {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             Hit hit = hits[i];
-            alter_(rays[i], hit, hits.steps[i], asking);
+            alter_(rays[i], hit, hits.steps[i], overload);
             hits.set(i, hit);
         }
     }
@@ -63,7 +63,7 @@ class AlteredTracer final : public Tracer {
     Guarantee guarantee_;
 };
 
-// As if it were in the list under the name of `choice`.
+// A method that behaves as if it were listed under the name of `choice`.
 inline MeasuredMethod altered(const MethodChoice& choice, AlteredTracer::Alter alter,
                               Guarantee guarantee = Guarantee::Exact) {
     MeasuredMethod method = measuredMethod(choice);

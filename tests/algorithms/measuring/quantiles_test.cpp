@@ -1,4 +1,4 @@
-// Medians and spreads of measurements, by hand.
+// Medians and spreads of measurements, with results computed by hand.
 #include "measuring/quantiles.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A frame, and what it was made with.
+// A rendered frame with its inputs.
 #pragma once
 
 #include <memory>

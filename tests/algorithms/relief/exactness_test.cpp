@@ -1,4 +1,4 @@
-// The exact methods against each other, bit for bit, and against an independent truth in long double.
+// The exact methods against each other, bit for bit, and against an independent computation in long double.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -15,11 +15,11 @@
 namespace relief::test {
 namespace {
 
-// |lambda - truth| x max(1, hypot(a, b)), texels. The leaf works in double with the parameter measured from the cell's
-// entry: 2^-53 times positions of some thousand texels times the slope of patches; tangent patches, where the error is
-// the square root of that, are those with a small clearance, and are listed.
+// Bound on |lambda - truth| x max(1, hypot(a, b)), in texels. The leaf computes in double with the parameter measured
+// from the cell's entry: the error is 2^-53 times positions of some thousand texels times the slope of patches. Where a
+// ray is tangent to a patch the error is the square root of that; such rays have a small clearance and are listed.
 constexpr double kTexelBound = 1e-9;
-// Heights within which a ray that passes or touches is beyond the rounding of double: such rays may differ.
+// Height difference below which double cannot decide whether a ray hits or passes: results may differ there.
 constexpr long double kTangent = 1e-13L;
 
 struct Compared {
@@ -73,7 +73,8 @@ std::vector<std::pair<std::string, Heights>> realMaps() {
     return maps;
 }
 
-// Distance and cone maps of whole pictures take their time: those of parts serve, but for long runs.
+// Texels of the largest maps built without RELIEF_LONG: distance and cone maps of whole pictures take long, so crops
+// are used.
 constexpr std::size_t kBuildTexels = 70'000;
 
 bool buildsAMap(const MethodChoice& choice) {
@@ -95,13 +96,13 @@ Heights part(const FloatImage& whole, int width, int height) {
 // 10^6 rays over six procedural and three real maps, both surfaces, three addressings (10^7 with RELIEF_LONG).
 TEST(Exactness, millionRaysGiveIdenticalBitsInEveryExactTracer) {
     const bool longRun = std::getenv("RELIEF_LONG") != nullptr;
-    const std::size_t wanted = longRun ? 10'000'000 : 1'000'000;
+    const std::size_t rayCount = longRun ? 10'000'000 : 1'000'000;
     auto maps = proceduralMaps();
     for (auto& real : realMaps()) {
         maps.push_back(real);
         maps.emplace_back(real.first + ", a part", part(*real.second, 200, 168));
     }
-    const std::size_t perField = wanted / (maps.size() * 6) + 1;
+    const std::size_t perField = rayCount / (maps.size() * 6) + 1;
     MapCache cache;
     Work work;
     const std::vector<MethodChoice> exactChoices = choicesThatPromise(Guarantee::Exact);
@@ -167,7 +168,7 @@ TEST(Exactness, agreesWithLongDouble) {
     EXPECT_LE(compared.tangent, compared.rays / 10000);
 }
 
-// Axis-parallel, vertical, along cell borders, through corners, far-off origins, both zeros.
+// Rays parallel to an axis, vertical, along cell borders, through corners, with distant origins, with both zeros.
 std::vector<ViewRay> awkwardRays(int width, int height) {
     std::vector<ViewRay> rays;
     const std::vector<double> runs{0.0, -0.0, 0.25, -0.25, 1, -1, 3.5, -3.5, 40, -40, 1e-12, -1e-12, 1e-310};
@@ -222,7 +223,7 @@ TEST(Exactness, awkwardRaysAgreeInEveryTracer) {
     }
 }
 
-// A bilinear surface has no borders on which the truth could choose a side: the awkward rays must agree with it, too.
+// A bilinear surface has no borders with two valid answers, so the awkward rays must agree with the truth there, too.
 TEST(Exactness, awkwardRaysAgreeWithLongDouble) {
     MapCache cache;
     Work work;
@@ -232,7 +233,7 @@ TEST(Exactness, awkwardRaysAgreeWithLongDouble) {
             const HeightField field(randomHeights(w, h, 83), Surface::Bilinear, address);
             const auto tracer = makeTracer({"max-pyramid", {}}, field, cache, work);
             for (const ViewRay& ray : awkwardRays(w, h)) {
-                if (std::abs(ray.s0) > 1e5) continue;  // the truth's own sorting of crossings is slow there
+                if (std::abs(ray.s0) > 1e5) continue;  // sorting the crossings for the truth is slow there
                 compare(field, ray, traceLogged(*tracer, ray).hit, compared);
             }
         }
@@ -241,8 +242,8 @@ TEST(Exactness, awkwardRaysAgreeWithLongDouble) {
     std::cout << compared.rays << " rays, largest difference " << compared.worst << " texel\n";
 }
 
-// The domain's limit: 2^20 texels of run. Exact there; flatter rays end, without NaN, within the bound.
-// A cell that is none is read beyond the map: it was, where a run so long that cells cannot be told apart wraps.
+// A run may be so long that positions within it cannot resolve cells. The index must still be one of the map, because
+// otherwise memory beyond the map would be read.
 TEST(Exactness, cellsOfAnyRunAreCellsOfTheMap) {
     constexpr std::uint64_t kCellSeed = 22;
     std::cout << "seed " << kCellSeed << '\n';
@@ -259,6 +260,7 @@ TEST(Exactness, cellsOfAnyRunAreCellsOfTheMap) {
     }
 }
 
+// Up to the domain's limit, a run of 2^20 texels, hits are exact; flatter rays end within the step bound, without NaN.
 TEST(Exactness, flatRays) {
     MapCache cache;
     Work work;

@@ -1,4 +1,4 @@
-// Height maps and rays for the tests of the relief methods: seeded, the same everywhere.
+// Height maps and rays for the tests of the relief methods: seeded, the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ inline const std::vector<Address>& allAddresses() {
     return all;
 }
 
-// Every listed tracer as it is, and with the options that change what it does or promises.
+// Returns every listed tracer with its default options, and with options that change its algorithm or its guarantee.
 inline std::vector<MethodChoice> allChoices() {
     std::vector<MethodChoice> all;
     for (const MethodDescription& method : tracerList()) {
@@ -56,14 +56,14 @@ inline std::vector<MethodChoice> allChoices() {
     }
     return all;
 }
-// Those that promise as much.
-inline std::vector<MethodChoice> choicesThatPromise(Guarantee wanted) {
+// Returns the choices with the given guarantee.
+inline std::vector<MethodChoice> choicesThatPromise(Guarantee guarantee) {
     MapCache cache;
     Work work(1);
     const HeightField field(constantHeights(4, 4, 0.5F));
     std::vector<MethodChoice> some;
     for (const MethodChoice& choice : allChoices()) {
-        if (makeTracer(choice, field, cache, work)->guarantee() == wanted) some.push_back(choice);
+        if (makeTracer(choice, field, cache, work)->guarantee() == guarantee) some.push_back(choice);
     }
     return some;
 }
@@ -82,7 +82,7 @@ inline std::string describe(const ViewRay& ray) {
     return numberText(ray.s0) + "," + numberText(ray.t0) + "," + numberText(ray.a) + "," + numberText(ray.b);
 }
 
-// A ray traced with everything logged.
+// A ray traced with a complete log.
 struct Logged {
     Hit hit;
     std::vector<Step> steps;
@@ -97,7 +97,7 @@ inline Logged traceLogged(const Tracer& tracer, const ViewRay& ray) {
     return {hits[0], std::move(log.steps)};
 }
 
-// The same bits, where NaN is equal to itself.
+// Returns true if both hits have the same bits; NaN equals NaN.
 inline bool sameBits(const Hit& a, const Hit& b) {
     const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
     return a.outcome == b.outcome && same(a.lambda, b.lambda) && same(a.s, b.s) && same(a.t, b.t);

@@ -1,5 +1,5 @@
-// What each listed tracer promises, held against the exact hit: conservative ones never overshoot, and approximate ones
-// are wrong no more often than when they were first measured.
+// The guarantee of each listed tracer, compared with the exact hit: conservative methods never overshoot, and the error
+// rates of approximate ones have not grown since they were recorded.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -15,14 +15,14 @@
 namespace relief::test {
 namespace {
 
-// A hit this far from the exact one, in texels along the ray, is another place of the picture.
+// A hit further than this from the exact one, in texels along the ray, is wrong.
 constexpr double kWrongTexels = 1;
-// Rates may grow by this much against those that were recorded (rounding on other machines, tuning of options).
+// Factor by which rates may exceed the recorded ones (rounding on other machines, tuning of options).
 constexpr double kWorse = 1.2;
-// Below this a rate is a handful of rays: one more is no trend.
+// Rates of less than this many rays are not compared: one ray more is no trend.
 constexpr double kFewRays = 5;
 constexpr std::size_t kRateRays = 4000;
-// A conservative method stops before the surface or on it; beyond it by no more than the leaf's rounding.
+// A conservative method stops in front of the surface or on it; it may overshoot by the leaf's rounding at most.
 constexpr double kRounding = 1e-12;
 
 const std::vector<std::string> kFamilies{"bricks", "spikes", "pits", "columns", "city", "fractal", "hills"};
@@ -92,7 +92,7 @@ std::map<std::string, double> recordedRates() {
     return rates;
 }
 
-// Rates are kept in wrong_rates.csv beside this file. RELIEF_RECORD=FILE writes those measured now, for a new method.
+// Rates are recorded in wrong_rates.csv in this folder. For a new method, RELIEF_RECORD=FILE writes the measured ones.
 TEST(Guarantees, approximateMethodsAreNoWorseThanRecorded) {
     const std::map<std::string, double> recorded = recordedRates();
     ASSERT_FALSE(recorded.empty());
@@ -128,7 +128,8 @@ TEST(Guarantees, approximateMethodsAreNoWorseThanRecorded) {
     }
 }
 
-// A base level is the mean pyramid's level as a height map of its own: with sizes that halve evenly, the same bits.
+// Tracing with a base level equals tracing the mean pyramid's level as a height map. For sizes that are divisible by
+// two, the bits are the same.
 TEST(Guarantees, baseLevelTracesTheMeanLevel) {
     MapCache cache;
     Work work;
@@ -163,7 +164,7 @@ TEST(Guarantees, baseLevelTracesTheMeanLevel) {
     }
 }
 
-// Sizes that do not halve evenly: still no ray lost, and the answer lies on the mean level's surface.
+// For other sizes no ray is lost, and the hit lies on the mean level's surface.
 TEST(Guarantees, baseLevelOfOddSizesLosesNoRay) {
     MapCache cache;
     Work work;
@@ -176,7 +177,7 @@ TEST(Guarantees, baseLevelOfOddSizesLosesNoRay) {
         const ViewRay ray = randomRay(random, field, 2);
         const Hit hit = traceLogged(*tracer, ray).hit;
         ASSERT_EQ(hit.outcome, Outcome::Hit);
-        // Reduce first, then shrink: the coarse texels do not divide the period.
+        // Reduced to the period first and scaled afterwards: the coarse texels do not divide the period.
         const double s = reduceToPeriod(ray.s0, 37) * 10 / 37 + hit.lambda * ray.a * 10 / 37;
         const double t = reduceToPeriod(ray.t0, 19) * 5 / 19 + hit.lambda * ray.b * 5 / 19;
         ASSERT_NEAR(coarse.at(s, t), 1 - hit.lambda, 1e-11) << describe(ray);

@@ -1,4 +1,4 @@
-// Laws that hold for every listed tracer, or for every one that promises the exact hit, whatever the picture.
+// Properties of every listed tracer, or of every one with the exact guarantee, for any height map.
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -9,13 +9,13 @@
 namespace relief::test {
 namespace {
 
-// Closed forms agree to a few roundings of numbers up to 1 (2^-53 each).
+// Difference from closed forms: a few roundings of numbers up to 1 (2^-53 each).
 constexpr double kRounding = 1e-15;
 // Log and reference are compared in heights: rounding of positions up to 1,000 texels times slopes up to 1.
 constexpr double kHeightRounding = 1e-12;
 
-// All; or of one method, for whoever writes it.
-std::vector<MethodChoice> wantedOf(std::vector<MethodChoice> choices) {
+// Returns all choices; or, while a method is being developed, only those of the method named in the environment.
+std::vector<MethodChoice> chosenOf(std::vector<MethodChoice> choices) {
     if (const char* const only = std::getenv("RELIEF_TRACER")) {
         const std::string name = findTracer(only).name;
         std::erase_if(choices, [&](const MethodChoice& choice) { return choice.name != name; });
@@ -31,9 +31,9 @@ class Laws : public testing::Test {
     template <class Body>
     void forEach(const std::vector<MethodChoice>& choices, const Body& body) {
         ASSERT_FALSE(choices.empty());
-        const std::vector<MethodChoice> wanted = wantedOf(choices);
-        if (wanted.empty()) GTEST_SKIP() << "the method that RELIEF_TRACER names promises no exact hit";
-        for (const MethodChoice& choice : wanted) {
+        const std::vector<MethodChoice> chosen = chosenOf(choices);
+        if (chosen.empty()) GTEST_SKIP() << "the method named by RELIEF_TRACER is not exact";
+        for (const MethodChoice& choice : chosen) {
             SCOPED_TRACE(describe(choice));
             for (const Surface surface : allSurfaces()) {
                 for (const Address address : allAddresses()) {
@@ -88,7 +88,7 @@ TEST_F(Laws, mirroredFieldMirrorsTheHit) {
             const Hit a = traceLogged(*one, ray).hit;
             const Hit b = traceLogged(*two, {11 - ray.s0, ray.t0, -ray.a, ray.b}).hit;
             ASSERT_EQ(a.outcome, b.outcome) << describe(field) << " ray " << describe(ray);
-            // 11 - s0 rounds; a tangent patch turns that rounding into its square root.
+            // 11 - s0 is rounded; a tangent patch turns that rounding error into its square root.
             if (a.outcome == Outcome::Hit) {
                 EXPECT_NEAR(a.lambda, b.lambda, 1e-7) << describe(ray);
             }
@@ -109,23 +109,23 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
         for (int x = 0; x < 13; ++x) shifted((x + 4) % 13, (y + 7) % 9) = (*heights)(x, y);
     }
     const Heights image = share(std::move(shifted));
-    for (const MethodChoice& choice : wantedOf(allChoices())) {
+    for (const MethodChoice& choice : chosenOf(allChoices())) {
         SCOPED_TRACE(describe(choice));
         for (const Surface surface : allSurfaces()) {
             const auto one = make(choice, HeightField(heights, surface));
             const auto two = make(choice, HeightField(image, surface));
-            // The segments of an inner method, the texels of a base level and the footprints of voxels are tied to the
-            // picture's corner.
+            // The segments of an inner method, the texels of a base level and the footprints of voxels are aligned with
+            // the picture's corner, so shifting the picture changes their results.
             if (one->guarantee() == Guarantee::Approximate && (one->pyramid() || coarseVoxels(choice))) continue;
             Random random(13);
             for (int i = 0; i < 2000; ++i) {
-                // Eighths: sums and products below are exact, and so must the answers be.
+                // Multiples of 1/8: the sums and products below are exact, and so must the results be.
                 const ViewRay ray{random.below(104) / 8.0, random.below(72) / 8.0, random.below(400) / 8.0 - 25.0,
                                   random.below(400) / 8.0 - 25.0};
                 const Hit a = traceLogged(*one, ray).hit;
                 const Hit b = traceLogged(*two, {ray.s0 + 4, ray.t0 + 7, ray.a, ray.b}).hit;
                 ASSERT_EQ(a.outcome, b.outcome);
-                // Maps are float: what is measured from sampled places may round to the neighbour of its slope.
+                // Maps are float: a slope measured at sampled points may be rounded to a neighbouring value.
                 const bool measured = one->guarantee() == Guarantee::Approximate && one->bytes() > 0;
                 EXPECT_NEAR(a.lambda, b.lambda, measured ? 1e-6 : 1e-13) << describe(ray);
             }
@@ -133,10 +133,10 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
     }
 }
 
-// Whole periods away the fraction of a texel keeps its value, so nothing may change at all.
+// At whole periods' distance the fraction of a texel keeps its value, so the results must be the same.
 TEST_F(Laws, wholePeriodsChangeNothing) {
     const Heights heights = randomHeights(13, 9, 5);
-    for (const MethodChoice& choice : wantedOf(allChoices())) {
+    for (const MethodChoice& choice : chosenOf(allChoices())) {
         SCOPED_TRACE(describe(choice));
         for (const Surface surface : allSurfaces()) {
             const auto tracer = make(choice, HeightField(heights, surface));
@@ -155,7 +155,7 @@ TEST_F(Laws, wholePeriodsChangeNothing) {
     }
 }
 
-// Every stretch that was excluded lies above the surface, looked at densely with a text of its own.
+// Every logged interval that was excluded lies above the surface, checked by dense sampling with independent code.
 TEST_F(Laws, loggedExclusionsLieAboveTheSurface) {
     forEachExact([&](const MethodChoice& choice, Surface surface, Address address) {
         const HeightField field(randomHeights(21, 12, 23), surface, address, 0.4);
@@ -226,7 +226,7 @@ TEST_F(Laws, stepsStayWithinTheirBound) {
     });
 }
 
-// Higher ground is never met later.
+// Raising the surface never moves the hit to a later point.
 TEST_F(Laws, raisingTheFieldNeverDelaysTheHit) {
     const Heights low = randomHeights(17, 17, 53);
     FloatImage raised = *low;

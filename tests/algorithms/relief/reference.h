@@ -1,6 +1,6 @@
-// An independent truth in long double: it shares no text with the library. It floors positions, collects the crossings
-// of grid lines by sorting them, and finds roots by dense sign search with the vertex of each parabola, where the
-// library steps integers and solves.
+// An independent truth in long double that shares no code with the library. It floors positions, sorts the crossings of
+// grid lines, and finds roots by a dense search for sign changes including the vertex of each parabola, whereas the
+// library increments integers and solves equations.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ using Real = long double;
 struct Answer {
     bool hit = false;
     Real lambda = 0;
-    // The smallest |surface - ray| before the hit at which the ray nearly met the surface, or at which the hit only
-    // just happened: differences on rays with a tiny clearance are rounding, not faults.
+    // The smallest |surface - ray| at a near miss before the hit, or at a hit that was nearly a miss: on rays with a
+    // tiny clearance different results are due to rounding.
     Real clearance = 1;
 };
 
@@ -28,7 +28,7 @@ inline long long nodeIndex(long long i, int size, Address address) {
     return std::clamp<long long>(i, 0, size - 1);
 }
 
-// Surface height in long double; any position.
+// Returns the surface height at any position.
 inline Real surfaceAt(const HeightField& field, Real s, Real t, long long ci, long long cj) {
     const auto& h = field.heights();
     const auto texel = [&](long long i, long long j) {
@@ -43,7 +43,7 @@ inline Real surfaceAt(const HeightField& field, Real s, Real t, long long ci, lo
     return top * (1 - v) + bottom * v;
 }
 
-// Lambdas in (0, end) at which x0 + lambda d is a whole number.
+// Adds the lambdas in (0, end) at which x0 + lambda d is an integer.
 inline void addCrossings(std::vector<Real>& crossings, Real x0, Real d, Real end) {
     if (d == 0) return;
     const Real x1 = x0 + end * d;
@@ -55,7 +55,8 @@ inline void addCrossings(std::vector<Real>& crossings, Real x0, Real d, Real end
     }
 }
 
-// The first hit of the ray. The origin is reduced by the caller's addressing only through texel look-ups.
+// Returns the first hit of the ray. The origin is not reduced to the picture; addressing is applied to texel look-ups
+// only.
 inline Answer trace(const HeightField& field, const ViewRay& ray) {
     const Real s0 = ray.s0;
     const Real t0 = ray.t0;

@@ -21,7 +21,7 @@ FrameRequest request(double distance, int texels) {
     return view;
 }
 
-// Twice as far, twice as wide a pixel: one level more.
+// At twice the distance the pixel is twice as wide: one level more.
 TEST(BaseLevel, isThatOfTheNarrowestPixel) {
     const FootprintLevel near = footprintLevel(request(2, 256));
     const FootprintLevel far = footprintLevel(request(4, 256));
@@ -37,8 +37,8 @@ TEST(BaseLevel, isThatOfTheNarrowestPixel) {
     EXPECT_EQ(footprintLevel(away).level, 0) << "nothing is seen";
 }
 
-// Of a picture so small that every pixel is looked at, seen at an angle: the narrowest lies in a corner.
-TEST(BaseLevel, looksAtThePixelsThemselves) {
+// A picture so small that every pixel is examined, seen at an angle: the narrowest pixel lies in a corner.
+TEST(BaseLevel, examinesThePixelsThemselves) {
     FrameRequest view = request(0.3, 256);
     view.width = 24;
     view.height = 20;
@@ -80,13 +80,13 @@ TEST(BaseLevel, scenariosCarryBothAndRequestsTheNumber) {
     AssetStore store;
     Work work;
     const Assets assets = store.load(scenario.pictures, work);
-    const std::string asked = frameRequest(scenario, assets).method.options.at("base");
-    EXPECT_NE(asked, "auto");
+    const std::string base = frameRequest(scenario, assets).method.options.at("base");
+    EXPECT_NE(base, "auto");
 }
 
 TEST(BaseLevel, errorAndRateAreMeasured) {
     FrameRequest view = request(8, 256);
-    view.camera.elevation = 20;  // straight down, a ray takes as many steps on any level
+    view.camera.elevation = 20;  // seen straight down, a ray takes equally many steps on every level
     MapCache cache;
     Work work;
     EXPECT_FALSE(measureBaseLevel(view, {"max-pyramid", {{"base", "1"}}}, cache, work));

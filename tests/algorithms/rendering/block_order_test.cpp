@@ -1,4 +1,4 @@
-// The order of pixels inside tiles: all of them, once, neighbours together.
+// The order of pixels within tiles: each pixel occurs once, and neighbours are close in the order.
 #include "rendering/block_order.h"
 
 #include <set>
@@ -40,7 +40,7 @@ TEST(BlockOrder, SixteenPixelsAreOneBlockOfWholeTiles) {
             EXPECT_EQ(pixels[first + i].second, top + static_cast<int>(i / 4));
         }
     }
-    // 256 of them fill a square before the next begins.
+    // Each 256 pixels fill a square before the next one begins.
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         EXPECT_EQ((pixels[i].first - 64) / kSquareSide, static_cast<int>(i / 256)) << i;
     }

@@ -1,5 +1,5 @@
-// Displacement mapping: the walk of single rays and the rasterised frame are held against each other, and both against
-// the exact tracer on a fine mesh.
+// Displacement mapping: traced single rays are compared with the rasterised frame, and both with the exact tracer on a
+// fine mesh.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -12,14 +12,14 @@
 namespace relief::test {
 namespace {
 
-// Rasterised and traced hits: what the rounding of projected coordinates (some 1e-12 of the screen) becomes where the
-// mesh is seen almost edge-on, in texels.
+// Difference of rasterised and traced hits, in texels: the rounding of projected coordinates (about 1e-12 of the
+// screen), magnified where the mesh is seen almost edge-on.
 constexpr double kHitTolerance = 1e-6;
-// Share of the pixels that may differ more: centres within rounding of a silhouette.
+// Share of the pixels that may differ more: those whose centre is within rounding of a silhouette.
 constexpr double kSilhouetteShare = 1e-4;
-// Picture of the mesh with a vertex on every texel, against exact tracing of the bilinear surface (border): two
-// triangles where exact has one curved patch, which shows most on steep walls seen from the side. Decibel, measured
-// first (beside each), less a tenth of it for other machines' rounding of what lies on silhouettes.
+// PSNR in decibels of the mesh with a vertex on every texel, against exact tracing of the bilinear surface (border):
+// the mesh has two triangles in place of one curved patch, which is most visible on steep walls seen from the side. The
+// bounds are 10% below the values measured first (in the comments), to allow for different rounding at silhouettes.
 struct FineMesh {
     const char* relief;
     SceneKind scene;
@@ -55,9 +55,9 @@ struct Agreement {
     double worst = 0;
 };
 
-// Every pixel's rasterised hit against the walk of that pixel's ray; pixels whose walk leaves the polygon's own texels
-// (under repeat and clamp the walk goes on outside) must show nothing.
-Agreement heldAgainstTheWalk(const FrameRequest& request) {
+// Compares every pixel's rasterised hit with the traced ray of that pixel. Pixels whose traced hit is outside the
+// polygon (under repeat and clamp tracing continues there) must be empty.
+Agreement comparedWithTracing(const FrameRequest& request) {
     const auto frame = rendered(request);
     MapCache cache;
     Work work;
@@ -90,7 +90,7 @@ Agreement heldAgainstTheWalk(const FrameRequest& request) {
     return agreement;
 }
 
-// The mesh of one surface is not taken for the other's.
+// The mesh of one surface is not used for the other.
 TEST(Displacement, eachSurfaceHasAMeshOfItsOwn) {
     MapCache cache;
     Work work(1);
@@ -101,14 +101,14 @@ TEST(Displacement, eachSurfaceHasAMeshOfItsOwn) {
     EXPECT_EQ(meshHeights({heights, Surface::Bilinear, Address::Repeat, 0.7}, 50, cache, work), bilinear);
 }
 
-TEST(Displacement, rasterisedHitsAreTheWalksHits) {
+TEST(Displacement, rasterisedHitsAreTheTracedHits) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
         for (const Address address : allAddresses()) {
             for (const int density : {1, 7, 64, 150}) {
                 FrameRequest request = meshRequest(scene, address, density);
                 for (const double elevation : {70.0, 20.0}) {
                     request.camera.elevation = elevation;
-                    const Agreement agreement = heldAgainstTheWalk(request);
+                    const Agreement agreement = comparedWithTracing(request);
                     SCOPED_TRACE(std::string(sceneName(scene)) + " " + std::string(addressName(address)) + " density " +
                                  std::to_string(density) + " elevation " + numberText(elevation));
                     EXPECT_GT(agreement.pixels, 1000U);
@@ -121,13 +121,13 @@ TEST(Displacement, rasterisedHitsAreTheWalksHits) {
     }
 }
 
-// The eye just above the mesh: triangles reach behind it and are cut.
+// The eye is just above the mesh, so triangles extend behind it and are clipped.
 TEST(Displacement, nearTrianglesAreCut) {
     FrameRequest request = meshRequest(SceneKind::Floor, Address::Border, 48);
     request.camera.kind = Camera::Kind::Free;
     request.camera.eye = {0.02, 0.03, 0.1};
     request.camera.target = {0, -0.02, -0.3};
-    const Agreement agreement = heldAgainstTheWalk(request);
+    const Agreement agreement = comparedWithTracing(request);
     EXPECT_GT(agreement.pixels, 1000U);
     EXPECT_LE(static_cast<double>(agreement.different), 1 + kSilhouetteShare * static_cast<double>(agreement.pixels));
 }
@@ -154,8 +154,8 @@ TEST(Displacement, aFineMeshShowsWhatExactTracingShows) {
     }
 }
 
-// Every multiple of the map's size has vertices on all texel centres: twice as many are nowhere farther from the
-// surface.
+// Every density that is a multiple of the map's has vertices on all texel centres: doubling it never increases the
+// distance from the surface.
 TEST(Displacement, refiningTheMapsOwnMeshLowersTheError) {
     constexpr int kSide = 32;
     Work work;
@@ -170,7 +170,7 @@ TEST(Displacement, refiningTheMapsOwnMeshLowersTheError) {
                     makeTracer({"displacement", {{"density", std::to_string(density)}}}, field, cache, work);
                 const HeightField& mesh = tracer->mesh()->mesh();
                 const int every = density / kSide;
-                // The mesh against the surface, in the middle of the finest quads and on the texels.
+                // The difference of the mesh from the surface, in the middle of the finest quads and at the texels.
                 double error = 0;
                 constexpr int kLooks = 16;
                 for (int y = 0; y < kLooks * (kSide - 1); ++y) {
@@ -197,7 +197,7 @@ TEST(Displacement, refiningTheMapsOwnMeshLowersTheError) {
     }
 }
 
-// The same by rays: mean error against exact.
+// The same for traced rays: the mean error against exact.
 TEST(Displacement, refinedMeshesAreHitCloserToTheSurface) {
     constexpr int kSide = 32;
     Work work;
@@ -252,9 +252,9 @@ TEST(Displacement, flatMeshesAreTheClosedForm) {
     }
 }
 
-// What the walk answers lies on the mesh, nothing of the mesh rises above the ray before, and under repeat and clamp no
-// ray slips through: looked at densely through a height function of its own.
-TEST(Displacement, theWalkFindsTheFirstPointOfTheMesh) {
+// A traced hit lies on the mesh, nothing of the mesh is above the ray before it, and under repeat and clamp no ray
+// misses; checked by dense sampling of an independent height function.
+TEST(Displacement, tracingFindsTheFirstPointOfTheMesh) {
     constexpr int kLooks = 400;
     MapCache cache;
     Work work;
@@ -274,7 +274,7 @@ TEST(Displacement, theWalkFindsTheFirstPointOfTheMesh) {
             const double h10 = mesh.mesh().texel(i + 1, j);
             const double h01 = mesh.mesh().texel(i, j + 1);
             const double h11 = mesh.mesh().texel(i + 1, j + 1);
-            // Barycentric weights of the triangle under (u, v).
+            // Barycentric interpolation in the triangle that contains (u, v).
             return u >= v ? (1 - u) * h00 + (u - v) * h10 + v * h11 : (1 - v) * h00 + (v - u) * h01 + u * h11;
         };
         Random random(15);

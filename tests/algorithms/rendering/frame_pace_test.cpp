@@ -1,4 +1,5 @@
-// The pace of moving pictures on machines that are made up: how soon it keeps the budget, and that it does not waver.
+// Adaptive quality of moving pictures on simulated machines: how soon it keeps the budget, and that it does not
+// oscillate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +16,12 @@ namespace {
 
 constexpr double kBudget = 0.02;
 constexpr double kTolerated = FramePace::kTolerated * kBudget;
-// The filter as asked for, with less, plainly; then 2, 3, 4, 6, 8 times smaller. Of a picture of 800 x 600.
+// Seconds per frame of the levels, for a picture of 800 x 600: the selected filter, with fewer samples, without regard
+// to the relief; then at 1/2, 1/3, 1/4, 1/6, 1/8 of the size.
 const std::vector<double> kNominal{0.365, 0.27, 0.19, 0.048, 0.021, 0.012, 0.0053, 0.003};
 const int kLast = static_cast<int>(kNominal.size()) - 1;
 
-// Seconds that a frame takes on a level.
+// Returns the seconds that a frame takes on a level.
 using Machine = std::function<double(int level)>;
 
 Machine timesNominal(double times) {
@@ -47,7 +49,7 @@ FramePace started() {
     return pace;
 }
 
-// However fast the machine is, the level is found within some frames, and kept.
+// For machines of every speed, the level is found within a few frames, and kept.
 TEST(FramePace, findsTheLevelAndKeepsIt) {
     for (double speed = 1e-3; speed < 1e3; speed *= 1.7) {
         FramePace pace = started();
@@ -56,18 +58,18 @@ TEST(FramePace, findsTheLevelAndKeepsIt) {
         run(pace, machine, 8);
         EXPECT_GE(pace.level(), finestWithin(machine, kTolerated)) << what;
         EXPECT_LE(pace.level(), finestWithin(machine, FramePace::kWellWithin * kBudget)) << what;
-        // One that just fits may be found a little later.
+        // A level that just fits may be found a little later.
         run(pace, machine, 60);
         const int level = pace.level();
-        // But for rare trials of a finer one, two frames each.
+        // Except for rare trials of a finer level, two frames each.
         const std::vector<int> levels = run(pace, machine, 500);
         EXPECT_GE(std::count(levels.begin(), levels.end(), level), 490) << what;
     }
 }
 
-// Where levels cost other than was thought (a filter dearer or cheaper than its nominal seconds, a part of each frame
-// that no smaller picture spares) it is found too; what is too slow is tried ever more seldom.
-TEST(FramePace, findsTheLevelWhereCostsAreOthers) {
+// The level is also found if costs differ from the nominal ones (a filter that is slower or faster, or a part of each
+// frame that does not depend on the picture's size); levels that are too slow are tried more and more rarely.
+TEST(FramePace, findsTheLevelIfCostsAreNotNominal) {
     Random random(11);
     for (int n = 0; n < 300; ++n) {
         std::vector<double> costs = kNominal;
@@ -84,7 +86,7 @@ TEST(FramePace, findsTheLevelWhereCostsAreOthers) {
         if (machine(kLast) <= kTolerated) {
             EXPECT_LE(slow, 60) << what;
         }
-        // At most one level, or one that is much cheaper, lies between it and the finest that fits.
+        // At most one level, or one that is much cheaper, lies between the result and the finest level that fits.
         const int fits = finestWithin(machine, 0.4 * kBudget);
         EXPECT_LE(*std::min_element(levels.begin(), levels.end()), fits) << what;
         const auto coarse = std::count_if(levels.begin(), levels.end(), [&](int level) { return level > fits; });
@@ -92,7 +94,7 @@ TEST(FramePace, findsTheLevelWhereCostsAreOthers) {
     }
 }
 
-// One slow frame, however slow and whenever it comes, changes nothing.
+// A single slow frame, however slow and at whatever time, changes nothing.
 TEST(FramePace, oneSlowFrameChangesNothing) {
     for (const double speed : {0.04, 0.1, 0.3, 1.0}) {
         for (const double slow : {2.0, 20.0, 1000.0}) {
@@ -105,7 +107,7 @@ TEST(FramePace, oneSlowFrameChangesNothing) {
                 run(disturbed, machine, at);
                 const int level = disturbed.level();
                 disturbed.took(slow * machine(level));
-                // Once it has found its level.
+                // By then it has found its level.
                 if (at >= 60) {
                     for (const int after : run(disturbed, machine, 6)) EXPECT_EQ(after, level) << what;
                 }
@@ -116,7 +118,7 @@ TEST(FramePace, oneSlowFrameChangesNothing) {
     }
 }
 
-// A machine that was busy for a while: some frames after it is free again the pictures are what they were.
+// After a temporary load, the former level is reached again within a few frames.
 TEST(FramePace, recoversWithinAFewFrames) {
     for (const double speed : {0.04, 0.1, 0.3, 1.0}) {
         for (const double slow : {2.0, 5.0, 20.0, 1000.0}) {
@@ -126,7 +128,7 @@ TEST(FramePace, recoversWithinAFewFrames) {
                 run(pace, machine, 60);
                 const int level = pace.level();
                 run(pace, timesNominal(slow * speed), length);
-                // Four frames for the median and one level more; what but just fits may take some trials.
+                // Four frames for the median, and one level more; a level that just fits may take some trials.
                 run(pace, machine, 6);
                 EXPECT_LE(pace.level(), finestWithin(machine, FramePace::kWellWithin * kBudget))
                     << speed << " " << slow << " " << length;
@@ -137,8 +139,8 @@ TEST(FramePace, recoversWithinAFewFrames) {
     }
 }
 
-// A view that becomes dear for good: after two frames the budget is kept, if any level keeps it, but for rare trials of
-// a finer one, two frames each.
+// If a view becomes permanently slower, the budget is kept after two frames, provided that any level keeps it, except
+// for rare trials of a finer level, two frames each.
 TEST(FramePace, keepsTheBudgetAfterTwoFrames) {
     for (const double speed : {0.04, 0.1, 0.3, 1.0}) {
         for (const double slow : {2.0, 5.0, 20.0}) {
@@ -159,8 +161,8 @@ TEST(FramePace, keepsTheBudgetAfterTwoFrames) {
     }
 }
 
-// Frames vary by a third: the look does so hardly ever.
-TEST(FramePace, doesNotWaver) {
+// Frame times vary by a third, but the level hardly ever changes.
+TEST(FramePace, doesNotOscillate) {
     Random random(7);
     for (double speed = 0.02; speed < 4; speed *= 1.3) {
         FramePace pace = started();
@@ -173,7 +175,7 @@ TEST(FramePace, doesNotWaver) {
     }
 }
 
-// A frame that is given up counts at once; a better one brings the finer level back.
+// An abandoned frame takes effect at once; faster frames bring the finer level back.
 TEST(FramePace, whatWasGivenUpIsCoarserAtOnce) {
     FramePace pace = started();
     const Machine fast = timesNominal(0.04);
@@ -184,13 +186,13 @@ TEST(FramePace, whatWasGivenUpIsCoarserAtOnce) {
     EXPECT_LE(pace.expected(pace.level()), kBudget);
     run(pace, fast, 12);
     EXPECT_EQ(pace.level(), 0);
-    // Sooner than it would have been done: that says nothing.
+    // Abandoned before it could have been finished, which implies nothing about its time.
     pace.gaveUp(0.5 * kBudget);
     EXPECT_EQ(pace.level(), 0);
 }
 
-// What the full picture took at rest is believed where it is fast, and where it is far too slow.
-TEST(FramePace, theFullPictureTells) {
+// The time of a full picture at rest is used if it is fast, and if it is far too slow.
+TEST(FramePace, theTimeOfAFullPictureIsUsed) {
     FramePace pace = started();
     EXPECT_GT(pace.level(), 0);
     pace.rested(0.5 * kBudget);

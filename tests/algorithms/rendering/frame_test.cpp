@@ -1,5 +1,5 @@
-// Frames: same bits for any thread count (reused ones: reuse_test.cpp); light-only redraws trace nothing; single pixels
-// get the frame's own rays.
+// Frames: the same bits for any number of threads (reused frames: reuse_test.cpp); a change of the light traces
+// nothing; single pixels have the same rays as the frame.
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
@@ -60,14 +60,14 @@ TEST(Frame, changingTheDepthKeepsTheMaxPyramid) {
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = brickRequest();
     renderer.render(request, work);
-    // The max pyramid, its depths for the lanes, and the cones: so few texels pay for them in the first frame.
+    // The max pyramid, its depths for SIMD, and the cones, which pay off within the first frame for so few texels.
     EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3);
     request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat, 0.3);
     renderer.render(request, work);
     EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3);
 }
 
-TEST(Frame, aPixelAskedAloneGetsTheFramesRay) {
+TEST(Frame, aSinglePixelGetsTheFramesRay) {
     for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
         const FrameRequest request = brickRequest(scene);
         const auto frame = renderFresh(request, 1);
@@ -84,7 +84,7 @@ TEST(Frame, aPixelAskedAloneGetsTheFramesRay) {
     EXPECT_THROW(pixelRay(brickRequest(), 160, 0), InputError);
 }
 
-// A flat relief at the top of the slab is the polygon itself: texture coordinates and depth in closed form.
+// A flat relief at the top of the slab is the polygon itself: texture coordinates and depth are known in closed form.
 TEST(Frame, aFlatFieldIsThePlane) {
     FrameRequest request(HeightField(constantHeights(32, 32, 1.0F)));
     request.width = 64;
@@ -96,7 +96,7 @@ TEST(Frame, aFlatFieldIsThePlane) {
             const Hit hit = frame->hits->hits[frame->index(x, y)];
             if (hit.outcome != Outcome::Hit) continue;
             ++seen;
-            // The floor is y = 0 and one texel 1/32: intersect the pixel's direction with it.
+            // The floor is y = 0, and one texel is 1/32: the pixel's direction is intersected with it.
             const glm::dvec3 d = frame->camera.rayThrough(x + 0.5, y + 0.5);
             const double distance = -frame->camera.eye.y / d.y;
             const glm::dvec3 p = frame->camera.eye + distance * d;
@@ -108,7 +108,7 @@ TEST(Frame, aFlatFieldIsThePlane) {
     EXPECT_GT(seen, 500);
 }
 
-// A floor of depth D whose relief is flat at h looks like the plane D (1 - h) lower: the hit must lie on it.
+// A floor of depth D with level relief at h looks like a plane that is D (1 - h) lower: the hit must lie on it.
 TEST(Frame, aSunkenFloorIsLower) {
     const double reliefDepth = 0.2;
     FrameRequest request(HeightField(constantHeights(32, 32, 0.25F), Surface::Bilinear, Address::Repeat, reliefDepth));
@@ -154,11 +154,11 @@ TEST(Frame, aPlateauNeedsNoTracing) {
     const auto frame = renderFresh(request, 1);
     EXPECT_EQ(frame->counters.at(MessageId::CountRaysTraced), 0);
     EXPECT_EQ(frame->counters.at(MessageId::CountRaysFlat), frame->counters.at(MessageId::CountRays));
-    EXPECT_EQ(frame->counters.at(MessageId::CountRaysHighest), 0) << "each ray counts once";
+    EXPECT_EQ(frame->counters.at(MessageId::CountRaysHighest), 0) << "each ray is counted once";
 }
 
-// Counting traces once more: the same hits, the counts of each ray as its own log has them.
-TEST(Frame, countsComeWhenAskedForAndChangeNothing) {
+// Counting traces a second time: the same hits, with the counts that each ray's own log has.
+TEST(Frame, countsAreMadeOnRequestAndChangeNothing) {
     FrameRequest request = brickRequest();
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());
@@ -224,7 +224,7 @@ TEST(Frame, layersHaveTheirPlanes) {
     EXPECT_THROW(layerPlanes(*frame, request, {"taste"}, maps, work), InputError);
 }
 
-// Against what the exact walk over every cell says of each ray, one by one.
+// Compared with exact tracing over every cell, ray by ray.
 TEST(Frame, errorIsTheWayBetweenTheHits) {
     FrameRequest request = brickRequest();
     for (const char* const method : {"max-pyramid", "layers", "offset"}) {

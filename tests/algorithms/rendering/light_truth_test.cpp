@@ -1,5 +1,5 @@
-// What a pixel is lit with, from the heights to the picture, in long double: the slope of the surface where the ray met
-// it, the normal in the world, and Lambert's light.
+// The lighting of a pixel, computed from the heights in long double: the slope of the surface at the hit, the normal in
+// the world, and Lambert's law.
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +31,7 @@ Vector cross(Vector a, Vector b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// The relief repeats; where two patches or columns meet the slope jumps, and rounding decides.
+// Where two patches or columns meet, the slope jumps and rounding decides. The relief repeats.
 struct Slope {
     Truth s = 0, t = 0;
     bool jumps = false;
@@ -60,7 +60,7 @@ Vector lightOf(const Light& light) {
 }
 
 TEST(LightTruth, PixelsAreLitByTheSlopeWhereTheyMeetTheRelief) {
-    constexpr double kColor = 2e-5;  // normals, colours and amounts are float
+    constexpr double kColor = 2e-5;  // normals, colours and factors are float
     for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
         for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
             FrameRequest request(HeightField(std::make_shared<const FloatImage>(makeRelief("hills", 48, 40, 5)),
@@ -84,7 +84,8 @@ TEST(LightTruth, PixelsAreLitByTheSlopeWhereTheyMeetTheRelief) {
                     if (slope.jumps) continue;
                     const TexturedQuad& quad = frame->polygons[frame->rays->polygon[i]];
                     const Vector up = of(quad.normal), perS = of(quad.plane.perS), perT = of(quad.plane.perT);
-                    // The slab is reliefDepth textures thick; one texel along each axis rises by its slope of that.
+                    // The slab is reliefDepth textures thick; a step of one texel along an axis rises by the slope
+                    // times that thickness.
                     const Truth texelS = std::sqrt(dot(perS, perS)), texelT = std::sqrt(dot(perT, perT));
                     const Truth slab = 0.15L * 48;
                     const Vector normal =
@@ -106,7 +107,8 @@ TEST(LightTruth, PixelsAreLitByTheSlopeWhereTheyMeetTheRelief) {
     }
 }
 
-// A normal picture's vector: x along s, y against t, z out of the polygon. By hand on faces whose axes are known.
+// A vector of a normal picture: x along s, y against t, z out of the polygon. Compared with hand-computed results on
+// faces with known axes.
 TEST(LightTruth, NormalPicturesStandOnTheirPolygon) {
     constexpr double kRounding = 1e-6;  // the picture is float
     const auto expect = [&](const TexturedQuad& quad, glm::vec3 tangent, glm::dvec3 world) {
@@ -121,7 +123,7 @@ TEST(LightTruth, NormalPicturesStandOnTheirPolygon) {
     expect(wall, {0, 0.6F, 0.8F}, {0, 0.6, 0.8});
     expect(right, {0.6F, 0, 0.8F}, {0.8, 0, -0.6});
     expect(right, {0, 0.6F, 0.8F}, {0.8, 0.6, 0});
-    // Of any length.
+    // Vectors of any length.
     expect(floor, {3, 0, 4}, {0.6, 0.8, 0});
 }
 

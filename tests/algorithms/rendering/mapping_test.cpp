@@ -1,4 +1,4 @@
-// Texture coordinates by the row variants of [PERSP], in pictures.
+// Rendered pictures with texture coordinates from the row variants of [PERSP].
 #include <gtest/gtest.h>
 
 #include "relief/reliefs.h"
@@ -10,9 +10,10 @@
 namespace relief::test {
 namespace {
 
-// Coordinates up to 256 texels in float, a few roundings of them, times 8 for what cancels next to the wall's far end.
+// Coordinates up to 256 texels in float, a few roundings of them, times 8 for cancellation near the far end of the
+// wall.
 constexpr double kFloatTexels = 8 * 256 * 0x1p-24 * 16;
-// What recommendedAnchor() keeps.
+// The error that recommendedAnchor() permits.
 constexpr double kAnchored = kAnchorError;
 
 FrameRequest wallRequest(const std::string& mapping) {
@@ -52,7 +53,7 @@ TEST(Mapping, EachVariantIsOffAsItsRowsAre) {
         }
     }
     EXPECT_GT(rendered(wallRequest("affine"))->mappingOff, 10) << "a slanted wall is bent";
-    // Rows longer than what an anchor is for.
+    // Rows longer than the anchor interval.
     const auto wide = [](const char* name) {
         FrameRequest request = wallRequest(name);
         request.width = 1600;
@@ -73,7 +74,7 @@ TEST(Mapping, AFrameThatKeepsItsRaysKeepsTheirError) {
     EXPECT_EQ(renderer.render(request, work)->mappingOff, 0);
 }
 
-// A row of an unrolled floor has one depth: affine rows are right there.
+// If the camera is not rolled, a row of the floor has constant depth, so affine rows are right.
 TEST(Mapping, AffineIsRightWhereDepthIsConstant) {
     FrameRequest request = wallRequest("affine");
     request.scene = SceneKind::Floor;
@@ -112,7 +113,7 @@ TEST(Mapping, ScenariosAndCommandsCarryIt) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.subject(), "--mapping");
     }
-    // Triangles take no rows: rays through them meet what is drawn.
+    // Triangles are not mapped row by row: their rays are the same as in the rendered picture.
     scenario.method.name = "displacement";
     Assets assets;
     assets.heights = std::make_shared<FloatImage>(makeRelief("bricks", 16, 16, 1));

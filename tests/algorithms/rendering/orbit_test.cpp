@@ -1,4 +1,4 @@
-// Frame after frame while the camera orbits: the same bits as alone, and memory that does not grow.
+// Frames of an orbiting camera: the same bits as single frames, and memory use that does not grow.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -11,11 +11,11 @@
 namespace relief::test {
 namespace {
 
-// Seconds of orbiting; the long form is what somebody who leaves the window turning sees.
+// Seconds of orbiting; the long run corresponds to a window that is left rotating.
 constexpr double kShortSeconds = 12;
 constexpr double kLongSeconds = 600;
-// Megabytes after the first tenth: what an allocator's arenas may still settle by. A frame of these has 4 MB of
-// buffers, so that one that is kept in a hundred shows.
+// Megabytes after the first tenth of the time: what the allocator's arenas may still add. A frame of this test has 4 MB
+// of buffers, so one frame retained in a hundred is noticed.
 constexpr double kMostGrowth = 16;
 
 FrameRequest orbitRequest() {
@@ -46,7 +46,7 @@ TEST(Orbit, memoryDoesNotGrow) {
         request.light.azimuth = static_cast<double>(frames % 90);
         request.counts = frames % 7 == 0;
         if (frames % 20 == 0) request.filter.name = frames % 40 == 0 ? "elliptical" : "trilinear";
-        // Depths come and go; a window shows the frame before while the next is made.
+        // The depth of the relief varies; as in a window, the previous frame is still held while the next is rendered.
         request.field = HeightField(request.field.sharedHeights(), Surface::Bilinear, Address::Repeat,
                                     0.05 + 0.01 * static_cast<double>(frames % 10));
         shown = renderer.render(request, work);
@@ -58,7 +58,7 @@ TEST(Orbit, memoryDoesNotGrow) {
     ASSERT_GT(frames, 20);
     std::printf("%lld frames, memory %+.1f MB\n", static_cast<long long>(frames), usedMegabytes() - used);
     EXPECT_EQ(maps->bytes(), bytes);
-    // The max pyramid, its depths for the lanes, the cones once they pay.
+    // The max pyramid, its depths for SIMD, and the cones once they pay off.
     EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3)
         << "neither depth nor filter nor light needs another map";
     EXPECT_LT(usedMegabytes() - used, kMostGrowth);
@@ -73,8 +73,8 @@ bool sameFrame(const Frame& a, const Frame& b) {
     return true;
 }
 
-// Buffers go round, but never one that somebody still looks at.
-TEST(Orbit, buffersAreWrittenAgainOnlyWhenNobodyHoldsThem) {
+// Buffers are reused, but never while somebody still holds them.
+TEST(Orbit, buffersAreReusedOnlyWhenNobodyHoldsThem) {
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = orbitRequest();
@@ -93,9 +93,9 @@ TEST(Orbit, buffersAreWrittenAgainOnlyWhenNobodyHoldsThem) {
         EXPECT_TRUE(sameFrame(*frame, *alone.render(request, work))) << n;
     }
     EXPECT_GT(again, 3);
-    for (const auto& [asked, frame] : held) {
+    for (const auto& [earlier, frame] : held) {
         FrameRenderer alone(std::make_shared<MapCache>());
-        EXPECT_TRUE(sameFrame(*frame, *alone.render(asked, work)));
+        EXPECT_TRUE(sameFrame(*frame, *alone.render(earlier, work)));
     }
 }
 

@@ -1,4 +1,4 @@
-// Pictures made band by band: the bits of whole frames, in few bytes a pixel.
+// Pictures rendered in bands: the bits of whole frames, with few bytes per pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace relief::test {
 namespace {
 
 constexpr std::uint64_t kSeed = 71;
-constexpr double kMostBytes = 40;  // a pixel
+constexpr double kMostBytes = 40;  // per pixel
 
 struct Case {
     std::string name;
     FrameRequest request;
 };
 
-// Heights of three bands and a cut tile row.
+// Three bands high, the last with an incomplete row of tiles.
 FrameRequest bricks(SceneKind scene = SceneKind::Floor) {
     FrameRequest request(HeightField(share(makeRelief("bricks", 64, 48, 1))));
     request.width = 150;
@@ -55,7 +55,7 @@ std::vector<Case> cases() {
     FrameRequest bounded = filtered({"elliptical", {}});
     bounded.bounded = 2;
     add("bounded", bounded);
-    // Hits at the top ask for no shadow.
+    // Hits at the top cast no shadow rays.
     FrameRequest plateaus = filtered({"elliptical-visible", {{"form", "grid"}}}, true);
     plateaus.field = HeightField(share(makeRelief("checker", 64, 48, 1)));
     plateaus.camera.distance = 1;
@@ -74,7 +74,7 @@ void expectSamePlanes(const std::vector<NamedPlane>& a, const std::vector<NamedP
     }
 }
 
-// Also counters, layers and the measure of what bounded skipping cost.
+// Includes counters, layers and the measured error of bounded skipping.
 TEST(Picture, bandsHaveTheBitsOfTheWholeFrame) {
     for (const Case& one : cases()) {
         SCOPED_TRACE(one.name);
@@ -112,7 +112,7 @@ TEST(Picture, bandsHaveTheBitsOfTheWholeFrame) {
     }
 }
 
-// A renderer may make both in turn; a picture that somebody keeps stays as it is.
+// One renderer may alternate between both; a picture that is held does not change.
 TEST(Picture, framesAndPicturesInTurn) {
     Work work(2);
     FrameRenderer renderer(std::make_shared<MapCache>());
@@ -142,7 +142,7 @@ std::size_t stageBytes(const Frame& part) {
            part.color->color.bytes() + bytesOf(part.shadows->shadowed);
 }
 
-// pictureBytes() counts what the buffers have; and that is little where a picture is large.
+// pictureBytes() equals the size of the buffers, and is small for large pictures.
 TEST(Picture, bytesAPixel) {
     for (const Case& one : cases()) {
         SCOPED_TRACE(one.name);
@@ -159,7 +159,7 @@ TEST(Picture, bytesAPixel) {
         for (const int side : {4096, 8192, kMaxPictureSide}) {
             request.width = request.height = side;
             const double bytes = static_cast<double>(pictureBytes(request, 2)) / (static_cast<double>(side) * side);
-            // And the 8-bit codes that are written; by then there are no sums of samples.
+            // Includes the 8-bit values that are written, by when the sums of samples are freed.
             EXPECT_LE(request.filter.name == kSupersample ? bytes : bytes + 3, kMostBytes) << side;
         }
     }

@@ -1,5 +1,6 @@
-// Pictures that come coarse first and then full, as a window's worker makes them, filtered with regard to the relief:
-// whatever came before and was broken off, the full picture has the bits of one that was asked for alone.
+// Progressive rendering as in the window's worker, with filters that take the relief into account: a coarse picture
+// first, then the full one. Whatever was rendered or abandoned before, the full picture has the same bits as if
+// rendered alone.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -13,13 +14,13 @@ namespace relief::test {
 namespace {
 
 constexpr std::uint64_t kSeed = 59;
-// Tiles are 64 x 32: several, the last ones cut.
+// Tiles are 64 x 32: the picture has several, the last ones incomplete.
 constexpr int kWidth = 150, kHeight = 70;
 
-// A coarse and a full picture, each with its own buffers, and maps in common.
+// Renders coarse and full pictures, each with its own buffers and with common maps.
 class Worker {
   public:
-    // Broken off after this part of its tiles; 1: not at all.
+    // part: the rendering is abandoned after this share of its tiles; 1: it is finished.
     std::shared_ptr<const Frame> coarse(FrameRequest request, int factor, double part) {
         request.width = (request.width + factor - 1) / factor;
         request.height = (request.height + factor - 1) / factor;
@@ -85,7 +86,7 @@ TEST(Progressive, aDraggedViewSettlesToThePictureItself) {
         FrameRequest request = requestFor(filter);
         Worker worker;
         Random random(kSeed);
-        // Long enough for what is built only after some frames.
+        // Enough drags that data which are built only after some frames are built.
         const double pixels = kWidth * kHeight;
         const int drags =
             2 + static_cast<int>(static_cast<double>(PackedConeHits::kRaysPerTexel * request.field.heights().size()) /
@@ -95,7 +96,7 @@ TEST(Progressive, aDraggedViewSettlesToThePictureItself) {
             request.camera.elevation = random.between(15, 80);
             request.scene = n % 3 == 2 ? SceneKind::Cube : SceneKind::Floor;
             const std::string what = filterText(filter) + ", drag " + std::to_string(n);
-            // While it moves: coarse pictures, some replaced by the next before they are there.
+            // During the motion: coarse pictures, some of which are replaced before they are finished.
             FrameRequest moving = request;
             for (const int factor : {3, 2}) {
                 moving.camera.azimuth += 5;
@@ -105,7 +106,7 @@ TEST(Progressive, aDraggedViewSettlesToThePictureItself) {
                     expectSame(*frame, *alone(small), what + ", coarse");
                 }
             }
-            // The full one is begun, and replaced by one of another place, then made.
+            // A full picture of another place is begun and abandoned, then the requested one is rendered.
             EXPECT_EQ(worker.full(moving, 0.4), nullptr) << what;
             const auto settled = worker.full(request);
             ASSERT_NE(settled, nullptr);
@@ -115,7 +116,8 @@ TEST(Progressive, aDraggedViewSettlesToThePictureItself) {
     }
 }
 
-// What is kept from the picture before must not show: light, filter, points, depth, and back, each broken off first.
+// Data reused from the previous picture must not affect the result: light, filter, points, depth, and back, each after
+// an abandoned rendering.
 TEST(Progressive, whatIsKeptDoesNotShow) {
     Worker worker;
     FrameRequest request = requestFor(kFilters[0]);
@@ -159,8 +161,9 @@ TEST(Progressive, levelsLeaveOutWhatTheyCan) {
     EXPECT_EQ(text("supersample", 1), "bilinear");
 }
 
-// Above the budget: coarser, each the very picture of what it leaves out, and where the camera rests the one that was
-// asked for, though the renderer kept what it could of the coarse ones. Within it: always the one that was asked for.
+// Above the budget frames are coarser, each equal to a picture rendered with those settings; when the camera rests, the
+// requested picture is rendered, although the renderer reuses what it can of the coarse ones. Within the budget every
+// frame is the requested one.
 TEST(Progressive, aboveTheBudgetFramesAreCoarseUntilTheCameraRests) {
     constexpr int kFrames = 8;
     const double never = 0, always = std::numeric_limits<double>::infinity();
@@ -189,7 +192,8 @@ TEST(Progressive, aboveTheBudgetFramesAreCoarseUntilTheCameraRests) {
     }
 }
 
-// Every level that a drag may come to, whatever was drawn before; of the picture's size, no ray is traced again.
+// Every level that a drag may reach, whatever was drawn before. If the level has the picture's full size, no ray is
+// traced again.
 TEST(Progressive, anyLevelSettlesToThePictureItself) {
     for (const FilterChoice& filter : kFilters) {
         FrameRequest request = requestFor(filter);
@@ -207,7 +211,7 @@ TEST(Progressive, anyLevelSettlesToThePictureItself) {
             const auto settled = renderer.settled(request, work);
             expectSame(*settled.frame, *alone(request), what + ", settled");
             EXPECT_EQ(settled.frame->stages[static_cast<std::size_t>(Stage::Hits)].reused, level.factor == 1) << what;
-            // Counts of a picture that another one has followed are its own.
+            // The counts of a picture are right even after another one was rendered.
             FrameRequest counts = coarserRequest(request, level);
             counts.counts = true;
             const auto counted = renderer.counted(moving, work);
@@ -217,7 +221,7 @@ TEST(Progressive, anyLevelSettlesToThePictureItself) {
     }
 }
 
-// While only the light moves nothing is filtered anew that has been.
+// While only the light moves, nothing is filtered again.
 TEST(Progressive, lightLeavesTheFilterAlone) {
     FrameRequest request = requestFor(kFilters[0]);
     ProgressiveRenderer renderer(std::make_shared<MapCache>(), 1);
@@ -238,7 +242,7 @@ TEST(Progressive, lightLeavesTheFilterAlone) {
     EXPECT_TRUE(hurried.settled(request, work).frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
 }
 
-// Neither the picture's renderer nor that of smaller ones holds on to what was looked at before.
+// Neither the full-size renderer nor that of smaller pictures keeps data of an earlier relief alive.
 TEST(Progressive, ofAnotherReliefNothingIsKept) {
     const auto maps = std::make_shared<MapCache>();
     ProgressiveRenderer renderer(maps, 0);
@@ -261,8 +265,8 @@ TEST(Progressive, ofAnotherReliefNothingIsKept) {
     EXPECT_TRUE(color.expired());
 }
 
-// What the filter does is looked at: pictures become smaller, and keep it.
-TEST(Progressive, theFilterIsKeptWhereItIsLookedAt) {
+// While the filter's results are displayed, pictures become smaller but keep the filter.
+TEST(Progressive, theFilterIsKeptWhileItIsDisplayed) {
     const FrameRequest request = requestFor(kFilters[0]);
     ProgressiveRenderer renderer(std::make_shared<MapCache>(), 0);
     renderer.keepFilter(true);

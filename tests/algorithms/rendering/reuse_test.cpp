@@ -1,5 +1,5 @@
-// What is kept between pictures never shows: after a change of any one input, with any filter and any method that keeps
-// something, the reused frame has the bits of a fresh one.
+// Data reused between pictures never affect them: after a change of any single input, with any filter and any method
+// that reuses data, the frame has the bits of a newly rendered one.
 #include <functional>
 #include <map>
 #include <set>
@@ -37,7 +37,7 @@ FrameRequest request() {
     return request;
 }
 
-// With one thing about the height field changed.
+// A change of one property of the height field.
 Change fieldWith(const std::function<HeightField(const HeightField&)>& changed) {
     return [changed](FrameRequest& r) { r.field = changed(r.field); };
 }
@@ -46,9 +46,9 @@ Change heightsOf(const Heights& heights) {
         [heights](const HeightField& f) { return HeightField(heights, f.surface(), f.address(), f.reliefDepth()); });
 }
 
-// Other values for every field of a request, each by itself.
+// Other values for every field of a request, one field at a time.
 std::multimap<std::string, Change> changes() {
-    // A field that is added to the request stops the build here: give it other values below.
+    // If a field is added to the request, this fails to compile: add other values for it below.
     [[maybe_unused]] const auto& [width, height, field, method, color, normals, filter, scene, camera, light, shadows,
                                   counts, mapping, skip, bounded, sky, sample, margin] = request();
     const std::set<std::string> names{"width",   "height", "field",   "method", "color",   "normals",
@@ -127,12 +127,12 @@ bool sameFrame(const Frame& a, const Frame& b) {
     for (std::size_t i = 0; i < a.hits->hits.size(); ++i) {
         if (!sameBits(a.hits->hits[i], b.hits->hits[i])) return false;
     }
-    // What was counted once may stay.
+    // Counts made earlier may be kept.
     const bool counted = a.hits->counted() && b.hits->counted();
     return a.hits->hits.size() == b.hits->hits.size() && (!counted || a.hits->hits.steps == b.hits->hits.steps);
 }
 
-// Both ways: what one of the two leaves behind may not show in the other.
+// In both directions: data left by either frame must not affect the other.
 void expectFresh(const FrameRequest& one, const FrameRequest& other) {
     Work work(1);
     FrameRenderer kept(std::make_shared<MapCache>());
@@ -153,7 +153,7 @@ TEST(Reuse, OfEachInputByItselfWithEveryFilter) {
             FrameRequest one = request();
             one.filter = filter;
             one.filter.samples = 2;
-            // The filters that sum over the surface are slow, and keep what the others keep.
+            // Filters that sum over the surface are slow and reuse the same data as the others.
             const auto form = filter.options.find("form");
             if (form != filter.options.end() && form->second.starts_with("position")) one.width = one.height = 12;
             FrameRequest other = one;
@@ -166,11 +166,11 @@ TEST(Reuse, OfEachInputByItselfWithEveryFilter) {
             }
         }
     }
-    // What no picture shows would hold nothing. Skipping and counting must not show.
+    // A change that affects no picture would test nothing. Only skipping and counting must not affect it.
     EXPECT_EQ(unseen, (std::set<std::string>{"counts", "skip"}));
 }
 
-// What a filter's or a method's options change, too.
+// Covers the options of filters and methods as well.
 TEST(Reuse, OfEveryOptionOfFiltersAndMethods) {
     for (const FilterDescription& filter : filterList()) {
         for (const OptionDescription& option : filter.options) {
@@ -192,7 +192,7 @@ TEST(Reuse, OfEveryOptionOfFiltersAndMethods) {
         FrameRequest other = one;
         other.method = {method.name, {}};
         expectFresh(one, other);
-        // The same method over another relief, flat ground first.
+        // The same method with another relief, starting with flat ground.
         one.method = other.method;
         heightsOf(constantHeights(24, 20, 0.5F))(one);
         expectFresh(one, other);

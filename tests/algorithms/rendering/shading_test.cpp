@@ -1,4 +1,4 @@
-// Methods that only shade: the picture stays on its polygon, and the light sees the normal that each promises.
+// Methods that only shade: the picture stays on its polygon, and lighting uses the normal that each method defines.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -15,7 +15,8 @@ namespace {
 
 // Three components, each rounded to 1/127.
 constexpr double kBakedRounding = 1.7320508 / 254 + 1e-6;
-// Between texels a patch's slope jumps where blended normals do not; on these hills 0.065 was measured first.
+// Between texels the slope of patches jumps, while interpolated normals do not; on these hills 0.065 was measured
+// first.
 constexpr double kBakedAngle = 0.08;
 
 std::vector<MethodDescription> shadingMethods() {
@@ -54,7 +55,7 @@ void forEachHit(const Frame& frame, const Body& body) {
     EXPECT_GT(seen, 500);
 }
 
-// Relief that shades by itself is lit in lanes.
+// Relief with computed normals is lit in SIMD.
 TEST(Shading, lanesHaveTheBitsOfOneNormal) {
     Random random(5);
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{{64, 48}, {37, 21}, {1, 3}}) {
@@ -66,7 +67,7 @@ TEST(Shading, lanesHaveTheBitsOfOneNormal) {
             const PackedCones cones = buildPackedCones(field, work);
             ASSERT_FALSE(cones.nodes.empty());
             const glm::dvec3 toLight = lightDirection({});
-            // Within the map, on nodes and rims, and periods away.
+            // Positions within the map, on nodes and rims, and whole periods away.
             std::vector<double> s, t;
             for (int n = 0; n < 501; ++n) {
                 const double far = n % 5 == 0 ? 3 : 1;
@@ -102,8 +103,8 @@ TEST(Shading, aFrameIsLitByItsNormals) {
     }
 }
 
-// Normals and light by their definitions in long double: the cross product of the surface's tangents in the world, and
-// angles of the sky.
+// Normals and light from their definitions in long double: the cross product of the surface's tangents in the world,
+// and angles in the sky.
 TEST(Shading, normalsAndLightAreThoseOfTheWorld) {
     using Truth = long double;
     constexpr double kRounding = 1e-12;
@@ -123,7 +124,7 @@ TEST(Shading, normalsAndLightAreThoseOfTheWorld) {
             for (int k = 0; k < 50; ++k) {
                 const Truth slopeS = random.between(-2, 2), slopeT = random.between(-2, 2),
                             slab = random.between(0, 30);
-                // A step of one texel leads so far on, and rises by the slope of the slab's thickness.
+                // A step of one texel has this length, and rises by the slope times the slab's thickness.
                 const Truth texelS = std::sqrt(dot(s, s)), texelT = std::sqrt(dot(t, t));
                 const Vector alongS{s.x + slopeS * slab * texelS * n.x, s.y + slopeS * slab * texelS * n.y,
                                     s.z + slopeS * slab * texelS * n.z};
@@ -139,10 +140,10 @@ TEST(Shading, normalsAndLightAreThoseOfTheWorld) {
             }
         }
     }
-    // Elevation from the ground, y; azimuth from z to x.
-    const auto near = [&](double azimuth, double elevation, glm::dvec3 wanted) {
+    // The elevation is measured from the ground towards y, the azimuth from z to x.
+    const auto near = [&](double azimuth, double elevation, glm::dvec3 expected) {
         const glm::dvec3 found = lightDirection({.azimuth = azimuth, .elevation = elevation});
-        EXPECT_LT(glm::length(found - wanted), kRounding) << azimuth << " " << elevation;
+        EXPECT_LT(glm::length(found - expected), kRounding) << azimuth << " " << elevation;
     };
     near(0, 0, {0, 0, 1});
     near(90, 0, {1, 0, 0});
@@ -150,7 +151,7 @@ TEST(Shading, normalsAndLightAreThoseOfTheWorld) {
     near(17, 90, {0, 1, 0});
     near(-90, 30, {-std::sqrt(0.75), 0.5, 0});
     near(45, 45, {0.5, std::sqrt(0.5), 0.5});
-    // What is turned away or in shadow has the ambient light alone.
+    // A surface turned away from the light, or in shadow, has ambient light only.
     const Light light{.ambient = 0.2, .intensity = 1.5};
     const glm::dvec3 up{0, 1, 0};
     for (const auto& [toLight, shadowed, amount] :
@@ -220,7 +221,7 @@ TEST(Shading, bumpSeesTheSlopesEvenWhereThereIsANormalPicture) {
         EXPECT_EQ(normal, glm::vec3(reliefNormal(quad, slope, frame->slabTexels)));
         steepest = std::max(steepest, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), quad.normal))));
     });
-    EXPECT_GT(steepest, 0.2) << "a relief whose normals all stand upright tells nothing";
+    EXPECT_GT(steepest, 0.2) << "a relief with only vertical normals tests nothing";
 }
 
 TEST(Shading, normalMapIsThePictureOrBaked) {
@@ -282,7 +283,8 @@ TEST(Shading, bakedNormalsFollowTheDepthAndAreBakedOnce) {
     EXPECT_TRUE(deeper->light->color == rendered(request)->light->color);
 }
 
-// Colour and slope of a column's wall are those of the column that was hit, whichever side rounding puts the hit on.
+// The colour and slope of a column's wall are those of the column that was hit, on whichever side rounding puts the
+// hit.
 TEST(Shading, wallsOfColumnsBelongToTheColumnHit) {
     MapCache cache;
     Work work;
@@ -316,7 +318,7 @@ TEST(Shading, wallsOfColumnsBelongToTheColumnHit) {
     }
 }
 
-// Tops that are met just before a line, from all eight directions: what is seen is the top, not the ground behind it.
+// Hits on tops just before a border, from all eight directions: the top is visible, not the ground behind it.
 TEST(Shading, topsOfColumnsBelongToTheirColumn) {
     MapCache cache;
     Work work;
@@ -329,7 +331,8 @@ TEST(Shading, topsOfColumnsBelongToTheirColumn) {
             constexpr int kWays[8][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
             const auto& [alongX, alongY] = kWays[n % 8];
             const int i = n / 8 % width, j = n / 8 / width;
-            // A quarter of the nudge before the line that the ray runs to; across it, or along both axes to the corner.
+            // A quarter of the nudge before the line towards which the ray runs; across it, or along both axes towards
+            // the corner.
             const auto end = [](int index, int way, double run) {
                 const double line = way > 0 ? index + 1 : index;
                 return way == 0 ? index + 0.5 : line - std::copysign(kWallNudge / 4, run);
@@ -342,7 +345,8 @@ TEST(Shading, topsOfColumnsBelongToTheirColumn) {
             ray.t0 = end(j, alongY, ray.b) - lambda * ray.b;
             const Logged logged = traceLogged(*tracer, ray);
             const Step& last = logged.steps.back();
-            // Before a column that is as high it is the wall's, by design: the two are nearer than a nudge.
+            // In front of a column of at least that height the hit belongs to the wall, by design: both are closer than
+            // a nudge.
             if (field.texel(i + alongX, j + alongY) >= field.texel(i, j)) continue;
             if (logged.hit.outcome != Outcome::Hit) continue;
             const glm::dvec2 place = lookUpPoint(field, ray, logged.hit);

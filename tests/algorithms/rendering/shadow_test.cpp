@@ -1,4 +1,5 @@
-// Shadows: against a dense walk towards the light that shares nothing with the query; only what changed is done again.
+// Shadows: compared with dense sampling towards the light that shares no code with the query; only what changed is
+// computed again.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -9,7 +10,7 @@
 namespace relief::test {
 namespace {
 
-// Grazes of the light within this height of the surface may be decided either way by the dense walk.
+// If the light passes the surface within this height, dense sampling may decide either way.
 constexpr double kGraze = 2e-3;
 
 FrameRequest shadowed(const std::string& relief, SceneKind scene = SceneKind::Floor) {
@@ -27,7 +28,7 @@ std::shared_ptr<const Frame> rendered(const FrameRequest& request, int threads =
     return FrameRenderer(std::make_shared<MapCache>()).render(request, work);
 }
 
-// Largest height of the surface above the straight way from the hit to the light, looked at every 1/32 texel.
+// Returns the largest height of the surface above the line from the hit to the light, sampled every 1/32 texel.
 double highestOver(const FrameRequest& request, const TexturedQuad& quad, const Hit& hit) {
     const glm::dvec3 light = lightDirection(request.light);
     const double texel = glm::length(quad.plane.perS);
@@ -45,7 +46,7 @@ double highestOver(const FrameRequest& request, const TexturedQuad& quad, const 
     return highest;
 }
 
-TEST(Shadows, agreeWithADenseWalkToTheLight) {
+TEST(Shadows, agreeWithDenseSamplingTowardsTheLight) {
     int allDark = 0;
     for (const char* relief : {"bricks", "hills", "city"}) {
         for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall}) {
@@ -78,15 +79,15 @@ TEST(Shadows, agreeWithADenseWalkToTheLight) {
     EXPECT_GT(allDark, 2000);
 }
 
-// A lit wall of a column must not shade itself, whatever rounding says of the hit: speckles would show as changes
-// between neighbouring pixels of one wall.
+// A lit wall of a column must not shadow itself, however the hit is rounded: artefacts would appear as changes between
+// neighbouring pixels of a wall.
 TEST(Shadows, litWallsOfColumnsDoNotShadeThemselves) {
     FloatImage heights(8, 8, 0.0F);
     for (int y = 0; y < 8; ++y) heights(4, y) = 1.0F;
     FrameRequest request(HeightField(share(std::move(heights)), Surface::Columns, Address::Clamp, 0.5));
     request.width = 200;
     request.height = 150;
-    request.light = {60, 30, 0.2, 1};  // from the right, as the camera
+    request.light = {60, 30, 0.2, 1};  // from the right, like the camera
     request.camera.azimuth = 50;
     request.shadows = true;
     const auto frame = rendered(request);
@@ -118,7 +119,7 @@ TEST(Shadows, onlyTheLightIsDoneAgain) {
     request.light.ambient = 0.5;
     request.sky = Color(0, 1, 0);
     const auto stronger = renderer.render(request, work);
-    EXPECT_EQ(stronger->shadows, moved->shadows) << "the light's strength casts no other shadows";
+    EXPECT_EQ(stronger->shadows, moved->shadows) << "the light's intensity does not change shadows";
     EXPECT_TRUE(stronger->light->color == rendered(request)->light->color);
     request.color = std::make_shared<ColorImage>(2, 2, Color(1, 0, 0));
     EXPECT_EQ(renderer.render(request, work)->shadows, moved->shadows);
@@ -132,7 +133,7 @@ TEST(Shadows, onlyTheLightIsDoneAgain) {
     EXPECT_TRUE(without->shadows->shadowed.empty());
     EXPECT_FALSE(without->counters.contains(MessageId::CountShadowRays));
     EXPECT_TRUE(without->light->color == rendered(request)->light->color);
-    // The max pyramid, its depths for the lanes, the cones of the shadow rays.
+    // The max pyramid, its depths for SIMD, and the cones for shadow rays.
     EXPECT_EQ(work.counters().values()[MessageId::CountMapBuilds], 3)
         << "the view rays' and the shadow rays', each once";
 }
@@ -153,7 +154,7 @@ TEST(Shadows, polygonsTurnedAwayFromTheLightAreUnlit) {
     EXPECT_GT(seen, 500);
 }
 
-// What approximate methods find may lie under the surface: a plane of theirs in full light must stay lit.
+// The hits of approximate methods may lie below the surface: a plane found by them must stay fully lit.
 TEST(Shadows, approximateMethodsDoNotShadeThemselves) {
     for (const MethodDescription& method : tracerList()) {
         FrameRequest request = shadowed("hills");

@@ -1,4 +1,4 @@
-// What a frame leaves out: losslessly, to the last bit of every stage; within a bound, by no more than it.
+// Work that a frame skips: losslessly, with the same bits in every stage; or within an error bound.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -29,7 +29,7 @@ void expectSameBits(const Frame& a, const Frame& b, const FrameRequest& request)
             const std::size_t i = a.index(x, y);
             wrong += sameBits(a.hits->hits[i], b.hits->hits[i]) ? 0 : 1;
             if (a.shadows->shadowed.empty() || a.hits->hits.outcome[i] != Outcome::Hit) continue;
-            // Where the surface is turned away the answer is not asked for, and does not matter.
+            // Where the surface faces away from the light, visibility is not computed and does not matter.
             if (glm::dot(a.normal(x, y, request), light) <= 0) continue;
             darker += a.shadows->shadowed[i] == b.shadows->shadowed[i] ? 0 : 1;
         }
@@ -68,7 +68,7 @@ double counted(const Frame& frame, MessageId what) {
     return found == frame.counters.end() ? 0 : found->second;
 }
 
-// Both surfaces, all addresses, all scenes, all methods: no bit changes, and something was skipped.
+// With every surface, address, scene and method: no bit changes, and some work was skipped.
 TEST(Skip, noBitChangesOverScenesAndMethods) {
     double flat = 0;
     for (const MethodDescription& method : tracerList()) {
@@ -119,7 +119,7 @@ TEST(Skip, noBitChangesOverFilters) {
     EXPECT_GT(traced, 0);
 }
 
-// What lies beyond the plane's footprint, and what the pixel sees of it, is hidden or not by tests alone.
+// Texels beyond the plane's footprint, and what the pixel sees of them, are visible or hidden according to tests alone.
 TEST(Skip, noBitChangesFromNearForTexelsAtTheirOwnPlaces) {
     const auto bricks = share(makeRelief("bricks", 256, 256, 1));
     for (const char* form : {"plane", "position", "position-area"}) {
@@ -136,7 +136,7 @@ TEST(Skip, noBitChangesFromNearForTexelsAtTheirOwnPlaces) {
     }
 }
 
-// Pixels of views along the plane see thousands of texels in hundreds of parts each.
+// Pixels of views along the plane contain thousands of texels, each split into hundreds of parts.
 TEST(Skip, workOfAViewAlongThePlaneIsBounded) {
     for (const char* form : {"position", "position-area"}) {
         SCOPED_TRACE(form);
@@ -167,14 +167,14 @@ TEST(Skip, noBitChangesOnShippedPictures) {
             const auto skipping = rendered(request);
             request.skip = false;
             expectSameBits(*skipping, *rendered(request), request);
-            // Nothing of the pyramid's own start at the highest point, either.
+            // Neither do rays start at the pyramid's highest point.
             request.method.name = "exact";
             expectSameBits(*skipping, *rendered(request), request);
         }
     }
 }
 
-// Ground whose lowest and highest heights differ by one unit in the last place is not flat.
+// Ground whose lowest and highest heights differ by one unit in the last place does not count as flat.
 TEST(Skip, almostFlatGroundIsTraced) {
     FloatImage heights(16, 16, 0.5F);
     FrameRequest request = small(HeightField(share(heights)));
@@ -210,7 +210,7 @@ TEST(Skip, theBoundHoldsAndIsMeasured) {
         EXPECT_GT(error.rayMax, 0);
         EXPECT_GT(error.rayMean, 0);
         EXPECT_LE(error.rayMean, error.rayMax);
-        // All other pixels are as they were.
+        // All other pixels are unchanged.
         for (std::size_t i = 0; i < frame->hits->by.size(); ++i) {
             if (frame->hits->by[i] != HitBy::LittleParallax) {
                 ASSERT_TRUE(sameBits(frame->hits->hits[i], plain->hits->hits[i]));
@@ -262,8 +262,8 @@ TEST(Skip, theLedgerNamesWhatHowMuchAndWhy) {
     EXPECT_NE(sentence(rows[11].why).find("0.5"), std::string::npos);
 }
 
-// Traced, over flat ground, of little parallax, started at the highest point: each ray is one of these, with counts or
-// without, with skipping or without.
+// Traced, over flat ground, of little parallax, started at the highest point: each ray is in exactly one of these
+// classes, with and without counts, with and without skipping.
 TEST(Skip, everyRayIsCountedOnce) {
     std::int64_t highest = 0;
     for (const bool skip : {true, false}) {
@@ -295,7 +295,8 @@ TEST(Skip, everyRayIsCountedOnce) {
     EXPECT_GT(highest, 0);
 }
 
-// The filter, the light and the shadows leave rays and hits alone; the depth leaves the maps of maxima alone.
+// A change of the filter, the light or the shadows leaves rays and hits unchanged; a change of depth leaves the maps of
+// maxima unchanged.
 TEST(Skip, whatDidNotChangeIsNotComputedAgain) {
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());
@@ -327,7 +328,7 @@ TEST(Skip, whatDidNotChangeIsNotComputedAgain) {
     renderer.render(request, work);
     request.light.azimuth += 20;
     EXPECT_GT(renderer.render(request, work)->counters.at(MessageId::CountRaysTraced), 0)
-        << "without skipping nothing is kept";
+        << "without skipping no data are reused";
 }
 
 TEST(Skip, aScenarioKeepsIt) {

@@ -1,4 +1,5 @@
-// The supersampled picture: one sample is the plain frame, many converge to what geometry says, weights sum to one.
+// The supersampled picture: one sample gives the plain frame, many converge to the geometric solution, weights sum to
+// one.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 
 // Sums of up to 4096 weights near 1, in double.
 constexpr double kSumRounding = 1e-12;
-// One float rounding of a mean in [0, 2].
+// Rounding of a mean in [0, 2] to float.
 constexpr double kFloatRounding = 2e-7;
 
 FrameRequest bricks() {
@@ -45,12 +46,13 @@ TEST(Supersample, oneSampleIsThePlainFrame) {
     }
 }
 
-// Samples are frames of their own: against view rays and colours made one by one, without the renderer's shift.
+// Samples are rendered as frames: compared with view rays and colours computed one by one, without the renderer's
+// shift.
 TEST(Supersample, boxIsTheMeanOfRaysThroughTheParts) {
     constexpr int kSamples = 3;
     const FrameRequest request = bricks();
     const auto sampled = rendered(supersampledRequest(request, kSamples));
-    // A picture kSamples times as large has its pixel centres where the samples are.
+    // A picture kSamples times as large has its pixel centres at the samples.
     FrameRequest large = request;
     large.width *= kSamples;
     large.height *= kSamples;
@@ -68,12 +70,11 @@ TEST(Supersample, boxIsTheMeanOfRaysThroughTheParts) {
             worst = std::max(worst, glm::length(apart));
         }
     }
-    // A sample within rounding of a silhouette may fall on either side: none of this scene does.
+    // A sample within rounding of a silhouette could differ; this scene has none.
     EXPECT_LE(worst, 1e-5);
 }
 
-// The same samples, weighed by hand with the bell over 5 x 5 pixels, in the middle of the picture.
-// What the footprint pane draws: the very places that the parts' rays hit, and how much each counts.
+// The samples shown in the footprint pane: the positions hit by the rays of the pixel's parts, and their weights.
 TEST(Supersample, samplesOfAPixelAreTheHitsOfItsParts) {
     constexpr int kSamples = 3;
     FrameRequest request = bricks();
@@ -88,13 +89,13 @@ TEST(Supersample, samplesOfAPixelAreTheHitsOfItsParts) {
     request = supersampledRequest(request, kSamples);
     int hits = 0;
     for (const auto& [x, y] : std::vector<std::pair<int, int>>{{48, 40}, {40, 33}, {58, 38}, {48, 0}, {30, 36}}) {
-        std::vector<std::pair<double, double>> wanted, found;
+        std::vector<std::pair<double, double>> expected, found;
         for (int part = 0; part < kSamples * kSamples; ++part) {
             const int px = kSamples * x + part % kSamples, py = kSamples * y + part / kSamples;
             const std::size_t i = fine->index(px, py);
             if (!fine->ray(px, py) || fine->hits->hits.outcome[i] != Outcome::Hit) continue;
             const glm::dvec2 place = lookUpPoint(request.field, *fine->ray(px, py), fine->hits->hits[i]);
-            wanted.emplace_back(place.x, place.y);
+            expected.emplace_back(place.x, place.y);
         }
         for (const PixelSample& sample : pixelSamples(request, *tracer, x, y, work)) {
             found.emplace_back(sample.place.x, sample.place.y);
@@ -102,24 +103,25 @@ TEST(Supersample, samplesOfAPixelAreTheHitsOfItsParts) {
                 EXPECT_NEAR(sample.share[channel], 1.0 / (kSamples * kSamples), kFloatRounding);
             }
         }
-        std::sort(wanted.begin(), wanted.end());
+        std::sort(expected.begin(), expected.end());
         std::sort(found.begin(), found.end());
-        ASSERT_EQ(found.size(), wanted.size()) << x << ' ' << y;
+        ASSERT_EQ(found.size(), expected.size()) << x << ' ' << y;
         for (std::size_t k = 0; k < found.size(); ++k) {
-            // Cameras of both sizes round apart, far off the most.
-            EXPECT_NEAR(found[k].first, wanted[k].first, 1e-6 * (1 + std::abs(wanted[k].first)));
-            EXPECT_NEAR(found[k].second, wanted[k].second, 1e-6 * (1 + std::abs(wanted[k].second)));
+            // Cameras of both sizes round differently, most of all far away.
+            EXPECT_NEAR(found[k].first, expected[k].first, 1e-6 * (1 + std::abs(expected[k].first)));
+            EXPECT_NEAR(found[k].second, expected[k].second, 1e-6 * (1 + std::abs(expected[k].second)));
         }
         hits += static_cast<int>(found.size());
     }
     EXPECT_GT(hits, 3 * kSamples * kSamples);
-    // With neighbours: all shares of a pixel that sees nothing but relief sum to one.
+    // Including the neighbours, the shares of a pixel that sees only relief sum to one.
     request.filter.pixelModel = PixelModel::Gaussian;
     glm::dvec3 sum(0);
     for (const PixelSample& sample : pixelSamples(request, *tracer, 48, 40, work)) sum += glm::dvec3(sample.share);
     for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(sum[channel], 1, 1e-5);
 }
 
+// The same samples, weighted independently by the Gaussian over 5 x 5 pixels, in the middle of the picture.
 TEST(Supersample, gaussianWeighsNeighbours) {
     constexpr int kSamples = 2;
     const FrameRequest request = bricks();
@@ -162,7 +164,7 @@ TEST(Supersample, aConstantStaysThatConstantToTheEdges) {
     }
 }
 
-// The edge of a white wall against a black sky: the area of each pixel that the wall covers, in closed form from its
+// The edge of a white wall against a black sky: the area of each pixel that the wall covers, in closed form from the
 // straight edge on the screen.
 TEST(Supersample, anEdgeConvergesToItsCoverage) {
     FrameRequest request(HeightField(constantHeights(16, 16, 1.0F)));
@@ -171,7 +173,7 @@ TEST(Supersample, anEdgeConvergesToItsCoverage) {
     request.scene = SceneKind::Wall;
     request.sky = Color(0);
     request.color = std::make_shared<ColorImage>(1, 1, Color(1));
-    request.light = {0, 0, 1, 1};  // ambient only: lit evenly
+    request.light = {0, 0, 1, 1};  // ambient light only: uniform illumination
     request.camera.elevation = 20;
     request.camera.azimuth = 30;
     request.camera.distance = 1.2;
@@ -180,11 +182,12 @@ TEST(Supersample, anEdgeConvergesToItsCoverage) {
         const glm::dvec3 p = camera.project(point);
         return glm::dvec2(p.x / p.z, p.y / p.z);
     };
-    // The wall's corners, counter-clockwise or not: the sign is taken from its middle.
+    // The wall's corners in either orientation: the sign is determined from its centre.
     const std::vector<glm::dvec2> corners{screen({-0.5, 0.5, 0}), screen({0.5, 0.5, 0}), screen({0.5, -0.5, 0}),
                                           screen({-0.5, -0.5, 0})};
     const auto coverage = [&](int x, int y) {
-        // Sutherland-Hodgman of the pixel's square with the wall's four half-planes, then the shoelace.
+        // Clips the pixel's square by the wall's four half-planes (Sutherland-Hodgman), then computes its area by the
+        // shoelace formula.
         std::vector<glm::dvec2> polygon{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
         for (std::size_t k = 0; k < 4; ++k) {
             const glm::dvec2 a = corners[k];
@@ -221,7 +224,7 @@ TEST(Supersample, anEdgeConvergesToItsCoverage) {
         }
         std::cout << samples << " x " << samples << ": at most " << worst << " off\n";
         EXPECT_GT(edges, 50);
-        // An edge crosses at most two parts in each of N columns (or rows), each half wrong at most.
+        // An edge crosses at most two parts in each of N columns (or rows), each with an error of at most a half.
         EXPECT_LE(worst, 1.0 / samples + 1e-6);
         EXPECT_LT(worst, last);
         last = worst;
@@ -249,7 +252,7 @@ TEST(Supersample, gaussianWeightsSumToOne) {
         if (samples > 1) {
             EXPECT_NEAR(std::sqrt(spread / ring), kGaussianSigma, 1e-3);
         }
-        // As the pixel's sums normalise: white in, white out.
+        // The sums are normalised: a white input gives white.
         SampleSums sums(3, 2, PixelModel::Gaussian);
         Work work(1);
         for (int i = 0; i < samples; ++i) sums.add(ColorImage(7, 6, Color(1)), {(i + 0.5) / samples, 0.3}, work);
@@ -259,8 +262,9 @@ TEST(Supersample, gaussianWeightsSumToOne) {
     EXPECT_LT(std::exp(-0.5 * kGaussianReach * kGaussianReach / (kGaussianSigma * kGaussianSigma)), 5e-6);
 }
 
-// Every part once; and after any first k passes no place is left out: the largest empty square shrinks as 1 / sqrt k.
-TEST(Supersample, passesComeInAnEvenOrder) {
+// Every part occurs once; after the first k passes, for any k, the samples are well distributed: the largest empty
+// square shrinks as 1 / sqrt k.
+TEST(Supersample, passesAreWellDistributed) {
     for (int samples = 1; samples <= kMaxSamples; ++samples) {
         const auto order = sampleOrder(samples);
         ASSERT_EQ(order.size(), static_cast<std::size_t>(samples * samples));
@@ -305,13 +309,13 @@ TEST(Supersample, estimatesComeNearerAndACancelledPictureIsNone) {
     const auto plain = renderer.render(request, work);
     request = supersampledRequest(request, 16);
     std::vector<ColorImage> estimates;
-    std::vector<int> told;
+    std::vector<int> reported;
     const auto frame = renderer.render(request, work, [&](const ColorImage& estimate, int done, int total) {
         EXPECT_EQ(total, 256);
-        told.push_back(done);
+        reported.push_back(done);
         estimates.push_back(estimate);
     });
-    EXPECT_EQ(told, (std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128, 192}));
+    EXPECT_EQ(reported, (std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128, 192}));
     EXPECT_EQ(frame->hits, plain->hits) << "pixel centres keep their rays";
     EXPECT_EQ(frame->counters.at(MessageId::CountSamples), 256);
     const auto apart = [&](const ColorImage& a) {
@@ -331,7 +335,7 @@ TEST(Supersample, estimatesComeNearerAndACancelledPictureIsNone) {
                                      if (done == 4) stop.request_stop();
                                  }),
                  Cancelled);
-    EXPECT_EQ(renderer.render(request, work)->light, frame->light) << "nothing half-made was kept";
+    EXPECT_EQ(renderer.render(request, work)->light, frame->light) << "no incomplete data were kept";
     request.filter.samples = 65;
     EXPECT_THROW(renderer.render(request, work), InputError);
 }

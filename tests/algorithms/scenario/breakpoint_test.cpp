@@ -7,7 +7,7 @@
 namespace relief::test {
 namespace {
 
-// Down three levels, a skip, up again and down to a hit.
+// A log that descends three levels, skips, ascends and descends to a hit.
 std::vector<Step> log() {
     std::vector<Step> steps;
     const auto add = [&](int level, std::int64_t i, double after, Decision decision) {

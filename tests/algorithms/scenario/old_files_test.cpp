@@ -1,4 +1,4 @@
-// Files that earlier versions of the program wrote (tests/files/vN) open with the meaning that they had then.
+// Files written by earlier versions of the program (tests/files/vN) can be read and mean the same.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -24,11 +24,11 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kVersion1 = fs::path(RELIEF_FILES) / "v1";
-constexpr double kSameHit = 1e-9;      // of lambda
-constexpr double kSamePicture = 0.01;  // mean difference of linear colours: a filter may become better
+constexpr double kSameHit = 1e-9;      // in lambda
+constexpr double kSamePicture = 0.01;  // mean difference of linear colours: a filter may be improved
 constexpr std::size_t kMapBytes = 1 << 24;
 
-// Files by folder ("" for the root) and ending; sorted.
+// Returns the files in a folder ("" for the root) with that ending; sorted.
 std::vector<fs::path> filesOf(const std::string& folder, const std::string& ending) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(kVersion1 / folder)) {
@@ -56,7 +56,7 @@ std::vector<std::vector<std::string>> rowsOf(const fs::path& path) {
     return rows;
 }
 
-// The files of scenarios; the report stands beside them.
+// Returns the scenario files, including the report.
 std::vector<fs::path> scenarios() {
     std::vector<fs::path> files = filesOf("", ".json");
     std::erase(files, kVersion1 / "report.json");
@@ -81,7 +81,8 @@ void expectSamePicture(const Scenario& scenario, const fs::path& before) {
     EXPECT_LT(difference / (3.0 * now.width() * now.height()), kSamePicture);
 }
 
-// What trace wrote into traced/hits-NAME.csv and traced/steps-NAME.*: by this method over pictures/height.png.
+// Files traced/hits-NAME.csv and traced/steps-NAME.* were written by `relief trace` with this method over
+// pictures/height.png.
 struct Traced {
     MethodChoice method;
     std::string map;  // stored in maps/NAME.tif, of this kind; empty: none
@@ -96,7 +97,7 @@ const std::map<std::string, Traced>& traced() {
         {"offset", {{"offset", {}}, ""}},
         {"border", {{"max-pyramid", {}}, "", Address::Border}},
         {"limit", {{"cone-dummer", {{"iterations", "1"}}}, ""}},
-        // Before there was a choice: all steps, by distances between voxels' centres.
+        // Written before these options existed: all iterations, with distances between the voxels' centres.
         {"euclidean",
          {{"distance", {{"layers", "8"}, {"iterations", "8"}, {"stop", "never"}, {"to", "voxel"}}}, "euclidean"}},
         {"euclidean-conservative",
@@ -115,7 +116,7 @@ const std::map<std::string, Traced>& traced() {
     return all;
 }
 
-// "hits-cone.csv": "cone".
+// Returns "cone" for "hits-cone.csv".
 std::string nameOf(const fs::path& file) {
     const std::string stem = file.stem().string();
     return stem.substr(stem.find('-') + 1);
@@ -131,8 +132,8 @@ class OldFiles : public testing::Test {
         makeTracer(method, field, maps, work_)->trace(rays(), hits, log != nullptr ? *log : unwanted, work_);
         return hits;
     }
-    // Against what the file says. Rays flatter than a sampled refined map serves were marched through it; they are
-    // traced exactly now.
+    // Compares with the file's hits. Rays flatter than a sampled refined map supports were marched through the map; now
+    // they are traced exactly.
     void expectHits(const HitBlock& hits, const Traced& how, const fs::path& file) {
         const auto rows = rowsOf(file);
         ASSERT_EQ(rows.size(), hits.size() + 1);
@@ -171,8 +172,8 @@ TEST_F(OldFiles, NoneIsForgotten) {
         const fs::path file = fs::relative(entry.path(), kVersion1);
         ++count[file.parent_path().string() + "/*" + file.extension().string()];
     }
-    // Each kind is read by a test below (tables/*.journal: by tests/cmd/sweep_test.cpp; README and written/: by
-    // nobody).
+    // A test below reads each kind of file. (tables/*.journal is read by tests/cmd/sweep_test.cpp; README and written/
+    // are not read.)
     const std::map<std::string, int> known{
         {"/*.json", 40},       {"/*.md", 1},           {"lessons/*.json", 9}, {"maps/*.tif", 8},
         {"pictures/*.png", 3}, {"rendered/*.png", 36}, {"tables/*.csv", 3},   {"tables/*.journal", 1},
@@ -313,7 +314,7 @@ TEST_F(OldFiles, LessonsStandAtAStepOfTheirRay) {
         StepLog log;
         MapCache maps;
         makeTracer(scenario.method, request.field, maps, work_)->trace(block, hits, log, work_);
-        // These may hold a step beyond the log's end; the window then stands at the last step.
+        // These may contain a step beyond the log's end; the window then selects the last step.
         if (scenario.method.name == "max-pyramid") {
             EXPECT_GT(log.steps.size(), 1U);
         } else {
@@ -386,7 +387,7 @@ TEST_F(OldFiles, StepsLeadToTheirHits) {
 TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
     const std::vector<BenchRow> rows = readBenchJson((kVersion1 / "tables/tracers.json").string());
     ASSERT_EQ(rows.size(), 12U);
-    // They had no form: what ran unless it was told otherwise.
+    // The file has no forms: the default form was measured.
     for (const BenchRow& row : rows) {
         EXPECT_EQ(row.form, methodForm(row.method));
         EXPECT_EQ(row.form, row.method.name == "exact" ? Form::Scalar : Form::Simd) << row.method.name;
@@ -401,7 +402,7 @@ TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
     const std::map<std::string, std::string> headers{
         {"tracers", benchCsvHeader()}, {"rows", rowBenchCsvHeader()}, {"filters", filterBenchCsvHeader()}};
     for (const fs::path& file : filesOf("tables", ".csv")) {
-        // New columns may have come; the command adds the last three where they are not there.
+        // New columns may have been added; the command adds the last three where they are missing.
         std::istringstream today(headers.at(file.stem().string()) + ",compiler,cpu,commit");
         const std::vector<std::string> columns = rowsOf(file).at(0);
         for (const std::string& column : columns) {

@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-// The message of the refusal; empty where the text is accepted.
+// Returns the message of the refusal; empty if the text is accepted.
 std::string refusal(const std::string& text) {
     try {
         parseRays(text, "r.csv");
@@ -22,7 +22,7 @@ TEST(RayFiles, NumbersAreReadExactly) {
     const RayBlock rays = parseRays("s0,t0,a,b\n0.1,-2.5e-3,1e300,-0\r\n5,1e-400,3,4", "r.csv");
     ASSERT_EQ(rays.size(), 2U);
     EXPECT_EQ(rays[0], (ViewRay{0.1, -2.5e-3, 1e300, -0.0}));
-    EXPECT_EQ(rays[1], (ViewRay{5, 0, 3, 4})) << "too small for a double is nothing";
+    EXPECT_EQ(rays[1], (ViewRay{5, 0, 3, 4})) << "a number that underflows becomes zero";
     EXPECT_EQ(parseRays("s0,t0,a,b", "r.csv").size(), 0U);
     EXPECT_EQ(parseRays("\xEF\xBB\xBFs0,t0,a,b\r\n1,2,3,4\r\n\r\n", "r.csv").size(), 1U);
 }
@@ -37,7 +37,7 @@ TEST(RayFiles, FaultsNameTheLine) {
     EXPECT_NE(refusal("s0,t0,a,b\n1, 2,3,4\n"), "");
     EXPECT_NE(refusal("s0,t0,a,b\n1,2,3,4 \n"), "");
     EXPECT_NE(refusal("s0,t0,a,b\n\n1,2,3,4\n"), "");
-    // A line of anything stays one short line of the message, cut between characters.
+    // Any line is quoted in the message as one short line, truncated between characters.
     std::string words;
     for (int i = 0; i < 200; ++i) words += "щ";
     const std::string message = refusal("s0,t0,a,b\n" + words);

@@ -1,4 +1,4 @@
-// Scenarios survive the round trip through JSON, and broken ones are refused with the line.
+// Scenarios are preserved by the round trip through JSON; invalid ones are refused with the line number.
 #include <clocale>
 #include <filesystem>
 
@@ -18,7 +18,7 @@ Scenario unusual() {
     s.pictures.reading.channel = "A";
     s.pictures.reading.invert = true;
     s.pictures.reading.range = parseHeightRange("0.125,3.5");
-    s.reliefDepth = 0.1 + 0.2;  // not 0.3: every bit must survive
+    s.reliefDepth = 0.1 + 0.2;  // not 0.3: every bit must be preserved
     s.address = Address::Border;
     s.surface = Surface::Columns;
     s.method.name = "exact";
@@ -46,12 +46,12 @@ TEST(Scenario, survivesTheRoundTrip) {
     other.pictures.recipe = "bricks";
     other.pictures.seed = 18446744073709551615ULL;
     other.camera.kind = Camera::Kind::Free;
-    other.camera.elevation = Camera().elevation;  // not stored: the free camera has none
+    other.camera.elevation = Camera().elevation;  // not stored: the free camera has no elevation
     other.pixel.reset();
     EXPECT_EQ(parseScenario(scenarioText(other), "s.json"), other);
 }
 
-// Files beside the scenario are named from its folder, wherever the program runs.
+// Paths in a scenario are relative to its folder, whatever the working folder.
 TEST(Scenario, anotherTracersFilesAreNamedFromItsFolder) {
     const testing::TemporaryFolder folder;
     std::filesystem::create_directory(folder / "other");
@@ -95,7 +95,7 @@ TEST(Scenario, DrawnReliefAndComparisonSurviveTheRoundTrip) {
     ASSERT_EQ(heights.width(), 4);
     ASSERT_EQ(heights.height(), 3);
     for (int j = 0; j < 3; ++j) EXPECT_EQ(heights(3, j), 0.25F);
-    // Another height is another picture.
+    // Another height makes it another picture.
     profile.pictures.drawn.heights[3] = 0.75;
     EXPECT_EQ((*store.load(profile.pictures, work).heights)(3, 1), 0.75F);
 }
@@ -127,7 +127,7 @@ void expectRefused(const std::string& text, const std::string& fragment) {
     }
 }
 
-// What relief render --report writes is a scenario, too; its faults have its own lines.
+// The output of relief render --report is a scenario, too; errors name the report's own lines.
 TEST(Scenario, aReportIsOne) {
     const std::string text = scenarioText(unusual());
     const std::string report = "{\"tool\": \"relief\",\n\"relief\": {\"depth\": 1},\n\"scenario\": " + text + "}";

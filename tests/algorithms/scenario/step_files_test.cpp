@@ -1,4 +1,4 @@
-// Steps of somebody else's tracer: what is written reads back the same, and faults name the line.
+// Steps of external tracers: what is written reads back the same, and errors name the line.
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
@@ -8,7 +8,7 @@ namespace relief::test {
 namespace {
 
 const std::string kHeader = std::string(kStepsHeader) + "\n";
-// As earlier versions wrote it, and as other programs may.
+// The columns that earlier versions wrote, and other programs may write.
 const std::string kFewColumns = std::string(kStepColumns) + "\n";
 
 std::string refusal(const std::string& text, std::size_t rays = 2) {
@@ -73,7 +73,7 @@ TEST(StepFiles, EveryMethodsLogReadsBackTheSame) {
 }
 
 TEST(StepFiles, PeriodsAreFoundAgain) {
-    // Low ground: the ray crosses several textures before it meets it.
+    // Low ground: the ray crosses several periods of the texture before it hits.
     const HeightField field(constantHeights(16, 16, 0.1F), Surface::Bilinear, Address::Repeat, 0.3);
     Work work(1);
     MapCache cache;
@@ -91,7 +91,7 @@ TEST(StepFiles, PeriodsAreFoundAgain) {
         }
         EXPECT_GT(moved, 0) << "the ray stays in one period: nothing is tested";
         placeSteps(steps, rays[0], field, "s.csv", 0);
-        // The coarsest texel is all of the picture: which one it is, only the tracer knows.
+        // The coarsest texel is the whole picture; only the tracer knows which period it belongs to.
         for (std::size_t n = 0; n < steps.size(); ++n) {
             if (steps[n].level < 3) {
                 EXPECT_EQ(steps[n], log.steps[n]) << method << " " << n;
@@ -100,7 +100,8 @@ TEST(StepFiles, PeriodsAreFoundAgain) {
     }
 }
 
-// Of 5 texels the coarsest one, 8 wide, ends with the picture: a ray just behind the seam is in the next period.
+// For a size of 5 texels the coarsest texel, 8 wide, ends with the picture: a ray just behind the seam is in the next
+// period.
 TEST(StepFiles, ATexelLargerThanThePictureEndsWithIt) {
     const HeightField field(constantHeights(5, 5, 0.1F), Surface::Columns, Address::Repeat, 0.3);
     const std::string stays[] = {"0,0.02,1,0.98", "0.4,0.42,0.6,0.58", "0.8,0.82,0.2,0.18"};
@@ -134,7 +135,7 @@ TEST(StepFiles, FaultsNameTheLine) {
     EXPECT_EQ(with("0,1,search", "5,1,search"), "s.csv: line 2: ray 5: the rays file has only 2, counted from 0");
     EXPECT_EQ(with("0,1,search", "0,2,search"), "s.csv: line 2: step 2 of ray 0 is out of order");
     EXPECT_EQ(with("search,0", "search,99"), "s.csv: line 2: \"99\" is not a whole number from 0 to 32");
-    // What was looked at, and columns of other names.
+    // A step's subject, and additional columns of other names.
     const std::string known = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,advance,0.2";
     EXPECT_EQ(refusal(kHeader + known + ",sphere,1,2,0.9,,,,\n"), "");
     EXPECT_EQ(refusal(kHeader + known + ",sphere,1,,0.9,,,,\n"), "s.csv: line 2: \"t\" is missing, or is no number");
@@ -155,7 +156,7 @@ TEST(StepFiles, FaultsNameTheLine) {
     EXPECT_NE(refusal("[\n" + object + ",\n\n7]").find("line"), std::string::npos);
     EXPECT_NE(refusal("[\n" + object + ",\n" + object + "]").find("line 3: step 1 of ray 0 is out of order"),
               std::string::npos);
-    // A texel that the picture has not.
+    // A texel outside the picture.
     const HeightField field(constantHeights(8, 8, 0.5F), Surface::Columns);
     std::vector<Step> steps = parseSteps(kFewColumns + good, "s.csv", 1).steps;
     EXPECT_NO_THROW(placeSteps(steps, {0, 0, 1, 1}, field, "s.csv", 0));

@@ -31,9 +31,9 @@ void expectSaid(const Message& message) {
     EXPECT_NE(sentence(message), sentence(message, Language::Ukrainian));
 }
 
-// What the methods themselves logged, said in full.
+// Returns the sentences about the steps that the method logs for a ray.
 std::vector<std::string> said(const MethodChoice& method, const ViewRay& ray) {
-    // One row of eight texels, a wall from s = 4 on; columns, so that heights are the texels' own.
+    // One row of eight texels with a wall from s = 4 on; columns, so that heights are the texels' own.
     auto heights = std::make_shared<FloatImage>(8, 1);
     for (int x = 0; x < 8; ++x) (*heights)(x, 0) = x < 4 ? 0.25F : 0.75F;
     Work work;
@@ -86,7 +86,7 @@ TEST(StepSentence, saysTheSkipOfTheSketch) {
               "Level 3, texel (1,0): maximum 0.70, the ray leaves it at 0.82: nothing here, skipped.");
 }
 
-// [MIP18]'s only formula, with the numbers of the step.
+// The only formula of [MIP18], with the numbers of the step.
 TEST(StepSentence, aDescentDoublesItsCoordinates) {
     Step down = step(Decision::Descend);
     down.subject = subject::Texel{3, 1, 0, 0.7, {}};
@@ -96,7 +96,7 @@ TEST(StepSentence, aDescentDoublesItsCoordinates) {
               "Level 3, texel (1,0): maximum 0.70, the ray would leave it at 0.82: a hit is possible, one level down. "
               "There coordinates double: V(i+1) = 2 V(i) = 2 × (1.125, 0.250) = (2.25, 0.50).");
     expectSaid(stepSentence(down, {}));
-    // As the methods fill it: the coordinates lie in the texel, and their double in the child that comes next.
+    // As methods fill in the record: the coordinates lie in the texel, and their doubled values in the next child.
     auto heights = std::make_shared<FloatImage>(16, 8);
     for (int x = 0; x < 16; ++x) {
         for (int y = 0; y < 8; ++y) (*heights)(x, y) = static_cast<float>((7 * x + 3 * y) % 11) / 11;
@@ -206,12 +206,12 @@ TEST(StepSentence, tellsTheKindsOfHitApart) {
     before.value = 0.7;
     EXPECT_EQ(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos) << "it is lower";
     before.value = 0.387;
-    before.subject = subject::Texel{0, 0, 0, 0.387};  // a walk over every cell knows no highest point
+    before.subject = subject::Texel{0, 0, 0, 0.387};  // traversal of every cell uses no highest point
     EXPECT_EQ(sentence(stepSentence(hit, context)).find("nothing can hide it"), std::string::npos);
 }
 
-// What a map claims is said as a claim; where the surface breaks it, that is said.
-TEST(StepSentence, answersAreSetAgainstTheFirstHit) {
+// The text presents a map's promise as a promise; if the surface violates it, the text says so.
+TEST(StepSentence, resultsAreComparedWithTheFirstHit) {
     const ViewRay ray{0, 0, 3, 4};
     const Hit hit = Hit::at(ray, 0.5);
     const Hit off = Hit::at(ray, 0.7);
@@ -225,7 +225,7 @@ TEST(StepSentence, answersAreSetAgainstTheFirstHit) {
     EXPECT_EQ(id(miss, miss), MessageId::AnswerRightMiss);
     EXPECT_EQ(id(hit, limit), MessageId::AnswerUnknown);
     EXPECT_EQ(id(hit, Hit::none(Outcome::Unset)), MessageId::AnswerUnknown);
-    // Five texels a unit of lambda.
+    // Five texels per unit of lambda.
     const std::string text = sentence(answerSentence(off, hit, ray), Language::English);
     EXPECT_NE(text.find(" 1 "), std::string::npos) << text;
     EXPECT_NE(text.find("0.500"), std::string::npos) << text;
@@ -236,7 +236,7 @@ TEST(StepSentence, answersAreSetAgainstTheFirstHit) {
     EXPECT_EQ(titles.size(), kDecisionNames.size());
 }
 
-TEST(StepSentence, aBrokenPromiseIsSaid) {
+TEST(StepSentence, aBrokenPromiseIsMentioned) {
     Step s = step(Decision::Advance);
     s.phase = Phase::Search;
     s.lambdaIn = s.lambdaOut = 0.1;

@@ -1,4 +1,4 @@
-// What is set beside the scenario's own: never the same thing, and an opponent that is worth it.
+// The variants that are compared with the scenario's own: never the same one, and a suitable opponent.
 #include "scenario/variation.h"
 
 #include <cmath>
@@ -59,7 +59,7 @@ TEST(Variation, TheScenariosOwnIsItself) {
         for (const std::string& name : variationNames(subject)) {
             const Scenario scenario = varied(comparing(subject), subject, {name, {}});
             EXPECT_EQ(varied(scenario, subject, ownVariation(scenario, subject)), scenario) << name;
-            // Defaults that are written down are the same thing.
+            // Explicit default values make no difference.
             MethodChoice full{name, describedVariation(subject, {name, {}}).defaults};
             EXPECT_TRUE(sameVariation(subject, full, {name, {}})) << variationText(subject, full);
         }
@@ -83,7 +83,7 @@ TEST(Variation, TheSameNameGetsAnOptionOfItsOwn) {
     }
 }
 
-// A takes what B is: B takes what A was, or the next one where that is there as well.
+// If A becomes equal to B, B takes A's former value, or the next one if that is listed as well.
 TEST(Variation, AChangeToWhatIsThereSwaps) {
     Scenario before = comparing(CompareSubject::Filters);
     before.comparison.others = {{"layers", {}}, {"offset", {}}};
@@ -101,14 +101,14 @@ TEST(Variation, AChangeToWhatIsThereSwaps) {
     after = keptApart(before, after);
     after.comparison.subject = CompareSubject::Methods;
     EXPECT_TRUE(allDiffer(after));
-    // A slider that passes by changes nothing beside A.
+    // While a slider of A passes B's value, nothing else changes.
     before.method = {"layers", {{"layers", "8"}}};
     after = before;
     after.method.options["layers"] = describedVariation(CompareSubject::Methods, before.method).defaults.at("layers");
     EXPECT_EQ(keptApart(before, after), after);
 }
 
-TEST(Variation, RivalsAreWorthIt) {
+TEST(Variation, OpponentsAreSuitable) {
     const auto exact = [](const MethodChoice& method) {
         return findTracer(method.name).guarantee == Guarantee::Exact && !method.options.contains("base");
     };

@@ -15,7 +15,7 @@ using test::Random;
 using test::randomView;
 using test::View;
 
-// Against differences of the map itself, and the formulas of [TEX] written out here.
+// Compared with differences of the map itself and with the formulas of [TEX], written out here.
 TEST(Coefficients, areThoseOfThePapers) {
     Random random(4);
     for (int n = 0; n < 300; ++n) {
@@ -49,7 +49,7 @@ TEST(Coefficients, areThoseOfThePapers) {
     }
 }
 
-// One pixel to the right is on the circle of radius 1.
+// The point one pixel to the right lies on the circle of radius 1.
 TEST(Coefficients, squaredRadiusIsThatOfThePixel) {
     const Jacobian j{1.5, 0.25, -0.5, 2};
     const Ellipse ellipse = ellipseOf(j);

@@ -19,7 +19,8 @@ __extension__ typedef __int128 Exact;
 
 constexpr std::uint64_t kSeed = 20184;
 constexpr int kCases = 1000;
-// Integer coefficients and coordinates up to this: the products below stay under 2^60, and every double is exact.
+// Largest absolute value of integer coefficients and coordinates: the products below stay under 2^60, so that every
+// double is exact.
 constexpr int kLargest = 400;
 
 struct IntegerMap {
@@ -51,7 +52,7 @@ TEST(Derivatives, AreTheExactRationals) {
         const Exact q = m.g * x + m.h * y + m.i;
         if (q == 0) continue;
         ++compared;
-        // By the quotient rule, without a, b, c, d.
+        // By the quotient rule, without the coefficients a, b, c, d.
         const Exact wu = m.a * x + m.b * y + m.c, wv = m.d * x + m.e * y + m.f;
         const Exact ux = m.a * q - m.g * wu, vx = m.d * q - m.g * wv;
         const Exact uy = m.b * q - m.h * wu, vy = m.e * q - m.h * wv;
@@ -59,7 +60,7 @@ TEST(Derivatives, AreTheExactRationals) {
         EXPECT_TRUE(terms.a(y) == ux && terms.b(y) == vx && terms.c(x) == uy && terms.d(x) == vy);
         EXPECT_TRUE(terms.q(x, y) == q);
         EXPECT_TRUE(ux * vy - uy * vx == terms.det * q) << "a d - b c = det q";
-        // A' C' - B'^2 / 4 = (det q)^2 = F' q^4: the scaled form's trap.
+        // A' C' - B'^2 / 4 = (det q)^2 = F' q^4: in the scaled form the factor is easily forgotten.
         const Exact ca = vx * vx + vy * vy, cb = ux * vx + uy * vy, cc = ux * ux + uy * uy;
         const long double scaled = static_cast<long double>(ca) * static_cast<long double>(cc) -
                                    static_cast<long double>(cb) * static_cast<long double>(cb);
@@ -72,7 +73,7 @@ TEST(Derivatives, AreTheExactRationals) {
         };
         const Jacobian direct = directDerivatives(derivativeTerms<double>(m.map), double(x), double(y));
         const Jacobian plain = jacobianAt(m.map, x, y);
-        // Integers are exact: one rounding of the quotient is left.
+        // The integers are exact, so only the quotient is rounded.
         EXPECT_DOUBLE_EQ(direct.ux, exact(ux));
         EXPECT_DOUBLE_EQ(direct.vx, exact(vx));
         EXPECT_DOUBLE_EQ(direct.uy, exact(uy));
@@ -96,7 +97,8 @@ void expectNear(const EllipseOf<T>& e, const Ellipse& truth, double relative) {
     EXPECT_NEAR(e.a, truth.a, relative * size);
     EXPECT_NEAR(e.b, truth.b, relative * size);
     EXPECT_NEAR(e.c, truth.c, relative * size);
-    // F by det^2 / q^6 has no cancellation; by (u_x v_y - u_y v_x)^2 it loses what thin footprints cancel.
+    // F as det^2 / q^6 has no cancellation; as (u_x v_y - u_y v_x)^2 it loses the digits that cancel in thin
+    // footprints.
     EXPECT_NEAR(std::sqrt(static_cast<double>(e.f)), std::sqrt(truth.f), relative * size);
 }
 
@@ -117,7 +119,7 @@ void expectEqualEllipses(double relative) {
         }
         const double terms =
             std::abs(map.qx) * static_cast<double>(first + count) + std::abs(map.qy) * at + std::abs(map.q1);
-        // Not beside the horizon, where digits of q cancel: rows are cut there.
+        // Close to the horizon the digits of q cancel; rows are cut there.
         if (smallest < 0.05 * terms) continue;
         ++compared;
         const auto forms = derivativeTerms<T>(map);
@@ -139,7 +141,7 @@ void expectEqualEllipses(double relative) {
             const HalfExtents<double> extents = truth.halfExtents(1.5);
             EXPECT_NEAR(scaled.halfExtents(T(1.5)).u, extents.u, relative * std::max(extents.u, extents.v));
             EXPECT_NEAR(scaled.halfExtents(T(1.5)).v, extents.v, relative * std::max(extents.u, extents.v));
-            // r^2 of a point of the circle of radius 1.
+            // r^2 of a point on the circle of radius 1.
             const Jacobian j = jacobianAt(map, x, at);
             const double angle = random.real(0.0, 6.28);
             const double du = j.ux * std::cos(angle) + j.uy * std::sin(angle);
@@ -151,7 +153,7 @@ void expectEqualEllipses(double relative) {
     EXPECT_GT(compared, kCases / 4);
 }
 
-// Relative to the ellipse's size: some ten roundings of q (20 times amplified at most by what cancels in it, to the
+// Relative to the ellipse's size: about ten roundings of q (amplified at most 20 times by cancellation in q, to the
 // fourth power), and 16 steps of the iterative form.
 TEST(Derivatives, DirectIterativeAndCachedGiveOneEllipseInDouble) {
     expectEqualEllipses<double>(4 * 20 * 32 * 0x1p-53);

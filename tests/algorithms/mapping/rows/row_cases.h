@@ -1,4 +1,4 @@
-// Rows for the tests of algorithms/mapping/rows: seeded maps, and the truth in long double.
+// Seeded rows for the tests of algorithms/mapping/rows, and their exact values in long double.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace relief::test {
 
-// relief::rowOfRatio, mirrored: from right to left.
+// relief::rowOfRatio(), optionally mirrored from left to right.
 inline Homography rowOfRatio(double width, double lastQ, double texels, double firstV, double lastV, bool mirrored) {
     const Homography map = relief::rowOfRatio(width, lastQ, texels, firstV, lastV);
     if (!mirrored) return map;
@@ -23,10 +23,10 @@ inline Homography rowOfRatio(double width, double lastQ, double texels, double f
 
 struct EvaluatedRow {
     PixelSpan valid;
-    double worst = 0;    // texels, against the truth
-    double largest = 0;  // |u|, |v|
+    double worst = 0;    // largest error in texels
+    double largest = 0;  // largest |u| or |v|
     bool finite = true;
-    double wildest = 0;  // the error over what rounding of a q that is half off could do
+    double wildest = 0;  // largest error, relative to the rounding error at a q with half its true value
 };
 template <typename T>
 EvaluatedRow evaluated(const Homography& map, double y, PixelSpan span, const RowOptions& options) {
@@ -34,7 +34,7 @@ EvaluatedRow evaluated(const Homography& map, double y, PixelSpan span, const Ro
     std::vector<T> u(size), v(size);
     EvaluatedRow row;
     row.valid = evaluateRow(map, y, span, options, u.data(), v.data());
-    // The numerators' terms over the largest q: what their rounding is relative to.
+    // The largest terms of the numerators, to which their rounding is relative.
     const double x = static_cast<double>(std::max(std::abs(span.begin), std::abs(span.end)));
     const double terms = std::max(std::abs(map.sx) * x + std::abs(map.sy * y) + std::abs(map.s1),
                                   std::abs(map.tx) * x + std::abs(map.ty * y) + std::abs(map.t1));

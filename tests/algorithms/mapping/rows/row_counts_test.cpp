@@ -1,4 +1,4 @@
-// Operation counts of the row variants, by running their texts on a scalar that counts.
+// Operation counts of the row variants, obtained by instantiating their code with a scalar type that counts.
 #include <gtest/gtest.h>
 
 #include "mapping/rows/counting_scalar.h"
@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-// Of a row of n pixels: value and count of what the text does after the row's terms are made.
+// Evaluates a row of n pixels; returns the operations after the row's terms are computed, and checks the values.
 OperationCounts countsOf(const RowOptions& options, std::int64_t n, std::int64_t anchor) {
     OperationCounts counts;
     const auto make = [&](double value) { return Counted(value, &counts); };
@@ -53,7 +53,8 @@ OperationCounts countsOf(const RowOptions& options, std::int64_t n, std::int64_t
     return counts;
 }
 
-// What kPeriod more pixels cost: whole steps, spans and stretches of every case below.
+// A number of pixels that contains whole steps, spans and anchor intervals of every case below; the cost of so many
+// additional pixels is measured.
 constexpr std::int64_t kPeriod = 2 * 16 * 3 * 7 * 5;
 OperationCounts perPeriod(const RowOptions& options, std::int64_t anchor = 0) {
     const OperationCounts more = countsOf(options, 2 * kPeriod + 1, anchor);
@@ -86,8 +87,8 @@ TEST(RowCounts, AreThoseOfTheTable) {
 }
 
 TEST(RowCounts, OfRestarts) {
-    // Three multiplications and additions a restart (four where u and v have a denominator each would be made twice:
-    // it is copied), and with streams their offsets.
+    // Three multiplications and additions per restart (a denominator used for both u and v is computed once), and with
+    // streams those of their offsets.
     const std::int64_t restarts = kPeriod / 48;
     const auto more = [](const OperationCounts& a, const OperationCounts& b) {
         return OperationCounts{a.mul - b.mul, a.add - b.add, a.div - b.div};

@@ -48,7 +48,7 @@ TEST(RowErrors, CurvesAreTheVariantsThemselves) {
     EXPECT_TRUE(rowErrors<double>(map, 0.5, {4, 4}, allVariants()).curves.empty());
 }
 
-// At the pixels named exact there is no more than the rounding of w, q and the quotient; between, the error is larger.
+// At the pixels listed as exact the error is only the rounding of w, q and the quotient; between them it is larger.
 TEST(RowErrors, ExactPixelsAreExact) {
     const Homography map = test::rowOfRatio(3000, 0.1, 4096, 10, 900, false);
     const double rounding = 3.01 * 0x1p-24 * 4096;
@@ -62,7 +62,7 @@ TEST(RowErrors, ExactPixelsAreExact) {
         }
         ASSERT_FALSE(curve.exact.empty());
         EXPECT_TRUE(std::is_sorted(curve.exact.begin(), curve.exact.end()));
-        // Unanchored spans drift from one division to the next.
+        // Without anchors, spans drift from one division to the next.
         if (options.variant == RowVariant::Subspan && curve.anchor == 0) continue;
         const double allowed = options.variant == RowVariant::Subspan ? kAnchorError : rounding;
         for (const std::int64_t pixel : curve.exact) {
@@ -71,7 +71,7 @@ TEST(RowErrors, ExactPixelsAreExact) {
     }
 }
 
-TEST(RowErrors, StreamsAreTold) {
+TEST(RowErrors, StreamsAreReported) {
     const Homography map = test::rowOfRatio(100, 0.5, 64, 0, 1, false);
     RowOptions streams{RowVariant::Streams};
     streams.streams = 3;

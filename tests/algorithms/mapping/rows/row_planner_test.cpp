@@ -13,7 +13,8 @@ using test::rowOfRatio;
 
 constexpr std::uint64_t kSeed = 20183;
 
-// The largest distance of u and v from the line between pixels n and n + m, at kPerPixel places a pixel.
+// Returns the largest distance of u and v from the chord between pixels n and n + m, sampled at kPerPixel points per
+// pixel.
 double sampledError(const Homography& map, double n, double m) {
     const auto at = [&](double x, bool v) {
         const TexelPoint p = map.at(x, 0.5);
@@ -44,7 +45,7 @@ TEST(RowPlanner, TheErrorOfALineIsTheClosedForm) {
         const RowSlopes slopes = rowSlopes(map, 0.5);
         const double closed = linearError(std::max(std::abs(slopes.a), std::abs(slopes.b)), map.qx, length,
                                           map.denominator(from + 0.5, 0.5), map.denominator(from + length + 0.5, 0.5));
-        // The places of the samples are a 4000th of the span apart, and the curve is flat there.
+        // The samples are a 4000th of the span apart, and the error curve is flat at its maximum.
         EXPECT_NEAR(sampledError(map, from, length), closed, 1e-6 * closed + 1e-9) << "seed " << kSeed << ", " << n;
     }
 }
@@ -72,7 +73,7 @@ TEST(RowPlanner, TheLongestSpanKeepsTheErrorAndOneMoreDoesNot) {
             EXPECT_GT(worstOf(m + 1), error * (1 - 1e-6));
             ++limited;
         }
-        // The variant keeps it, too: its spans are some of these, its pixels some of the places.
+        // The variant satisfies the bound, too: its spans are some of these, its pixels some of the sampled points.
         RowOptions options{RowVariant::Subspan};
         options.span = static_cast<int>(m);
         options.anchor = kNever;
@@ -84,7 +85,7 @@ TEST(RowPlanner, TheLongestSpanKeepsTheErrorAndOneMoreDoesNot) {
 }
 
 TEST(RowPlanner, ALineKeepsAnyError) {
-    const Homography flat;  // the identity: a line is exact
+    const Homography flat;  // the identity, for which a chord is exact
     EXPECT_EQ(longestSpan(flat, 0.5, {0, 500}, 1e-9), 499);
     EXPECT_EQ(longestSpan(flat, 0.5, {3, 4}, 1e-9), 1);
 }
@@ -109,7 +110,7 @@ TEST(RowPlanner, SpansOfAnyLengthReachBothEnds) {
     }
 }
 
-// A row seen in a mirror drifts as much: it starts again as often, whichever end recedes.
+// A mirrored row drifts as much, so it restarts as often, whichever end recedes.
 TEST(RowPlanner, AMirroredRowHasTheSameAnchor) {
     constexpr int kWidth = 3000;
     Random random(kSeed + 5);
@@ -125,7 +126,7 @@ TEST(RowPlanner, AMirroredRowHasTheSameAnchor) {
         const RowPlan one = planRow<float>(map, 0.5, {0, kWidth}, options);
         const RowPlan other = planRow<float>(mirror, 0.5, {0, kWidth}, options);
         anchored += one.anchor > 0 ? 1 : 0;
-        // Ends are rounded.
+        // The ends of the row are rounded.
         EXPECT_NEAR(static_cast<double>(one.anchor), static_cast<double>(other.anchor),
                     1 + 1e-3 * static_cast<double>(one.anchor))
             << n;

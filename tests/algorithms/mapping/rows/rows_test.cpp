@@ -32,7 +32,7 @@ TEST(Rows, NamesAreUniqueAndRead) {
     EXPECT_EQ(rowVariant("none"), std::nullopt);
 }
 
-// The bounds that rows.h states; kSlack for what is of second order in the roundoff.
+// The bounds stated in rows.h; kSlack covers terms of second order in the roundoff.
 constexpr double kSlack = 1.001;
 template <typename T>
 double statedBound(const Homography& map, const RowOptions& options, const EvaluatedRow& row, std::int64_t anchor) {
@@ -103,7 +103,7 @@ TEST(Rows, AnchoredDriftStaysBelowABilinearWeight) {
             EXPECT_LT(recommended, kAnchorError);
             options.anchor = kNever;
             const double never = worstDrift(options, lastQ);
-            // 16 streams in lanes drift a sixteenth: still by more than the anchored form may.
+            // 16 SIMD streams drift a sixteenth as much, which is still more than the bound of the anchored form.
             EXPECT_GT(never, 4 * kAnchorError);
             RecordProperty(std::string(rowVariantName(variant)) + " " + std::to_string(lastQ),
                            std::to_string(recommended) + " against " + std::to_string(never));
@@ -144,7 +144,7 @@ TEST(Rows, RecommendedAnchorsAreTheLongestThatTheBoundAllows) {
 TEST(Rows, AffineIsWrongByTheClosedForm) {
     for (const double ratio : {1.0, 1.5, 4.0, 9.0, 20.0}) {
         for (const bool mirrored : {false, true}) {
-            // The ends' pixel centres lie half a pixel inside; the closed form is of what is between them.
+            // The closed form applies between the centres of the first and last pixel, half a pixel inside the ends.
             const int width = 4001;
             const Homography map = rowOfRatio(width, 1 / ratio, 1000, 0, 0, mirrored);
             const double first = map.denominator(0.5, 0.5), last = map.denominator(width - 0.5, 0.5);
@@ -159,7 +159,7 @@ TEST(Rows, AffineIsWrongByTheClosedForm) {
                     std::abs(u[static_cast<std::size_t>(n)] - static_cast<double>(truthAt(map, 0.5, n).s));
                 if (error > worst) worst = error, place = n;
             }
-            // Within a pixel of the place; there the curve is flat to second order.
+            // The largest error is found within a pixel of its true position, where the curve is flat to second order.
             EXPECT_NEAR(worst / change, closed.share, 1e-6) << ratio;
             if (ratio == 1) continue;
             const double fraction = place / (width - 1);
@@ -180,7 +180,7 @@ TEST(Rows, RowsThatReachTheHorizonAreCut) {
         map.tx = random.real(-2.0, 2.0), map.ty = random.real(-2.0, 2.0), map.t1 = random.real(-2000.0, 2000.0);
         map.qx = random.real(-2e-3, 2e-3), map.qy = random.real(-2e-3, 2e-3), map.q1 = random.real(-1.0, 1.0);
         map = map.normalised();
-        // q zero at a pixel's centre but for rounding, or a little beside it, too.
+        // Also rows with q = 0 at a pixel's centre up to rounding, or slightly beside it.
         const auto exactQ = [&](double x) {
             return static_cast<long double>(map.qx) * x + static_cast<long double>(map.qy) * 7.5L + map.q1;
         };
@@ -199,7 +199,7 @@ TEST(Rows, RowsThatReachTheHorizonAreCut) {
             for (const EvaluatedRow& row :
                  {evaluated<float>(map, 7.5, span, options), evaluated<double>(map, 7.5, span, options)}) {
                 EXPECT_TRUE(row.finite);
-                // q as evaluated is at least half of what it should be.
+                // The evaluated q is at least half of the true one.
                 if (options.variant != RowVariant::Affine && options.variant != RowVariant::Subspan) {
                     EXPECT_LE(row.wildest, 1.01);
                 }
@@ -208,7 +208,7 @@ TEST(Rows, RowsThatReachTheHorizonAreCut) {
                 }
                 if (row.valid.size() != span.size()) ++cut;
             }
-            // What was left out is no more than the stated bound.
+            // Only pixels with q below the stated bound were cut off.
             const RowPlan plan = planRow<float>(map, 7.5, span, options);
             const double minQ = smallestRowQ<float>(map, 7.5, span, options, kNever);
             for (std::int64_t i = span.begin; i < span.end; ++i) {
@@ -222,13 +222,13 @@ TEST(Rows, RowsThatReachTheHorizonAreCut) {
 
 TEST(Rows, PixelsThatAreCutOffAreNotTouched) {
     Homography map;
-    map.qx = -0.01, map.q1 = 1;  // the horizon at x = 100
+    map.qx = -0.01, map.q1 = 1;  // the horizon is at x = 100
     std::vector<float> u(300, -7.0F), v(300, -7.0F);
     const PixelSpan valid = evaluateRow(map, 0.5, {20, 320}, {RowVariant::Opposed}, u.data(), v.data());
     EXPECT_EQ(valid, (PixelSpan{20, 100}));
     for (std::size_t n = 80; n < 300; ++n) EXPECT_EQ(u[n], -7.0F);
     EXPECT_NE(u[79], -7.0F);
-    map = {1, 0, 0, 0, 1, 0, 0, 0, -1};  // behind the eye
+    map = {1, 0, 0, 0, 1, 0, 0, 0, -1};  // wholly behind the eye
     EXPECT_TRUE(evaluateRow(map, 0.5, {0, 300}, {RowVariant::Streams}, u.data(), v.data()).empty());
     EXPECT_TRUE(evaluateRow(map, 0.5, {5, 5}, {RowVariant::Streams}, u.data(), v.data()).empty());
 }

@@ -1,4 +1,4 @@
-// What is advised of figures made by hand: by the definitions in recommend.h, computed here once more.
+// The advice for hand-made measurements, checked against independent implementations of the definitions in recommend.h.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ AdviceOptions options(Heights heights = randomHeights(8, 8, 1)) {
     return AdviceOptions(HeightField(std::move(heights)));
 }
 
-// The names of what was chosen, of the cheapest, and of the next.
+// The names of the chosen method, the cheapest, the next best, and the best without a map.
 struct Names {
     std::string chosen, cheapest, next, withoutMap;
     bool operator==(const Names&) const = default;
@@ -39,7 +39,7 @@ void PrintTo(const Names& n, std::ostream* out) {
          << n.withoutMap;
 }
 
-// A tie is measured from the best form, so a chain of ties leads no further.
+// Ties are measured from the best form, so a chain of ties leads no further.
 TEST(Advice, TiesDoNotAddUp) {
     const double tie = 1 + kAdviceTie;
     const std::vector<AdviceTrial> chain{trial("large", 1, 300), trial("middle", tie, 200),
@@ -51,14 +51,14 @@ TEST(Advice, IsTheLeanestOfThoseThatAreAsGood) {
     EXPECT_EQ(names(adviceOf(options(),
                              {trial("slow", 1.1, 0), trial("fast", 1, 100), trial("out", 0.1, 10, Verdict::Error)})),
               (Names{"fast", "fast", "slow", "slow"}));
-    // As many bytes: the one that is built sooner; as soon: the cheapest.
+    // With equal map sizes the one that is built faster is chosen; with equal build times the cheapest.
     auto late = trial("late", 1, 100), soon = trial("soon", 1.01, 100);
     late.facts.buildSeconds = 2;
     soon.facts.buildSeconds = 1;
     EXPECT_EQ(names(adviceOf(options(), {late, soon})).chosen, "soon");
     soon.facts.buildSeconds = 2;
     EXPECT_EQ(names(adviceOf(options(), {soon, late})), (Names{"late", "late", "soon", ""}));
-    // Slower ones keep the bounds but are not as good; what breaks them is none.
+    // Slower methods keep the bounds but are not as good; methods that violate them are not considered.
     EXPECT_EQ(names(adviceOf(options(), {trial("out", 1, 0, Verdict::Memory), trial("slower", 1, 0, Verdict::Slow),
                                          trial("kept", 1, 50)})),
               (Names{"kept", "kept", "slower", "slower"}));
@@ -72,7 +72,7 @@ TEST(Advice, OfNoneThatKeepsTheBoundsIsTheNearest) {
     const Advice advice = adviceOf(within, all);
     EXPECT_FALSE(advice.keepsBounds);
     EXPECT_EQ(names(advice), (Names{"near", "near", "near", ""}));
-    // Within a budget of steps: first those that keep it.
+    // With a step budget, methods that satisfy it come first.
     within.maxSteps = 10;
     auto long_ = all;
     long_[0].facts.overSteps = 0;
@@ -91,7 +91,7 @@ TEST(Advice, OfAFlatMapNeedsNoMap) {
     EXPECT_EQ(names(rough), (Names{"map", "map", "plain", "plain"}));
 }
 
-// Where heights change after each picture: a map that takes long must pay within several pictures.
+// If the heights change after every few pictures, the build time of a map must pay off within those pictures.
 TEST(Advice, WeighsBuildingAgainstRays) {
     auto map = trial("map", 1e-6, 100), plain = trial("plain", 2e-6, 0);
     map.facts.buildSeconds = 5;
@@ -100,14 +100,14 @@ TEST(Advice, WeighsBuildingAgainstRays) {
     ASSERT_TRUE(advice.rebuilt);
     EXPECT_EQ(advice.forms[*advice.rebuilt].method.name, "plain");
     EXPECT_DOUBLE_EQ(advice.paysAfterRays, 5 / 1e-6);
-    plain.facts.buildSeconds = 0.25;  // its map takes time as well
+    plain.facts.buildSeconds = 0.25;  // building its map takes time as well
     EXPECT_DOUBLE_EQ(adviceOf(options(), {map, plain}).paysAfterRays, 4.75 / 1e-6);
     plain.facts.buildSeconds = 0;
     map.facts.buildSeconds = 1e-3;
     EXPECT_FALSE(adviceOf(options(), {map, plain}).rebuilt);
 }
 
-// The definitions on drawn tables, with costs that lie close.
+// The definitions hold for random tables with similar costs.
 TEST(Advice, KeepsItsDefinitionsOnDrawnTables) {
     Random random(31);
     for (int table = 0; table < 2000; ++table) {

@@ -1,5 +1,5 @@
-// Advice for a height map: what it is drawn from, that it keeps what was asked, and what it says. Times are not
-// asserted; the scalar form hangs on counts alone, so its regret is.
+// Advice for a height map: the methods that it considers, its bounds, and its text. Times are not tested; the scalar
+// form depends on counts alone, so its regret is tested.
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +12,11 @@
 namespace relief {
 namespace {
 
-// Time for every map at these sizes, however busy the machine.
+// Enough time for every map at these sizes, even on a busy machine.
 constexpr double kAmpleSeconds = 3600;
 constexpr int kSide = 64;
 
-AdviceOptions asked(const std::string& relief, Form form = Form::Scalar, int side = kSide) {
+AdviceOptions optionsFor(const std::string& relief, Form form = Form::Scalar, int side = kSide) {
     AdviceOptions options(HeightField(std::make_shared<FloatImage>(makeRelief(relief, side, side, 1))));
     options.name = relief;
     options.form = form;
@@ -31,7 +31,7 @@ std::vector<MethodChoice> choices(const std::vector<std::string>& texts) {
     return all;
 }
 
-// The figures of a form, measured anew with the benchmark's own tools on other rays.
+// Returns the share of rays that violate the error bound, measured independently on other rays.
 double shareBeyond(const AdviceOptions& options, const MethodChoice& method) {
     Work work;
     MapCache maps;
@@ -58,7 +58,7 @@ double shareBeyond(const AdviceOptions& options, const MethodChoice& method) {
 }
 
 TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
-    const AdviceOptions options = asked("bricks");
+    const AdviceOptions options = optionsFor("bricks");
     const std::vector<MethodChoice> forms = adviceForms(options.field, 10);
     for (const MeasuredMethod& method : defaultMethods()) {
         EXPECT_NE(std::find(forms.begin(), forms.end(), method.choice), forms.end()) << method.choice.name;
@@ -68,21 +68,21 @@ TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
         EXPECT_NE(std::find(forms.begin(), forms.end(), choices({text})[0]), forms.end()) << text;
     }
     for (const MethodChoice& form : forms) EXPECT_NO_THROW(checkMethod(form, "")) << methodText(form);
-    // Flatter views than the map's flattest ray: a map for those.
+    // With views flatter than the map's flattest ray, a map for those views is considered.
     const std::vector<MethodChoice> flat = adviceForms(options.field, 4);
     EXPECT_NE(std::find(flat.begin(), flat.end(), choices({"distance-refined:flattest=4"})[0]), flat.end());
 }
 
 TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
-    // As promised: median 10%, worst 30%, against the full table on other rays.
+    // The documented limits: median 10%, worst 30%, against the full table on other rays.
     constexpr double kMedian = 0.10;
     constexpr double kWorst = 0.30;
     std::vector<double> regrets;
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         AdviceOptions options =
-            asked(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
+            optionsFor(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
         options.views = parseViews("random", "--views");
-        // The unsafe maps are out by their errors wherever they are tried; here they would only take time.
+        // Unsafe maps are rejected by their errors in every case; here they would only take time.
         options.forms = adviceForms(options.field, 10);
         std::erase_if(options.forms, [](const MethodChoice& form) {
             return form.name == "relaxed-cone" || form.name == "distance-refined-sampled" || form.name == "distance" ||
@@ -101,9 +101,9 @@ TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
     EXPECT_LE(regrets[regrets.size() / 2], kMedian);
 }
 
-// The full table, too, holds only forms within the budget of steps; where there is none, nothing is regretted.
+// The full table, too, contains only forms within the step budget; without any such form there is no regret.
 TEST(Recommend, IsCheckedWithinTheBudgetOfSteps) {
-    AdviceOptions options = asked("bricks", Form::Scalar, kSide);
+    AdviceOptions options = optionsFor("bricks", Form::Scalar, kSide);
     options.forms = choices({"exact", "cone", "layers:layers=16"});
     options.error = 1e5;
     Work work;
@@ -116,11 +116,11 @@ TEST(Recommend, IsCheckedWithinTheBudgetOfSteps) {
     options.maxSteps = 2;
     const AdviceRegret none = adviceRegret(options, work);
     EXPECT_FALSE(none.anyIsValid());
-    EXPECT_TRUE(none.keepsBound) << "the advice says so itself";
+    EXPECT_TRUE(none.keepsBound) << "the advice itself reports this";
 }
 
 TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
-    AdviceOptions options = asked("hills");
+    AdviceOptions options = optionsFor("hills");
     options.views = parseViews("40,80", "--views");
     options.forms = choices({"exact", "offset", "layers:layers=16", "layers-secant:layers=128", "max-pyramid"});
     Work work;
@@ -132,7 +132,7 @@ TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
             EXPECT_GT(form.beyond, options.outliers);
         }
     }
-    // Whatever the error, the cheapest is best: one look.
+    // With such a large error bound the cheapest method is best.
     options.error = 1e5;
     options.outliers = 1;
     const Advice loose = recommend(options, work);
@@ -140,8 +140,8 @@ TEST(Recommend, KeepsTheErrorBoundAndFindsWhatItAllows) {
     EXPECT_LT(loose.best().cost, strict.best().cost);
 }
 
-TEST(Recommend, CostsAreTheStatedOnesAndHangOnTheSeedAlone) {
-    AdviceOptions options = asked("city");
+TEST(Recommend, CostsAreTheStatedOnesAndDependOnTheSeedAlone) {
+    AdviceOptions options = optionsFor("city");
     options.forms = choices({"exact", "max-pyramid", "cone", "distance-refined"});
     options.stepCost = 5;
     Work one(1);
@@ -160,7 +160,7 @@ TEST(Recommend, CostsAreTheStatedOnesAndHangOnTheSeedAlone) {
 }
 
 TEST(Recommend, KeepsTheMemory) {
-    AdviceOptions options = asked("fractal", Form::Scalar, 256);
+    AdviceOptions options = optionsFor("fractal", Form::Scalar, 256);
     options.forms = choices({"exact", "cone:precision=u8", "distance-conservative", "cone"});
     Work work;
     for (const std::int64_t memory : {std::int64_t{0}, std::int64_t{140000}, std::int64_t{64} << 20}) {
@@ -180,7 +180,7 @@ TEST(Recommend, KeepsTheMemory) {
 }
 
 TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
-    AdviceOptions options = asked("hills", Form::Simd);
+    AdviceOptions options = optionsFor("hills", Form::Simd);
     options.forms = choices({"exact", "max-pyramid", "layers:layers=8192", "cone"});
     Work work;
     const Advice advice = recommend(options, work);
@@ -188,7 +188,7 @@ TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
     EXPECT_GT(advice.best().secondsPerRay, 0);
     EXPECT_EQ(advice.best().cost, advice.best().secondsPerRay);
     for (const AdvisedForm& form : advice.forms) {
-        // Thousands of look-ups a ray: slower at any load, and not looked at twice.
+        // Thousands of look-ups per ray: slower under any load, so it is rejected after the first trial.
         if (form.method.name == "layers") {
             EXPECT_EQ(form.rounds, 0);
             EXPECT_NE(form.verdict, Verdict::Kept);
@@ -212,11 +212,11 @@ TEST(Recommend, FlatMapsAreNamedAndNeedNoMap) {
             EXPECT_EQ(sentence(note).find("inf"), std::string::npos) << sentence(note);
         }
     }
-    EXPECT_FALSE(reliefFigures(asked("hills").field).flat);
+    EXPECT_FALSE(reliefFigures(optionsFor("hills").field).flat);
 }
 
 TEST(Recommend, KeepsTheStepBudget) {
-    AdviceOptions options = asked("hills");
+    AdviceOptions options = optionsFor("hills");
     options.maxSteps = 20;
     options.outliers = 0.01;
     options.error = 4;
@@ -231,10 +231,10 @@ TEST(Recommend, KeepsTheStepBudget) {
         }
     }
     EXPECT_NE(adviceText(options, advice).find("At most 20 steps per ray"), std::string::npos);
-    // Numbers of layers that just fit are tried.
+    // The largest numbers of layers within the budget are among the forms.
     const auto forms = adviceForms(options.field, 10, 32);
     EXPECT_NE(std::find(forms.begin(), forms.end(), choices({"layers-secant:layers=28"})[0]), forms.end());
-    // Nothing keeps all: the nearest is named, and the text says so.
+    // If no method satisfies all bounds, the nearest one is named, and the text says so.
     options.maxSteps = 2;
     options.error = 0;
     options.outliers = 0;
@@ -243,9 +243,9 @@ TEST(Recommend, KeepsTheStepBudget) {
     EXPECT_NE(adviceText(options, none).find("No method keeps all bounds"), std::string::npos);
 }
 
-// Those past the bound stand in the table, with their errors, and no factor is told as thousands of percent.
-TEST(Recommend, ApproximateMethodsStandBesideTheSafeOnes) {
-    AdviceOptions options = asked("columns");
+// Methods that violate a bound are listed with their errors, and no factor is printed as thousands of percent.
+TEST(Recommend, ApproximateMethodsAreListedWithTheirErrors) {
+    AdviceOptions options = optionsFor("columns");
     options.forms = choices({"exact", "max-pyramid", "cone", "offset", "layers", "relaxed-cone"});
     Work work;
     const Advice advice = recommend(options, work);
@@ -257,7 +257,7 @@ TEST(Recommend, ApproximateMethodsStandBesideTheSafeOnes) {
     EXPECT_EQ(text.find("inf"), std::string::npos) << text;
 }
 
-// One relief on which the bound is broken is enough, whatever comes after it.
+// A bound violated on one relief makes the check fail, whatever the results of the others.
 TEST(Recommend, ChecksKeepBoundsOnEveryRelief) {
     AdviceRegret kept;
     kept.chosen = kept.best = {"exact", {}};
@@ -282,7 +282,7 @@ TEST(Recommend, FiguresOfTheRelief) {
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) ramp(x, y) = static_cast<float>(x) / 64;
     }
-    // 12.8 texels deep, so 0.2 a texel along x and none along y.
+    // 12.8 texels deep, so a slope of 0.2 per texel along x and none along y.
     const ReliefFigures slope =
         reliefFigures(HeightField(std::make_shared<FloatImage>(ramp), Surface::Bilinear, Address::Repeat, 0.2));
     EXPECT_NEAR(slope.roughness, 0.1, 1e-6);
@@ -302,11 +302,11 @@ TEST(Recommend, FiguresOfTheRelief) {
 }
 
 TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
-    AdviceOptions options = asked("hills");
+    AdviceOptions options = optionsFor("hills");
     options.views = parseViews("30", "--views");
     Work work;
     const FilterAdvice advice = recommendFilter(options, 1, work);
-    // Every filter of the list but the truth itself, and the rates are held against trilinear's.
+    // Every filter of the list except the reference itself; rates are relative to that of trilinear.
     for (const FilterDescription& filter : filterList()) {
         const bool tried = std::any_of(advice.filters.begin(), advice.filters.end(), [&](const FilterFigures& figures) {
             return figures.filter.name == filter.name;
@@ -323,7 +323,7 @@ TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
 }
 
 TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {
-    AdviceOptions options = asked("bricks");
+    AdviceOptions options = optionsFor("bricks");
     options.forms = choices({"exact", "max-pyramid", "cone", "offset"});
     Work work;
     const Advice advice = recommend(options, work);

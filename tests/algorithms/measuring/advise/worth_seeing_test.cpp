@@ -18,15 +18,15 @@ TEST(WorthSeeing, TheLargestComeFirstAndApart) {
     std::vector<float> values(20 * 10, 0);
     values[0] = kNan;
     values[3 * 20 + 4] = 5;
-    values[3 * 20 + 5] = 4;  // beside it
+    values[3 * 20 + 5] = 4;  // a neighbour of the maximum
     values[8 * 20 + 15] = kEndless;
     values[1 * 20 + 15] = 4;
     values[9] = -1;
     const auto found = largestApart(values, 20, 3, 10);
-    const std::vector<PixelWorth> wanted{{15, 8, kEndless}, {4, 3, 5}, {15, 1, 4}};
-    EXPECT_EQ(found, wanted);
+    const std::vector<PixelWorth> expected{{15, 8, kEndless}, {4, 3, 5}, {15, 1, 4}};
+    EXPECT_EQ(found, expected);
     EXPECT_EQ(largestApart(values, 20, 3, 1).size(), 1U);
-    EXPECT_EQ(largestApart(values, 20, 1, 10).size(), 4U) << "neighbours count where nothing is to lie apart";
+    EXPECT_EQ(largestApart(values, 20, 1, 10).size(), 4U) << "neighbours count if no distance is required";
 }
 
 struct Rendered : RenderedView {
@@ -44,7 +44,7 @@ TEST(WorthSeeing, WhatRanksIsWhatTheLayersSay) {
         const ErrorKind kind = errors.kinds[view.frame->index(at.x, at.y)];
         EXPECT_TRUE(kind == ErrorKind::Past || kind == ErrorKind::Wrong);
     }
-    // Every ray's steps are those of its log.
+    // The steps of every ray equal those of its log.
     const auto steps = largestApart(stepWorth(*view.frame, *view.tracer, view.work), 60, 4, 3);
     ASSERT_FALSE(steps.empty());
     RayBlock rays;

@@ -1,4 +1,4 @@
-// What all tables of measurements share: fields of CSV, objects of JSON.
+// What all tables of measurements share: CSV fields and JSON objects.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-// Small enough for a test; each block has rows and a remainder.
+// Small enough for a test; each block has both full SIMD vectors and a remainder.
 RowBenchOptions smallOptions() {
     RowBenchOptions options;
     options.widths = {640, 1001};
@@ -27,7 +27,7 @@ TEST(BenchRows, TheWallFillsTheRowAndFadesAsStated) {
             const Homography map = obliqueWall(4096, width, elevation);
             const RowBlock block = wallRows(width, 7, elevation);
             const double last = static_cast<double>(width);
-            // Texels; the map's own rounding at the edges of a wall seen almost along itself.
+            // Texels; the map itself is rounded at the edges of a wall seen almost edge-on.
             EXPECT_NEAR(map.at(0, 0).s, 0, 1e-6);
             EXPECT_NEAR(map.at(last, 0).s, 4096, 1e-6);
             EXPECT_NEAR(map.at(last, block.firstY - 0.5 * block.stepY).t, 0, 1e-6);
@@ -42,12 +42,12 @@ TEST(BenchRows, TheWallFillsTheRowAndFadesAsStated) {
 TEST(BenchRows, MeasuresEveryVariantWithItsCountsAndError) {
     const RowBenchOptions options = smallOptions();
     Work work;
-    std::size_t told = 0;
-    RowBenchOptions telling = options;
-    telling.onRow = [&](const RowBenchRow&) { ++told; };
-    const auto rows = benchRows(telling, work);
+    std::size_t reported = 0;
+    RowBenchOptions reporting = options;
+    reporting.onRow = [&](const RowBenchRow&) { ++reported; };
+    const auto rows = benchRows(reporting, work);
     ASSERT_EQ(rows.size(), 2 * 2 * 2 * options.methods.size());
-    EXPECT_EQ(told, rows.size());
+    EXPECT_EQ(reported, rows.size());
     for (const RowBenchRow& row : rows) {
         SCOPED_TRACE(rowBenchCsvLine(row));
         EXPECT_GT(row.rate, 0);
@@ -104,7 +104,7 @@ TEST(BenchRows, PlannedSpansKeepTheirError) {
     options.methods = {parseRowMethod("subspan:error=0.25", ""), parseRowMethod("subspan:error=2:anchor=0", "")};
     options.precisions = {RowPrecision::Double};
     Work work;
-    options.widths = {20000};  // wide enough for the planned spans to be long
+    options.widths = {20000};  // wide enough for long planned spans
     const auto rows = benchRows(options, work);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double error = i % 2 == 0 ? 0.25 : 2;

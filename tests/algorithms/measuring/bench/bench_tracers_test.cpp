@@ -1,4 +1,4 @@
-// relief bench tracers: columns, files and errors that can be checked by hand.
+// relief bench tracers: columns, files, and errors that can be verified by hand.
 #include "measuring/bench/bench_tracers.h"
 
 #include <array>
@@ -37,11 +37,11 @@ BenchOptions small(std::vector<MeasuredMethod> methods) {
     return options;
 }
 
-// A line of CSV with its quotes undone.
+// Returns the fields of a line of CSV without quotes.
 std::vector<std::string> unquoted(const std::string& line) {
     std::vector<std::string> fields(1);
     bool inside = false;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {  // without the line's end
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {  // without the line break
         if (line[i] == '"' && inside && line[i + 1] == '"') {
             fields.back() += line[i++];
         } else if (line[i] == '"') {
@@ -66,7 +66,7 @@ TEST(BenchTracers, ColumnsAreThoseThatScriptsRelyOn) {
     EXPECT_EQ(benchCsvHeader(), kHeader);
 }
 
-// Every method by its reference alone: the same hits and counts, over the same maps.
+// Every method in its reference implementation gives the same hits and counts, with the same maps.
 TEST(BenchTracers, FormsDifferInRateOnly) {
     BenchOptions options = small({});
     options.elevations = {25.0};
@@ -153,7 +153,7 @@ TEST(BenchTracers, TracersAreMadeOnceAMap) {
         EXPECT_EQ(parts[r].errors.max, whole[r].errors.max);
         EXPECT_EQ(parts[r].memoryBytes, whole[r].memoryBytes);
     }
-    // Whatever they depend on makes them anew.
+    // A change of anything that maps depend on builds them again.
     options.reliefDepth = 0.2;
     benchTracers(options, work);
     EXPECT_EQ(made, 2);
@@ -176,7 +176,7 @@ TEST(BenchTracers, PercentilesAreNearestRanks) {
     for (std::size_t i = 0; i < kRays; ++i) {
         rays.set(i, {0, 0, 1, 0});
         truth.set(i, Hit::at(rays[i], 0));
-        hits.set(i, Hit::at(rays[i], static_cast<double>((i * 7919) % kRays + 1) / kRays));  // each once
+        hits.set(i, Hit::at(rays[i], static_cast<double>((i * 7919) % kRays + 1) / kRays));  // each lambda occurs once
     }
     const TracerErrors errors = tracerErrors(rays, truth, hits);
     EXPECT_EQ(errors.p95, 0.95);
@@ -214,9 +214,9 @@ TEST(BenchTracers, ExactMethodsHaveNoErrorAndLayersHave) {
     EXPECT_EQ(optionsText(rows[methods.size() - 1].method, true), "layers=7");
 }
 
-// The field ends at its border: a tracer that sees nothing in the left half is wrong exactly there.
+// With address border: a tracer that finds nothing in the left half has wrong outcomes exactly there.
 TEST(BenchTracers, WrongOutcomesUnderBorder) {
-    const auto blind = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) {
+    const auto blind = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
         if (ray.s0 < 2) hit = Hit::none(Outcome::Miss);
     };
     BenchOptions options = small({altered({"exact", {}}, blind)});
@@ -298,7 +298,7 @@ TEST(BenchTracers, RaysOfAViewComeFromItsElevation) {
     const RayBlock down = benchRays(field, 90.0, 10, 3);
     EXPECT_EQ(down.a, std::vector<double>(10, 0.0));
     const RayBlock random = benchRays(field, std::nullopt, 100, 3);
-    // The same rays from a lowest elevation on: none flatter.
+    // Rays drawn from a lowest elevation on: none is flatter.
     const double steepest = field.slabTexels() / std::tan(40 * std::numbers::pi / 180);
     const RayBlock steep = benchRays(field, std::nullopt, 100, 3, 40);
     std::size_t flatter = 0;
@@ -310,15 +310,15 @@ TEST(BenchTracers, RaysOfAViewComeFromItsElevation) {
     EXPECT_EQ(std::set<double>(random.a.begin(), random.a.end()).size(), 100U);
 }
 
-TEST(BenchTracers, SlowReferencesGetFewerRaysAndSaySo) {
+TEST(BenchTracers, SlowReferencesGetFewerRaysWithANote) {
     BenchOptions options = small({measuredMethod({"offset", {}})});
     options.elevations = {2.0};
     options.referenceCells = 20000;
     std::vector<std::string> notes;
     options.onNote = [&](const Message& message) { notes.push_back(sentence(message)); };
     std::int64_t rays = 0;
-    options.methods = {altered({"exact", {}}, [&](const ViewRay&, Hit&, std::uint32_t&, Asking asking) {
-        if (asking == Asking::Counting) ++rays;
+    options.methods = {altered({"exact", {}}, [&](const ViewRay&, Hit&, std::uint32_t&, Overload overload) {
+        if (overload == Overload::Counting) ++rays;
     })};
     Work work(1);
     benchTracers(options, work);

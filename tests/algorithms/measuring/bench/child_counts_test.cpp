@@ -27,7 +27,7 @@ ChildrenByLevel counted(const char* name, const HeightField& field, int rays, st
     return countChildren(log);
 }
 
-// A needle beside the ray's way: every texel is descended into, one child after the other is free.
+// A needle next to the ray's path: every texel is descended into; one child after the other is free.
 TEST(ChildCounts, ofOneRayByHand) {
     FloatImage heights(4, 4, 0.0F);
     heights(3, 3) = 0.9F;
@@ -36,7 +36,7 @@ TEST(ChildCounts, ofOneRayByHand) {
     MapCache cache;
     Work work;
     RayBlock block;
-    block.push({0.25, 3.5, 3.5, -3.25});  // from the lower left to the upper right, above all that it crosses
+    block.push({0.25, 3.5, 3.5, -3.25});  // from the lower left to the upper right, above everything that it crosses
     HitBlock hits;
     StepLog log;
     makeTracer({"max-pyramid-paper", {}}, field, cache, work)->trace(block, hits, log, work);
@@ -61,14 +61,14 @@ TEST(ChildCounts, oneTwoOrThreeOfFourAndTheLevelsAddUp) {
     EXPECT_GT(all.mean(), 1);
     EXPECT_LT(all.mean(), 2);
     EXPECT_NEAR(all.share(1) + all.share(2) + all.share(3), 1, 1e-12);
-    // The stackless walk descends as often, but for the parents that it leaves without climbing.
+    // The stackless traversal descends as often, except for parents that it leaves without ascending.
     EXPECT_GT(sumOf(counted("max-pyramid", field, 2000, 101)).finished[2], 0);
 }
 
 TEST(ChildCounts, methodsWithoutAPyramidHaveNone) {
     const HeightField field(randomHeights(16, 16, 3), Surface::Bilinear, Address::Repeat, 0.5);
     for (const char* name : {"exact", "layers", "cone"}) EXPECT_TRUE(counted(name, field, 50, 7).empty()) << name;
-    // The hybrid's descents end in another method, not one level below.
+    // The hybrid's descents continue in another method, not one level below, so none is counted.
     EXPECT_TRUE(counted("hybrid", field, 50, 7).empty());
 }
 

@@ -1,4 +1,4 @@
-// The table of the papers' claims: the shipped one is whole, and measuring again fills every sentence.
+// The table of the papers' claims: the shipped one is complete, and measuring again fills in every sentence.
 #include "measuring/bench/claims.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(Claims, TheShippedTableIsWhole) {
     EXPECT_EQ(table.date.size(), 10U) << table.date;
     EXPECT_FALSE(table.cpu.empty());
     expectWhole(table);
-    // What no paper says is attributed to none.
+    // Results that no paper states are not attributed to one.
     EXPECT_EQ(claimsText(table, Language::English).find("25%"), std::string::npos);
 }
 
@@ -51,7 +51,7 @@ TEST(Claims, MeasuringAgainFillsEverySentence) {
                             [&](const MeasuredClaim& c) { return c.id == id; })
             ->verdict;
     };
-    // Those that no number of rays can change.
+    // Claims whose result does not depend on the number of rays.
     for (const char* id : {"no-loss", "example", "direct-counts", "row-constant", "unchanged", "highest"}) {
         EXPECT_EQ(verdict(id), ClaimVerdict::Confirmed) << id;
     }

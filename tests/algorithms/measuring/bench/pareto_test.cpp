@@ -1,4 +1,4 @@
-// What the Pareto chart draws of a table, on tables made by hand.
+// The points and the front that the Pareto chart shows, for hand-made tables.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Pareto, TimesAreMeantGeometricallyErrorsPlainly) {
     EXPECT_DOUBLE_EQ(layers.steps, 6);
     EXPECT_DOUBLE_EQ(layers.spread, 0.2);
     EXPECT_FALSE(table.bothForms());
-    // Where nothing hits as it should there is no error to be meant.
+    // If no ray has the right outcome, the mean error is undefined.
     rows[2].errors.mean = rows[2].errors.max = std::nan("");
     const ParetoPoint some = paretoTable(rows).points[1];
     EXPECT_DOUBLE_EQ(some.errorOf(ErrorMeasure::Mean), 0.5);

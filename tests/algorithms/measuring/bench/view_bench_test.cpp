@@ -1,4 +1,4 @@
-// What is counted of a view's rays: every ray lies in one bin, and bins lead to the pixels that are in them.
+// Histograms over the rays of a view: every ray is in one bin, and a bin gives the pixels that it contains.
 #include "measuring/bench/view_bench.h"
 
 #include <cmath>
@@ -130,7 +130,7 @@ TEST(ViewBench, theWorstPixelIsFarthestFromExact) {
     EXPECT_EQ(static_cast<float>(other.errorOf(found->x, found->y)), most);
 }
 
-TEST(ViewBench, sampledRaysAreEvenlySpreadAndNoMoreThanAsked) {
+TEST(ViewBench, sampledRaysAreUniformAndNoMoreThanRequested) {
     View view({"exact", {}}, Address::Repeat);
     std::size_t covered = 0;
     for (int y = 0; y < view.request.height; ++y) {
@@ -140,7 +140,7 @@ TEST(ViewBench, sampledRaysAreEvenlySpreadAndNoMoreThanAsked) {
     for (const std::size_t most : {1U, 7U, 100U}) {
         const RayBlock rays = sampledRays(*view.frame, most);
         EXPECT_LE(rays.size(), most);
-        EXPECT_GE(4 * rays.size() + 3, most) << "too few to tell";
+        EXPECT_GE(4 * rays.size() + 3, most) << "too few to decide";
     }
 }
 
@@ -152,9 +152,9 @@ TEST(ViewBench, rowsAreOfTheMethodsThatKnowTheSurface) {
     const RayBlock rays = sampledRays(*view.frame, 200);
     for (const HeightField& field : {view.request.field, columns}) {
         const auto rows = benchRaysOfView(field, rays, methods, 1, *view.maps, view.work);
-        std::vector<std::string> wanted, found;
+        std::vector<std::string> expected, found;
         for (const MethodChoice& method : methods) {
-            if (supports(method, field.surface(), field.address())) wanted.push_back(method.name);
+            if (supports(method, field.surface(), field.address())) expected.push_back(method.name);
         }
         for (const BenchRow& row : rows) {
             found.push_back(row.method.name);
@@ -167,7 +167,7 @@ TEST(ViewBench, rowsAreOfTheMethodsThatKnowTheSurface) {
                 EXPECT_EQ(row.errors.wrongOutcome, 0) << row.method.name;
             }
         }
-        EXPECT_EQ(found, wanted);
+        EXPECT_EQ(found, expected);
     }
     EXPECT_TRUE(benchRaysOfView(view.request.field, RayBlock(), methods, 1, *view.maps, view.work).empty());
 }

@@ -1,4 +1,4 @@
-// What goes wrong first on a ray, by reliefs made for each kind, and laws over random ones.
+// The first error of a method on a ray: reliefs made for each kind of error, and properties tested on random ones.
 #include "measuring/compare/duel.h"
 
 #include <set>
@@ -26,7 +26,7 @@ Hit exactHit(const HeightField& field, const ViewRay& ray) {
     return runOf({"exact", {}}, field, ray).hit;
 }
 
-// Ground at `low`, and a wall of one texel column at i = `at`.
+// Ground at height `low` with a wall of height `high`, one column of texels wide, at i = `at`.
 HeightField wall(int size, int at, float low, float high, Surface surface = Surface::Columns) {
     FloatImage heights(size, size, low);
     for (int j = 0; j < size; ++j) heights(at, j) = high;
@@ -61,7 +61,7 @@ TEST(Duel, AWallBetweenTwoLayersIsAMissedSpike) {
 }
 
 TEST(Duel, AnAnswerBeforeTheSurfaceIsStoppedEarly) {
-    // It enters above the wall and falls off it: the height at the entry says lambda = 0.2.
+    // The ray enters above the wall and passes its edge: from the height at the entry the method computes lambda = 0.2.
     const HeightField field = wall(64, 20, 0.1F, 0.8F);
     const ViewRay ray{20.5, 30.5, 40, 0};
     const Judged found = judged({"offset", {}}, field, ray);
@@ -69,7 +69,7 @@ TEST(Duel, AnAnswerBeforeTheSurfaceIsStoppedEarly) {
     EXPECT_LT(found.run.hit.lambda, found.exact.lambda);
     EXPECT_NEAR(found.judgement.texels, (found.exact.lambda - found.run.hit.lambda) * 40, 1e-9);
     EXPECT_FALSE(found.judgement.overshoot);
-    // One that gives up.
+    // A run that gives up.
     DuelRun gaveUp = runOf({"exact", {}}, field, ray);
     gaveUp.steps.resize(3);
     gaveUp.steps.back().decision = Decision::Limit;
@@ -81,7 +81,7 @@ TEST(Duel, AnAnswerBeforeTheSurfaceIsStoppedEarly) {
 }
 
 TEST(Duel, AMapThatPromisesTooMuchIsUnsafe) {
-    // Distances of a relief without the wall, walked where the wall stands: what a stale or unsafe map does.
+    // Distances of a relief without the wall, used for one with the wall: the behaviour of an outdated or unsafe map.
     const HeightField field = wall(64, 20, 0.1F, 0.8F);
     const HeightField ground(constantHeights(64, 64, 0.1F), Surface::Columns);
     const ViewRay ray{1.5, 30.5, 48, 0};
@@ -89,7 +89,7 @@ TEST(Duel, AMapThatPromisesTooMuchIsUnsafe) {
     const Judgement judgement = judge(run, exactHit(field, ray), ray, field);
     EXPECT_EQ(judgement.kind, Departure::UnsafeMap);
     EXPECT_EQ(run.steps.at(judgement.step).decision, Decision::Advance);
-    // A maximum that is too low is the same fault.
+    // A maximum that is too small is the same kind of error.
     const DuelRun pyramid = runOf({"max-pyramid", {}}, ground, ray);
     const Judgement skipped = judge(pyramid, exactHit(field, ray), ray, field);
     EXPECT_NE(skipped.kind, Departure::None);
@@ -97,7 +97,7 @@ TEST(Duel, AMapThatPromisesTooMuchIsUnsafe) {
 }
 
 TEST(Duel, ASecantThatIsNotTheSurfaceLeaks) {
-    // The ray meets the wall's side late in the layer; the straight line between the layer's ends crosses it earlier.
+    // The ray meets the wall's side late in the layer; the secant between the layer's ends crosses it earlier.
     const HeightField field = wall(64, 17, 0.1F, 0.8F);
     const ViewRay ray{1.8, 30.5, 62, 0};
     const Judged found = judged({"layers-secant", {{"layers", "4"}}}, field, ray);
@@ -106,7 +106,7 @@ TEST(Duel, ASecantThatIsNotTheSurfaceLeaks) {
     EXPECT_EQ(found.run.steps.at(found.judgement.step).decision, Decision::Refine);
     EXPECT_LE(found.judgement.from, found.exact.lambda);
     EXPECT_GE(found.judgement.to, found.exact.lambda);
-    // Without the refinement it is only that: no refinement.
+    // Without refinement the error is only that there is none.
     EXPECT_EQ(judged({"layers", {{"layers", "4"}}}, field, ray).judgement.kind, Departure::NotRefined);
 }
 
@@ -138,7 +138,8 @@ TEST(Duel, LockStepKeepsAllAtTheSamePlace) {
     EXPECT_FALSE(firstToDepart(steps, judgements));
 }
 
-// Over every method: who answers as exact does is not judged, who does not is, at a step of its log, in a sentence.
+// For every method: a result equal to the exact one is not judged; any other is judged at a step of the log, and
+// described in a sentence.
 TEST(Duel, EveryDepartureIsNamed) {
     constexpr std::uint64_t kSeed = 20261;
     std::array<int, 6> seen{};
@@ -161,13 +162,13 @@ TEST(Duel, EveryDepartureIsNamed) {
                 if (judgement.kind == Departure::None || judgement.kind == Departure::StoppedEarly) continue;
                 EXPECT_LE(judgement.from, exact.lambda) << method.name << " " << n;
                 EXPECT_GE(std::max(judgement.to, run.hit.lambda), exact.lambda) << method.name << " " << n << text;
-                // Of a coarser level's maxima as well: it is another relief.
+                // True also for the maxima of a coarser level, which describe another relief.
                 const bool stored = run.steps[judgement.step].trustsMap() || method.options.contains("base");
                 EXPECT_TRUE(stored || judgement.kind != Departure::UnsafeMap) << text;
             }
         }
     }
-    // All kinds occur, so that the laws above speak of all.
+    // All kinds occur, so that the tests above cover them all.
     for (std::size_t kind = 0; kind < seen.size(); ++kind) EXPECT_GT(seen[kind], 0) << kind << ", seed " << kSeed;
 }
 

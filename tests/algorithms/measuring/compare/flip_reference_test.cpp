@@ -1,4 +1,5 @@
-// FLIP once more, pixel by pixel from the published definition: two-dimensional filters, all in double, nothing shared.
+// An independent implementation of FLIP, pixel by pixel from the published definition: two-dimensional filters in
+// double, no code shared with the library.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -11,14 +12,15 @@
 namespace relief {
 namespace {
 
-// The library keeps filtered planes in float (1e-7 was measured first); powers of small differences enlarge that.
+// The library stores filtered planes in float (an error of 1e-7 was measured first); powers of small differences
+// magnify it.
 constexpr double kFloatPlanes = 1e-5;
 
 using Rgb = std::array<double, 3>;
 using Filter = std::function<double(int, int)>;
 using Pixels = std::function<double(int, int)>;
 
-// The sRGB to XYZ matrix as the authors' fractions.
+// The matrix from sRGB to XYZ with the authors' fractions.
 Rgb xyzOf(const Rgb& c) {
     return {10135552.0 / 24577794 * c[0] + 8788810.0 / 24577794 * c[1] + 4435075.0 / 24577794 * c[2],
             2613072.0 / 12288897 * c[0] + 8788810.0 / 12288897 * c[1] + 887015.0 / 12288897 * c[2],
@@ -46,7 +48,7 @@ Rgb opponentOf(const Rgb& rgb) {
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-// Hunt-adjusted L*a*b* of a colour in the opponent space, clamped to what a screen shows.
+// Hunt-adjusted L*a*b* of a colour in the opponent space, clamped to the display's gamut.
 Rgb seenOf(const Rgb& opponent) {
     const double y = (opponent[0] + 16) / 116;
     Rgb rgb = rgbOf({(opponent[1] / 500 + y) * kWhite[0], y * kWhite[1], (y - opponent[2] / 200) * kWhite[2]});
@@ -79,7 +81,7 @@ double referenceFlip(const ColorImage& a, const ColorImage& b, double ppd, int x
                            std::min(std::max(double(c.b), 0.0), 1.0)});
     };
     constexpr double kPi = std::numbers::pi;
-    // Contrast sensitivity: a1, b1, a2, b2 of the three channels.
+    // Contrast sensitivity: a1, b1, a2, b2 for each of the three channels.
     const std::array<std::array<double, 4>, 3> channels{
         {{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}}};
     const int radius = int(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * ppd));
@@ -126,7 +128,7 @@ double referenceFlip(const ColorImage& a, const ColorImage& b, double ppd, int x
     return std::pow(color, 1 - std::sqrt(feature / std::sqrt(2.0)));
 }
 
-// Stripes and a disc in strong colours, and the same with other colours, moved and noisy.
+// Stripes and a disc in saturated colours; `other`: with other colours, shifted and noisy.
 ColorImage picture(bool other) {
     ColorImage image(48, 36);
     for (int y = 0; y < 36; ++y) {

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-// Two smooth pictures that differ in places, by a formula.
+// Two smooth pictures, given by a formula, that differ in places.
 ColorImage waves(int width, int height, bool disturbed) {
     ColorImage image(width, height);
     for (int y = 0; y < height; ++y) {
@@ -46,8 +46,9 @@ TEST(PictureError, BlackAndWhite) {
         pictureError(ColorImage(40, 30, Color(0)), ColorImage(40, 30, Color(7)), kPixelsPerDegree, map, work);
     EXPECT_EQ(error.rmse, 1) << "clamped before comparing";
     EXPECT_NEAR(error.psnr, 0, 1e-12);
-    // No edges: the colour error alone. HyAB(black, white) = 100 = |dL|; the largest distance, of the adjusted green
-    // and blue, is 41.276 to the power 0.7 already; 0.95 + 0.05 (100^0.7 - 0.4 c) / (0.6 c).
+    // There are no edges, so only the colour error counts. HyAB(black, white) = 100 = |dL|; the largest distance,
+    // between the adjusted green and blue, is 41.276, which includes the power 0.7; 0.95 + 0.05 (100^0.7 - 0.4 c) /
+    // (0.6 c).
     const double c = 41.276098;
     const double expected = 0.95 + 0.05 * (std::pow(100, 0.7) - 0.4 * c) / (0.6 * c);
     for (const float value : map.pixels()) EXPECT_NEAR(static_cast<double>(value), expected, 1e-5);
@@ -56,14 +57,15 @@ TEST(PictureError, BlackAndWhite) {
 TEST(PictureError, RmseIsOfTheEncodedValues) {
     Work work(1);
     FloatImage map;
-    // Linear 0.2140411 is sRGB 0.5.
+    // 0.2140411 in linear light is 0.5 in sRGB.
     const PictureError error =
         pictureError(ColorImage(3, 3, Color(0)), ColorImage(3, 3, Color(0.21404114F, 0, 0)), 67, map, work);
     EXPECT_NEAR(error.rmse, 0.5 / std::sqrt(3.0), 1e-6);
     EXPECT_NEAR(error.psnr, -20 * std::log10(0.5 / std::sqrt(3.0)), 1e-5);
 }
 
-// Every channel of every pixel alike, by hand: sRGB is 12.92 c up to 0.0031308 and 1.055 c^(1/2.4) - 0.055 above.
+// All channels of all pixels have the same weight, checked by hand: sRGB is 12.92 c up to 0.0031308 and 1.055 c^(1/2.4)
+// - 0.055 above.
 TEST(PictureError, EveryChannelOfEveryPixelCountsAlike) {
     constexpr double kFloat = 1e-6;
     const double dark = 12.92 * 0.002, middle = 1.055 * std::pow(0.5, 1 / 2.4) - 0.055;
@@ -73,7 +75,7 @@ TEST(PictureError, EveryChannelOfEveryPixelCountsAlike) {
     b(0, 0) = {0, 0.5F, 0};
     a(1, 0) = {0, 0, 0.5F};
     b(1, 0) = {0, 0, 0.002F};
-    // Clamped on both sides: two of the three are the same.
+    // Clamping on both sides makes two of the three channels equal.
     a(0, 1) = {-3, infinite, 0};
     b(0, 1) = {0, 2, -infinite};
     a(1, 1) = {infinite, 0, 0};
@@ -91,13 +93,13 @@ TEST(PictureError, EveryChannelOfEveryPixelCountsAlike) {
     }
 }
 
-// A uniform pair has no edges and no points, and what the eye resolves of it is the colour itself: the colour term of
-// the paper alone, the same at any distance. Both branches of its bend, and of the curve of L*a*b*, whose dark end is
-// a line.
+// A pair of uniform pictures has no edges or points, and filtering does not change its colours: the result is the
+// paper's colour term alone, at any distance. Covers both branches of its mapping, and of the L*a*b* curve, which is
+// linear for dark colours.
 TEST(Flip, UniformPairsAreTheirColourTerm) {
     using Truth = long double;
     using Three = std::array<Truth, 3>;
-    // float planes, of which powers of small differences are taken
+    // planes are float, and powers of small differences are taken
     constexpr double kFloat = 2e-5;
     const auto seen = [](const Color& c) {
         constexpr Truth kToXyz[3][3] = {{0.41238656L, 0.35759149L, 0.18045049L},
@@ -132,12 +134,12 @@ TEST(Flip, UniformPairsAreTheirColourTerm) {
     bool below = false, above = false;
     for (const auto& [a, b] : pairs) {
         const Truth share = distance(a, b) / largest;
-        const Truth wanted = share < 0.4L ? share * 0.95L / 0.4L : 0.95L + (share - 0.4L) / 0.6L * 0.05L;
+        const Truth expected = share < 0.4L ? share * 0.95L / 0.4L : 0.95L + (share - 0.4L) / 0.6L * 0.05L;
         (share < 0.4L ? below : above) = true;
         for (const double pixelsPerDegree : {5.0, 67.0}) {
             const FloatImage errors = flipErrors(ColorImage(7, 4, a), ColorImage(7, 4, b), pixelsPerDegree, work);
             for (const float error : errors.pixels()) {
-                EXPECT_NEAR(error, static_cast<double>(wanted), kFloat) << a.x << " " << b.x;
+                EXPECT_NEAR(error, static_cast<double>(expected), kFloat) << a.x << " " << b.x;
             }
         }
     }
@@ -154,7 +156,7 @@ TEST(Flip, AgreesWithTheUnseparatedFilters) {
         for (const float value : errors.pixels()) sum += static_cast<double>(value);
         return sum / static_cast<double>(errors.size());
     };
-    // From a direct double-precision evaluation of the published two-dimensional filters.
+    // From a direct evaluation of the published two-dimensional filters in double.
     EXPECT_NEAR(mean(67), 0.138771256, 2e-6);
     EXPECT_NEAR(mean(20), 0.260995778, 2e-6);
 }

@@ -1,5 +1,5 @@
-// Certificates: what is safe is proven, what is not is refuted by a ray that shows it, and a stored value altered by
-// one code is found.
+// Certificates: safe maps are proved safe, unsafe ones are refuted by a ray that shows the error, and a single stored
+// value altered by one code is detected.
 #include "measuring/verify/certificate.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 constexpr CertificateOptions kFewRays{.rays = 3000, .seed = 11};
 constexpr CertificateOptions kValuesOnly{.rays = 0, .seed = 11};
 
-// The conservative methods, in forms that take each part of the check: footprints that do not divide the size, sectors
-// by quadrants and not, coarse numbers.
+// The conservative methods, with options that cover each part of the check: footprints that do not divide the size,
+// sectors whose number is and is not a multiple of four, low precision.
 std::vector<MethodChoice> safeChoices(bool clamp) {
     std::vector<MethodChoice> all{
         {"distance-conservative", {{"layers", "9"}}},
@@ -48,7 +48,7 @@ std::string failure(const Certificate& certificate, const HeightField& field) {
     return describe(field) + "\n" + certificateText(certificate, field);
 }
 
-// A copy with one code altered by so many.
+// Returns a copy in which one code is changed by `by`.
 template <class Values>
 Values altered(const Values& values, std::size_t at, int by) {
     auto codes = values.codes();
@@ -56,7 +56,7 @@ Values altered(const Values& values, std::size_t at, int by) {
         [&](auto& all) {
             using Code = typename std::decay_t<decltype(all)>::value_type;
             if constexpr (std::is_same_v<Code, float>) {
-                // Floats are rounded to the safe side by some 1e-6; a quantum is what can be told from that.
+                // Floats are rounded to the safe side by about 1e-6; a change of 1e-5 is distinguishable from that.
                 all[at] *= 1 + static_cast<float>(by) * 1e-5F;
             } else {
                 all[at] = static_cast<Code>(all[at] + by);
@@ -72,7 +72,7 @@ std::size_t placeOf(const StoredValues& values, int x, int y, int layer) {
 
 }  // namespace
 
-// Under repeat a ray through a place enters within the picture, a whole number of pictures away.
+// Under repeat a ray through a point enters within the picture, an integer number of periods away.
 TEST(Certificate, RaysThroughAPlaceGoThroughIt) {
     const HeightField field(randomHeights(40, 12, 5), Surface::Bilinear, Address::Repeat, 0.3);
     const CertificateRays rays(field, 100);
@@ -112,7 +112,7 @@ TEST(Certificate, ConservativeMapsAreProvenOnEveryRelief) {
     EXPECT_GT(values, std::uint64_t{1} << 20);
 }
 
-// Where the float crossings of the envelope once took the wrong parabola.
+// In such maps the envelope's crossings, computed in float, once selected the wrong parabola.
 TEST(Certificate, LargeMapsAreProvenToo) {
     MapCache cache;
     const HeightField field(share(makeRelief("bricks", 256, 256, 1)));
@@ -146,7 +146,7 @@ TEST(Certificate, UnsafeMethodsAreRefutedByARay) {
     }
 }
 
-// One value of a distance map raised by one code, anywhere.
+// One value of a distance map increased by one code, at any position.
 TEST(Certificate, DamagedDistancesAreFound) {
     Random random(77);
     int tried = 0;
@@ -185,8 +185,8 @@ TEST(Certificate, DamagedDistancesAreFound) {
     EXPECT_GT(tried, 20);
 }
 
-// Apexes lowered by one code, slopes by a rounding; slopes where a cell holds them up, not the guard for what is far
-// away, and above apexes that are not rounded up themselves, which would make room.
+// Apexes lowered by one code, slopes by slightly more than a rounding. Slopes are altered only where a cell determines
+// them, not the limit for distant ground, and below exact apexes, since an apex rounded up would leave room.
 TEST(Certificate, DamagedConesAreFound) {
     Random random(78);
     const HeightField field(share(makeRelief("columns", 32, 32, 9)));
@@ -198,7 +198,7 @@ TEST(Certificate, DamagedConesAreFound) {
         const StoredMap stored = buildMap("cone", choice.options, field, building, work);
         ConeMap whole = *std::get<1>(stored);
         if (precision == "float") {
-            // Without the slack, so that one step down is too flat.
+            // Built without slack, so that a slope one step smaller is unsafe.
             std::vector<float> apex;
             std::vector<float> exact(static_cast<std::size_t>(whole.nx()) * static_cast<std::size_t>(whole.ny()));
             conservativeCones(field, 1, 0, apex, exact, work);
@@ -227,7 +227,8 @@ TEST(Certificate, DamagedConesAreFound) {
     EXPECT_GT(slopes, 10);
 }
 
-// Every value of every layer, the lowest included: called free where the surface is, or as far as no bound allows.
+// Every value of every layer, including the lowest, is set to a distance that no bound permits; voxels that contain the
+// surface are thereby declared free.
 TEST(Certificate, EveryValueMadeFreeOrTooLargeIsFound) {
     Work work;
     for (const Heights& heights : {constantHeights(8, 8, 0), constantHeights(8, 8, 1), randomHeights(8, 8, 5)}) {
@@ -257,7 +258,8 @@ TEST(Certificate, EveryValueMadeFreeOrTooLargeIsFound) {
         }
         ConeMap cones = buildConeMap(ConeKind::Conservative, {}, field, work);
         ASSERT_EQ(checkConeBounds(cones, field, work).broken, 0U);
-        if (field.heights().pixels().front() == field.heights().pixels().back()) continue;  // level: any cone is safe
+        // on level ground any cone is safe
+        if (field.heights().pixels().front() == field.heights().pixels().back()) continue;
         const std::size_t cells = static_cast<std::size_t>(cones.nx() * cones.ny());
         cones.slopes =
             StoredValues(cones.nx(), cones.ny(), 1, std::vector<float>(cells, 0), Precision::Float, Rounding::Up);
@@ -267,8 +269,8 @@ TEST(Certificate, EveryValueMadeFreeOrTooLargeIsFound) {
     }
 }
 
-// What a certificate counts, from the same rays by hand: late hits, and rays that miss altogether, which only border
-// allows.
+// The counts of a certificate against counts from the same rays: late hits, and rays that miss altogether, which is
+// possible only under border.
 TEST(Certificate, CountsWhatGoesPastTheFirstHit) {
     constexpr std::uint64_t kRays = 20'000;
     std::uint64_t missed = 0, late = 0;
@@ -311,7 +313,7 @@ TEST(Certificate, CountsWhatGoesPastTheFirstHit) {
     EXPECT_GT(late, 10U);
 }
 
-// A map that is wrong by much: a ray through the value shows it, without any other ray.
+// For a map with a large error a ray through the wrong value shows it, without any random rays.
 TEST(Certificate, ARayShowsALargeDamage) {
     const HeightField field(share(makeRelief("columns", 32, 32, 9)), Surface::Columns, Address::Repeat, 0.25);
     MapCache building;
@@ -354,7 +356,8 @@ TEST(Certificate, MarksTakenAwayAndNoNumbersAreFound) {
               BrokenBound::What::NotANumber);
 }
 
-// The bound itself against a loop over all cells and their copies: values that are far too large get it written out.
+// The bound itself against a loop over all cells and their copies: values that are far too large make the check report
+// it.
 TEST(Certificate, BoundsAreThoseOfALoopOverAllCells) {
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {

@@ -1,5 +1,6 @@
-// The checks of relief stress are checked: something faulty is put in the place of what each tries, and the run must
-// report it under the check's own name. What is put in without a fault must pass, so that it is the fault that is seen.
+// Tests the checks of relief stress: a faulty substitute takes the place of what each check examines, and the run must
+// report it under that check's name. A substitute without a fault must pass, so that the fault itself is what is
+// detected.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -23,7 +24,7 @@ namespace {
 
 using Checks = std::set<std::string>;
 
-// By this seed the maps are small, and among the frames of two cases are some that may be spared (--bounded).
+// With this seed the maps are small, and some frames of the two cases may be approximated (--bounded).
 constexpr std::uint64_t kSeed = 25;
 constexpr std::uint64_t kCases = 2;
 
@@ -49,7 +50,7 @@ class StressFaultsTest : public ::testing::Test {
         return found;
     }
 
-    // A camera that sees its scene, and nothing more: what is refused or at an end is not the matter here.
+    // A camera that sees its scene; refusals and limiting cases are not tested with it.
     static std::vector<StressCameraFamily> plainCamera(bool refused = false) {
         const auto make = [](SceneKind, Random& random) {
             Camera camera;
@@ -66,7 +67,7 @@ class StressFaultsTest : public ::testing::Test {
 
 class AlteredQuery final : public AnyHitQuery {
   public:
-    using Alter = std::function<void(VisibilityBlock&, Asking)>;
+    using Alter = std::function<void(VisibilityBlock&, Overload)>;
     using AlterLog = std::function<void(StepLog&)>;
 
     AlteredQuery(std::unique_ptr<AnyHitQuery> inner, Alter alter, AlterLog alterLog)
@@ -77,15 +78,15 @@ class AlteredQuery final : public AnyHitQuery {
     double stepBound(const AnyRay& ray) const override { return inner_->stepBound(ray); }
     void query(const AnyRayBlock& rays, VisibilityBlock& results, NullSink& sink, Work& work) const override {
         inner_->query(rays, results, sink, work);
-        alter_(results, Asking::Plain);
+        alter_(results, Overload::Plain);
     }
     void query(const AnyRayBlock& rays, VisibilityBlock& results, BlockCounts& sink, Work& work) const override {
         inner_->query(rays, results, sink, work);
-        alter_(results, Asking::Counting);
+        alter_(results, Overload::Counting);
     }
     void query(const AnyRayBlock& rays, VisibilityBlock& results, StepLog& sink, Work& work) const override {
         inner_->query(rays, results, sink, work);
-        alter_(results, Asking::Logging);
+        alter_(results, Overload::Logging);
         if (alterLog_) alterLog_(sink);
     }
 
@@ -109,11 +110,11 @@ TEST_F(StressFaultsTest, FaultyQueriesAreReported) {
         return checksOf(run(StressPart::AnyHit, withQuery(alter, alterLog)));
     };
     const auto change = [](Visibility from, Visibility to) {
-        return [=](VisibilityBlock& results, Asking) {
+        return [=](VisibilityBlock& results, Overload) {
             std::replace(results.visibility.begin(), results.visibility.end(), from, to);
         };
     };
-    const AlteredQuery::Alter none = [](VisibilityBlock&, Asking) {};
+    const AlteredQuery::Alter none = [](VisibilityBlock&, Overload) {};
     EXPECT_EQ(checks(none), Checks{});
     EXPECT_EQ(checks(change(Visibility::Blocked, Visibility::Clear)), Checks{"any-hit"});
     EXPECT_EQ(checks(change(Visibility::Blocked, Visibility::Limit)), Checks{"limit"});
@@ -122,13 +123,13 @@ TEST_F(StressFaultsTest, FaultyQueriesAreReported) {
                          if (!log.steps.empty()) log.steps.back().lambdaOut = -1;
                      }),
               Checks{"any-hit"})
-        << "in the way before the surface begins";
-    EXPECT_EQ(checks([](VisibilityBlock& results, Asking) {
+        << "blocked before the surface begins";
+    EXPECT_EQ(checks([](VisibilityBlock& results, Overload) {
                   std::fill(results.steps.begin(), results.steps.end(), std::numeric_limits<std::uint32_t>::max());
               }),
               Checks{"steps"});
-    EXPECT_EQ(checks([](VisibilityBlock& results, Asking asking) {
-                  if (asking != Asking::Plain) return;
+    EXPECT_EQ(checks([](VisibilityBlock& results, Overload overload) {
+                  if (overload != Overload::Plain) return;
                   for (Visibility& visibility : results.visibility)
                       visibility = visibility == Visibility::Clear ? Visibility::Blocked : Visibility::Clear;
               }),
@@ -137,7 +138,7 @@ TEST_F(StressFaultsTest, FaultyQueriesAreReported) {
 
 // --- Frames
 
-// 24 x 18 pixels, as those of the run, over a relief with slopes and walls.
+// 24 x 18 pixels, as in the run, over a relief with slopes and walls.
 const Frame& smallFrame() {
     static const std::shared_ptr<const Frame> frame = [] {
         FrameRequest request(HeightField(std::make_shared<FloatImage>(makeRelief("bricks", 32, 32, 1))));
@@ -149,7 +150,7 @@ const Frame& smallFrame() {
     return *frame;
 }
 
-// Frames that differ from that one in one pixel, in one of the buffers.
+// Frames that differ from smallFrame() in one pixel of one buffer.
 constexpr std::size_t kPixel = 5 * 24 + 11;
 
 Frame withLight(float value) {
@@ -203,7 +204,8 @@ TEST_F(StressFaultsTest, FaultyFramesAreReported) {
     EXPECT_EQ(checks([=](const FrameRequest&, int) { return withLight(nan); }), Checks{"not-finite"});
     EXPECT_EQ(checks([](const FrameRequest& request, int) { return request.skip ? smallFrame() : withLight(7); }),
               Checks{"no-skip"});
-    // Where work may be spared the frame without skipping is not compared: both kinds are rendered by several threads.
+    // Approximated frames are not compared with one rendered without skipping. Both kinds are compared between numbers
+    // of threads.
     EXPECT_EQ(checks([](const FrameRequest&, int n) { return n > 1 ? withLight(7) : smallFrame(); }),
               Checks{"threads"});
     EXPECT_EQ(checks([](const FrameRequest& request, int n) {
@@ -223,7 +225,7 @@ TEST_F(StressFaultsTest, FaultyFramesAreReported) {
     EXPECT_EQ(checks([](const FrameRequest&, int) { return smallFrame(); }, true), Checks{"accepted"});
 }
 
-// Each buffer of a frame by itself.
+// Each buffer of a frame is altered separately.
 TEST_F(StressFaultsTest, EveryBufferOfAFrameIsCompared) {
     const Frame& right = smallFrame();
     const auto difference = [&](const Frame& other) {
@@ -275,10 +277,10 @@ TEST_F(StressFaultsTest, EveryNumberOfAFrameMustBeOne) {
                   hits.lambda[kPixel] = nan;
               })),
               "")
-        << "a miss has no place";
+        << "a miss has no position";
 }
 
-// Only pixels that both frames hit are held against the bound; s and t alike.
+// The bound applies only to pixels that both frames hit, to s and t alike.
 TEST_F(StressFaultsTest, TheBoundIsOnTheDistanceOfHits) {
     const auto moved = [](double s, double t, Outcome outcome = Outcome::Hit) {
         return withHit([=](HitBlock& hits) {
@@ -315,7 +317,7 @@ TEST_F(StressFaultsTest, FaultyMapsAreReported) {
               }),
               Checks{"round-trip"});
     EXPECT_EQ(checks([](StressSubjects& subjects) {
-                  // The same quotients, q of the other sign: behind the eye.
+                  // The same quotients with the opposite sign of q: behind the eye.
                   subjects.inverse = [](const Homography& map) {
                       const Homography m = map.inverse();
                       return Homography{-m.sx, -m.sy, -m.s1, -m.tx, -m.ty, -m.t1, -m.qx, -m.qy, -m.q1};
@@ -332,8 +334,8 @@ TEST_F(StressFaultsTest, FaultyMapsAreReported) {
               Checks{"derivatives"});
 }
 
-// A fault in one of the four is reported as that of this one.
-TEST_F(StressFaultsTest, EachDerivativeIsHeldAgainstDifferences) {
+// A fault in one of the four derivatives is reported for that one.
+TEST_F(StressFaultsTest, EachDerivativeIsComparedWithDifferences) {
     Camera camera;
     camera.azimuth = 35;
     const TexturedPlane plane = makeScene(SceneKind::Floor, 64, 48).front().plane;
@@ -360,7 +362,7 @@ TEST_F(StressFaultsTest, EachDerivativeIsHeldAgainstDifferences) {
     EXPECT_EQ(name(&Terms::h), "u_x") << "the denominator is of all four";
 }
 
-// Where q is positive and trusted a texel must be a number.
+// Where q is positive and reliable, the texel must not be NaN.
 TEST_F(StressFaultsTest, ATexelThatIsNoNumberIsReported) {
     Homography map;
     map.sx = 1e308;
@@ -384,7 +386,7 @@ RowEvaluator<T> alteredRow(AlterRow<T> alter) {
     };
 }
 
-// Rows whose bounds are stated are so long (stress_rows.cpp); those of cameras shorter, by this seed.
+// Length of the rows whose bounds are stated (stress_rows.cpp); with this seed the rows of cameras have other lengths.
 constexpr std::int64_t kStatedPixels = 1500;
 
 class StressRowFaultsTest : public StressFaultsTest {
@@ -395,8 +397,8 @@ class StressRowFaultsTest : public StressFaultsTest {
         alter(subjects);
         return checksOf(run(StressPart::Rows, subjects));
     }
-    // The same fault in rows of float and of double, one after the other. Blocks of rows are float and are held against
-    // single rows: where these are wrong, blocks differ from them.
+    // Puts the same fault into rows of float and then of double. Blocks of rows are float and are compared with single
+    // rows, so they differ where those are wrong.
     template <class Alter>
     void expectChecks(const Alter& alter, const Checks& expected, std::vector<StressCameraFamily> cameras) {
         EXPECT_EQ(checks([&](StressSubjects& s) { s.doubleRow = alteredRow<double>(alter); }, cameras), expected);
@@ -410,7 +412,7 @@ TEST_F(StressRowFaultsTest, FaultyRowsAreReported) {
     EXPECT_EQ(checks([](StressSubjects&) {}, plainCamera()), Checks{});
     const auto nothing = [](PixelSpan, const RowOptions&, PixelSpan&, auto*, auto*) {};
     expectChecks(nothing, Checks{}, plainCamera());
-    // More than any drift of a stated bound, and more than any texel of a camera's row.
+    // More than the drift that any stated bound permits, and more than any texel coordinate of a camera's row.
     constexpr float kFarTexels = 1e3F, kFartherTexels = 1e7F;
     for (const bool down : {false, true}) {
         expectChecks(
@@ -427,7 +429,7 @@ TEST_F(StressRowFaultsTest, FaultyRowsAreReported) {
                 },
                 Checks{"row"}, plainCamera());
         }
-        // Within every bound: only the SIMD version and the scalar one differ.
+        // Within every bound: only the comparison of the SIMD and the scalar version fails.
         expectChecks(
             [=](PixelSpan span, const RowOptions& options, PixelSpan& valid, auto* u, auto* v) {
                 if (span.size() == kStatedPixels || valid.empty() || !options.lanes) return;
@@ -439,7 +441,7 @@ TEST_F(StressRowFaultsTest, FaultyRowsAreReported) {
 }
 
 TEST_F(StressRowFaultsTest, RowsBeyondTheHorizonAreReported) {
-    // Level, so that half of all lines are above the horizon.
+    // A level camera, so that half of all rows are above the horizon.
     const auto level = [](SceneKind scene, Random&) {
         Camera camera;
         camera.kind = Camera::Kind::Free;
@@ -478,17 +480,18 @@ TEST_F(StressRowFaultsTest, FaultyBlocksOfRowsAreReported) {
     EXPECT_EQ(checksOfBlocks([](TexelRows<float>& rows) { --rows.valid(2).end; }), Checks{"threads"});
 }
 
-// --- Tracers: one answer at a time, by hand
+// --- Tracers: one hand-made answer at a time
 
 class StressAnswerTest : public ::testing::Test {
   protected:
     enum class Steps { AtBound, AboveBound };
 
-    // The check that this answer fails of a tracer that gives this guarantee over a relief of height 1/2; "" for none.
+    // Returns the name of the check that this answer fails, for a tracer with this guarantee over a relief of height
+    // 1/2; "" if it passes.
     std::string check(Guarantee guarantee, const Hit& hit, const Hit& reference, Address address = Address::Repeat,
                       const ViewRay& ray = kRay, Steps steps = Steps::AtBound) {
         const HeightField field(std::make_shared<FloatImage>(FloatImage(16, 12, 0.5F)), Surface::Bilinear, address);
-        const auto nothing = [](const ViewRay&, Hit&, std::uint32_t&, Asking) {};
+        const auto nothing = [](const ViewRay&, Hit&, std::uint32_t&, Overload) {};
         const AlteredTracer tracer(makeTracer({"exact", {}}, field, maps_, work_), nothing, guarantee);
         const double most = std::floor(tracer.stepBound(ray));
         const auto count = static_cast<std::uint32_t>(steps == Steps::AtBound ? most : most + 1);
@@ -561,7 +564,8 @@ TEST_F(StressAnswerTest, StepsEndAtTheBound) {
     }
 }
 
-// Beyond the domain either may have given up; that a hit is one, and the steps, hold there, too.
+// Beyond the supported domain both tracers may have given up; the checks of a hit's validity and of the steps apply
+// there, too.
 TEST_F(StressAnswerTest, BeyondTheDomainOnlyWhatHoldsThere) {
     const Hit truth = Hit::at(kBeyond, 0.5), late = Hit::at(kBeyond, 0.75);
     for (const Guarantee guarantee : {Guarantee::Exact, Guarantee::Conservative}) {
@@ -573,19 +577,19 @@ TEST_F(StressAnswerTest, BeyondTheDomainOnlyWhatHoldsThere) {
     }
 }
 
-// --- What never ends
+// --- Endless loops
 
-TEST_F(StressFaultsTest, AFrameAndAQueryThatHangAreNamed) {
-    constexpr int kMostWaits = 10'000;  // milliseconds: a hundred looks of the watch
+TEST_F(StressFaultsTest, AFrameAndAQueryThatHangAreReported) {
+    constexpr int kMostWaits = 10'000;  // milliseconds: a hundred polls of the watchdog
     for (const StressPart part : {StressPart::Frames, StressPart::AnyHit}) {
         std::atomic<bool> named = false;
         std::atomic<int> left = 1;
         const auto hang = [&] {
             if (left.fetch_sub(1) != 1) return;
-            // Not for ever: where nothing is named, the test is to fail.
+            // Limited, so that the test fails if the ray is never reported.
             for (int n = 0; n < kMostWaits && !named; ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         };
-        StressSubjects subjects = part == StressPart::AnyHit ? withQuery([&](VisibilityBlock&, Asking) { hang(); })
+        StressSubjects subjects = part == StressPart::AnyHit ? withQuery([&](VisibilityBlock&, Overload) { hang(); })
                                                              : withFrame(
                                                                    [&](const FrameRequest&, int) {
                                                                        hang();

@@ -1,4 +1,4 @@
-// What the cases of a stress run add up to, and the lines that parts of a run leave, on cases made by hand.
+// The sums over the cases of a stress run, and the lines that record cases, tested with hand-made cases.
 #include "measuring/verify/stress_record.h"
 
 #include <limits>
@@ -56,7 +56,7 @@ TEST(StressRecord, CasesAddUp) {
     EXPECT_EQ(report.parts.at("frames").total(), 7U);
 }
 
-// Five of a kind, and no more than there is room for, in the order in which they came.
+// At most five violations of a kind are listed, up to the total limit, in order of occurrence.
 TEST(StressRecord, FewOfEachKindAreListed) {
     constexpr std::size_t kAlike = 5, kListed = 8;
     StressTally tally(kListed);
@@ -77,7 +77,7 @@ TEST(StressRecord, FewOfEachKindAreListed) {
     EXPECT_EQ(listed, (std::vector<std::string>{"0", "1", "2", "3", "4", "two", "three", "four"}));
 }
 
-// Every member comes back, numbers to their last bit.
+// Every member is read back, numbers with all bits.
 TEST(StressRecord, ACaseIsReadBackFromItsLine) {
     StressCase one = caseOf(std::uint64_t{1} << 63, "fine \"checker\"\n", "65536x1");
     one.violationCount = 12345678901234567890U;
@@ -107,14 +107,14 @@ TEST(StressRecord, ACaseIsReadBackFromItsLine) {
     EXPECT_EQ(read->parts.at("rows").refused, 2U);
     ASSERT_EQ(read->violations.size(), 2U);
     for (std::size_t n = 0; n < 2; ++n) {
-        const StressViolation &found = read->violations[n], &wanted = one.violations[n];
-        EXPECT_EQ(found.fault.check, wanted.fault.check);
-        EXPECT_EQ(found.fault.detail, wanted.fault.detail);
-        EXPECT_EQ(found.method, wanted.method);
-        EXPECT_EQ(found.rays, wanted.rays);
-        EXPECT_EQ(found.map, wanted.map);
-        EXPECT_EQ(found.command, wanted.command);
-        EXPECT_EQ(found.kind, wanted.kind);
+        const StressViolation &found = read->violations[n], &expected = one.violations[n];
+        EXPECT_EQ(found.fault.check, expected.fault.check);
+        EXPECT_EQ(found.fault.detail, expected.fault.detail);
+        EXPECT_EQ(found.method, expected.method);
+        EXPECT_EQ(found.rays, expected.rays);
+        EXPECT_EQ(found.map, expected.map);
+        EXPECT_EQ(found.command, expected.command);
+        EXPECT_EQ(found.kind, expected.kind);
     }
     EXPECT_EQ(stressCaseLine(*read), line);
 }

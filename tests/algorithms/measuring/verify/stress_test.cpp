@@ -1,4 +1,4 @@
-// relief stress must find what is wrong, and find nothing in the listed tracers.
+// relief stress must find faults put into tracers, and find none in the listed tracers.
 #include "measuring/verify/stress.h"
 
 #include <atomic>
@@ -21,7 +21,7 @@ namespace {
 
 class StressTest : public ::testing::Test {
   protected:
-    // The least there is: a number of cases that does not hang on time.
+    // A run with a fixed number of cases, which does not depend on time.
     StressReport run(std::vector<MeasuredMethod> methods, int threads = 2) {
         StressOptions options;
         options.seconds = 0;
@@ -32,7 +32,7 @@ class StressTest : public ::testing::Test {
         Work work(threads);
         return stress(options, work);
     }
-    // The first violation of that check.
+    // Returns the first violation of that check.
     static const StressViolation* find(const StressReport& report, const std::string& check) {
         for (const StressViolation& v : report.violations) {
             if (v.fault.check == check) return &v;
@@ -40,7 +40,7 @@ class StressTest : public ::testing::Test {
         return nullptr;
     }
 
-    // What `exact` finds for a printed command, from nothing but its words.
+    // Returns the lambda that `exact` finds for a printed command, parsed from its text alone.
     static double exactLambda(const std::string& command) {
         const auto word = [&](const std::string& flag, const std::string& otherwise) {
             const std::size_t at = command.find(" " + flag + " ");
@@ -91,8 +91,8 @@ TEST_F(StressTest, ListedTracersKeepTheirPromises) {
     }
 }
 
-// Rays that took more steps than were stated, or gave up for it: thin maps whose seams cut all levels, rays beyond the
-// domain.
+// Rays with more steps than the stated bound, or that gave up because of it: thin maps whose seams cut all levels, rays
+// beyond the domain.
 TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
     struct Found {
         const char* recipe;
@@ -132,7 +132,7 @@ TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
     }
 }
 
-TEST_F(StressTest, CasesHangOnTheSeedAlone) {
+TEST_F(StressTest, CasesDependOnTheSeedAlone) {
     const StressReport one = run({}, 1);
     const StressReport two = run({}, 2);
     ASSERT_EQ(one.cases, two.cases);
@@ -146,7 +146,7 @@ TEST_F(StressTest, CasesHangOnTheSeedAlone) {
 }
 
 TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {
-    const auto later = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) {
+    const auto later = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
         if (hit.outcome == Outcome::Hit && hit.lambda > 0.25 && hit.lambda < 1) {
             hit = Hit::at(ray, std::nextafter(hit.lambda, 2));
         }
@@ -165,11 +165,11 @@ TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {
     const StressReport late = run({altered({"max-pyramid", {}}, later, Guarantee::Conservative)});
     EXPECT_NE(find(late, "overshoot"), nullptr);
     const StressReport vague = run({altered({"max-pyramid", {}}, later, Guarantee::Approximate)});
-    EXPECT_EQ(vague.violationCount, 0U) << "approximate methods promise nothing of the kind";
+    EXPECT_EQ(vague.violationCount, 0U) << "approximate methods have no such guarantee";
 }
 
 TEST_F(StressTest, EarlierIsConservative) {
-    const auto earlier = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) {
+    const auto earlier = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
         if (hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda * 0.5);
     };
     EXPECT_EQ(run({altered({"exact", {}}, earlier, Guarantee::Conservative)}).violationCount, 0U);
@@ -180,20 +180,20 @@ TEST_F(StressTest, EveryKindOfFaultIsFound) {
         const StressReport report = run({altered({"exact", {}}, alter)});
         EXPECT_NE(find(report, name), nullptr) << name << "\n" << stressText(report, 7);
     };
-    check("not-finite", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit.s = std::nan(""); });
-    check("not-finite", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking) { hit = Hit::at(ray, 1.5); });
-    check("inconsistent", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit.t += 1; });
-    check("miss", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit = Hit::none(Outcome::Miss); });
-    check("limit", [](const ViewRay&, Hit& hit, std::uint32_t&, Asking) { hit = Hit::none(Outcome::Limit); });
-    check("steps", [](const ViewRay&, Hit&, std::uint32_t& steps, Asking) { steps = 1U << 31U; });
-    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking asking) {
-        if (asking == Asking::Plain && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
+    check("not-finite", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit.s = std::nan(""); });
+    check("not-finite", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) { hit = Hit::at(ray, 1.5); });
+    check("inconsistent", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit.t += 1; });
+    check("miss", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit = Hit::none(Outcome::Miss); });
+    check("limit", [](const ViewRay&, Hit& hit, std::uint32_t&, Overload) { hit = Hit::none(Outcome::Limit); });
+    check("steps", [](const ViewRay&, Hit&, std::uint32_t& steps, Overload) { steps = 1U << 31U; });
+    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload overload) {
+        if (overload == Overload::Plain && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
     });
-    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Asking asking) {
-        if (asking == Asking::Logging && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
+    check("sinks", [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload overload) {
+        if (overload == Overload::Logging && hit.outcome == Outcome::Hit) hit = Hit::at(ray, hit.lambda / 2);
     });
-    check("sinks", [](const ViewRay&, Hit&, std::uint32_t& steps, Asking asking) {
-        if (asking == Asking::Counting && steps > 0) --steps;
+    check("sinks", [](const ViewRay&, Hit&, std::uint32_t& steps, Overload overload) {
+        if (overload == Overload::Counting && steps > 0) --steps;
     });
 }
 
@@ -215,12 +215,12 @@ TEST_F(StressTest, LogsMustEndWithTheirOutcome) {
     EXPECT_EQ(logFault(counted, counted.hit, log)->check, "sinks");
 }
 
-// A ray that never ends cannot be stopped, but it must be named.
-TEST_F(StressTest, ARayThatHangsIsNamed) {
+// A tracer in an endless loop cannot be stopped, but its ray must be reported.
+TEST_F(StressTest, ARayThatHangsIsReported) {
     std::atomic<bool> named = false;
     std::atomic<int> left = 1;
-    // The tracer goes on once it has been named: that is what is waited for, not a time.
-    const auto hang = [&](const ViewRay&, Hit&, std::uint32_t&, Asking) {
+    // The tracer continues once its ray has been reported, so the test does not depend on a time.
+    const auto hang = [&](const ViewRay&, Hit&, std::uint32_t&, Overload) {
         if (left.fetch_sub(1) != 1) return;
         while (!named) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     };

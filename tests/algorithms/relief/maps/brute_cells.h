@@ -1,4 +1,4 @@
-// Cells of a height map worked out anew, for the tests of maps: their heights, and their copies around.
+// The cells of a height map computed independently, for the tests of maps: their heights, and their periodic copies.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ struct BruteCells {
     int nx;
     int ny;
     bool wraps;
-    bool bounded;  // nothing outside
+    bool bounded;  // true: nothing outside the picture
     double shift;  // cell coordinate = texel coordinate + shift
     FloatImage highest;
     FloatImage lowest;
@@ -47,7 +47,7 @@ struct BruteCells {
         }
     }
 
-    // Calls body(i, j, highest) for every cell and, under repeat, its copies in the periods beside.
+    // Calls body(i, j, highest) for every cell and, under repeat, for its copies in the neighbouring periods.
     template <class Body>
     void each(const Body& body) const {
         const int around = wraps ? 1 : 0;
@@ -58,7 +58,7 @@ struct BruteCells {
         }
     }
 
-    // Whether there is a surface at (s, t), texels.
+    // Returns true if there is a surface at (s, t), in texels.
     bool holds(double s, double t) const { return !bounded || (s >= 0 && s <= width && t >= 0 && t <= height); }
 };
 

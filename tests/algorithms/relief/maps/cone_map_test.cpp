@@ -1,4 +1,4 @@
-// Cone maps against every pair of cells, and the surface against the cones.
+// Cone maps against all pairs of cells, and the surface against the cones.
 #include "relief/maps/cone_map.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ ConeMap built(ConeKind kind, int sectors, const HeightField& field) {
     return buildConeMap(kind, parameters, field, work);
 }
 
-// Every third texel high, so that walls and flats are next to each other.
+// Every third texel is high, so that walls and level ground alternate.
 Heights walls(int width, int height, std::uint64_t seed) {
     Random random(seed);
     FloatImage image(width, height);
@@ -41,7 +41,7 @@ Heights walls(int width, int height, std::uint64_t seed) {
     return share(std::move(image));
 }
 
-// Conservative slopes, one sector, to within a share of what they must be.
+// Conservative slopes for one sector, with the given relative slack.
 std::vector<float> slopesWithin(double slack, const HeightField& field) {
     Work work(2);
     const CellGrid grid(field);
@@ -94,9 +94,9 @@ TEST(ConservativeCones, AreTheSteepestOverAllOtherCells) {
                 SCOPED_TRACE(describe(field));
                 expectTheSteepest(field);
             }
-            // Long slopes, and nodes far off.
+            // Covers long slopes and distant tree nodes.
             for (const char* relief : {"hills", "fractal", "bricks"}) {
-                const bool half = address == Address::Repeat;  // no farther than half a period is looked
+                const bool half = address == Address::Repeat;  // only half a period is searched
                 const HeightField field(share(makeRelief(relief, half ? 62 : 67, half ? 60 : 41, 3)), surface, address,
                                         0.3);
                 SCOPED_TRACE(describe(field));
@@ -106,7 +106,7 @@ TEST(ConservativeCones, AreTheSteepestOverAllOtherCells) {
     }
 }
 
-// High ground that is all but level: rises are so small that rounding of heights is a noticeable share of them.
+// High, nearly level ground: height differences are so small that rounding of heights is a significant part of them.
 TEST(ConservativeCones, AreTheSteepestOnGroundAllButLevel) {
     for (const char* relief : {"hills", "fractal", "spikes"}) {
         for (const float share : {1e-3F, 1e-4F, 1e-5F}) {
@@ -123,7 +123,7 @@ TEST(ConservativeCones, AreTheSteepestOnGroundAllButLevel) {
 
 TEST(ConservativeCones, HoldNoPointOfTheSurface) {
     constexpr int kPoints = 40000;
-    constexpr double kNearly = 0.05;  // of the slab, among so many points
+    constexpr double kNearly = 0.05;  // as a share of the slab, for this number of points
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {
             for (const auto& [side, sectors] :
@@ -137,7 +137,7 @@ TEST(ConservativeCones, HoldNoPointOfTheSurface) {
                 for (int n = 0; n < kPoints; ++n) {
                     const int x = random.below(cells.nx);
                     const int y = random.below(cells.ny);
-                    // Anywhere in the cell, and what is up to two pictures away.
+                    // A point anywhere in the cell, and one up to two periods away.
                     const double s = x + random.unit() - cells.shift;
                     const double t = y + random.unit() - cells.shift;
                     const double angle = 2 * std::numbers::pi * random.unit();
@@ -150,7 +150,7 @@ TEST(ConservativeCones, HoldNoPointOfTheSurface) {
                     ASSERT_GE(room, -1e-12) << s << "," << t << " to " << a << "," << b;
                     tightest = std::min(tightest, room);
                 }
-                // The cones are no smaller than they must be: some touch.
+                // The cones are no smaller than necessary: some touch the surface.
                 EXPECT_LT(tightest, kNearly);
             }
         }
@@ -170,7 +170,7 @@ TEST(ConservativeCones, SectorsAreNoSteeperThanTheWhole) {
                 steepest = std::max(steepest, parts.slopes(x, y, k));
                 sum += static_cast<double>(parts.slopes(x, y, k)) / 8;
             }
-            // Each within its slack of the same.
+            // Each slope within its slack of the same exact value.
             ASSERT_NEAR(steepest, whole.slopes(x, y, 0), kConeSlack * 1.001 * static_cast<double>(steepest))
                 << x << ", " << y;
             sumWhole += static_cast<double>(whole.slopes(x, y, 0));

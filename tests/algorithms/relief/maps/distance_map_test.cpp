@@ -1,4 +1,4 @@
-// Distance maps against every pair of voxel and cell, and their bounds against the surface itself.
+// Distance maps against all pairs of voxels and cells, and their bounds against the surface itself.
 #include "relief/maps/distance_map.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace relief::test {
 namespace {
 
-// Squares, roots and the envelope in float.
+// Squares, roots and the envelope are computed in float.
 constexpr double kFloatRounding = 1e-5;
 
 const std::vector<std::pair<int, int>>& sizes() {
@@ -72,7 +72,7 @@ TEST(EuclideanMap, IsTheDistanceBetweenVoxelCentres) {
             double least = 1e30;
             for (int j = 0; j < ny; ++j) {
                 for (int i = 0; i < nx; ++i) {
-                    // Solid voxels of the column: those whose centre is not above it, and all below the slab.
+                    // Solid voxels of the column: those whose centre is not above the surface, and all below the slab.
                     const double surface = field.at((i + 0.5) * dx, (j + 0.5) * dy);
                     for (int q = -1; q < layers; ++q) {
                         if (q >= 0 && (q + 0.5) / layers > surface) break;
@@ -94,10 +94,10 @@ TEST(EuclideanMap, IsTheDistanceBetweenVoxelCentres) {
     });
 }
 
-// Between two bounds from small squares of the surface: the box under a square's highest corner is no farther, its own
-// corners are no nearer.
+// The distance lies between two bounds from small squares of the surface: the box under a square's highest corner is at
+// most as far, its corners at least.
 TEST(EuclideanMap, IsTheDistanceToTheSurface) {
-    constexpr int kSquares = 8;  // along a texel; the patches' borders lie between them
+    constexpr int kSquares = 8;  // per texel; the borders of patches coincide with square borders
     constexpr double kSide = 1.0 / kSquares;
     double widest = 0;
     overFields([&](const HeightField& field, int footprint, int layers) {
@@ -159,7 +159,7 @@ TEST(EuclideanMap, IsTheDistanceToTheSurface) {
     EXPECT_GT(widest, 0.5);
 }
 
-// [DIST17]: what is left of the rays is never nearer than the surface.
+// [DIST17]: the distance along the remaining rays is never smaller than the distance to the surface.
 TEST(RefinedSampledMap, IsNowhereSmallerThanTheEuclideanOne) {
     int larger = 0;
     overFields([&](const HeightField& field, int footprint, int layers) {
@@ -225,20 +225,20 @@ TEST(ConservativeMap, IsTheBoundOfEveryBoxWithItsMarks) {
     });
 }
 
-// The surface as points, dense; with the walls of columns.
+// Dense points of the surface, including the walls of columns.
 struct SurfacePoint {
     double s, t, z;
 };
 std::vector<SurfacePoint> surfacePoints(const HeightField& field, const BruteCells& cells) {
-    constexpr int kEach = 4;    // along a texel
-    constexpr int kBeyond = 8;  // texels around the picture
+    constexpr int kEach = 4;    // per texel
+    constexpr int kBeyond = 8;  // texels beyond the picture
     std::vector<SurfacePoint> points;
     for (int j = -kBeyond * kEach; j <= (field.height() + kBeyond) * kEach; ++j) {
         for (int i = -kBeyond * kEach; i <= (field.width() + kBeyond) * kEach; ++i) {
             const double s = static_cast<double>(i) / kEach;
             const double t = static_cast<double>(j) / kEach;
             if (!cells.holds(s, t)) continue;
-            // On the line between columns the higher: the nearest point may lie on the edge of a wall.
+            // On the line between columns the higher one counts: the nearest point may lie on the edge of a wall.
             double z = 0;
             for (const double x : {-1e-9, 1e-9}) {
                 for (const double y : {-1e-9, 1e-9}) z = std::max(z, field.at(s + x, t + y));
@@ -270,7 +270,7 @@ TEST(ConservativeMap, IsNeverAboveTheDistanceOfAPointOfTheBox) {
                         const double z = (k + (n == 0 ? 0 : random.unit())) / layers * field.slabTexels();
                         double squared = 1e30;
                         for (const SurfacePoint& p : surface) {
-                            const double drop = std::max(z - p.z, 0.0);  // below a point of the surface all is solid
+                            const double drop = std::max(z - p.z, 0.0);  // below a surface point everything is solid
                             squared = std::min(squared, (s - p.s) * (s - p.s) + (t - p.t) * (t - p.t) + drop * drop);
                         }
                         ASSERT_LE(bound, std::sqrt(squared)) << bx << ", " << by << ", " << k;
@@ -292,7 +292,7 @@ TEST(RefinedMap, IsRefusedUnderClamp) {
     EXPECT_NO_THROW(built(DistanceKind::EuclideanConservative, 4, 8, field));
 }
 
-// Between the centres of eight voxels as the definition says, in any cell and round the seam.
+// Interpolation between the centres of eight voxels by its definition, in any cell and across the seam.
 TEST(DistanceMap, trilinearWeighsTheEightVoxelsAround) {
     const HeightField field(randomHeights(12, 8, 17), Surface::Bilinear, Address::Repeat, 0.3);
     const DistanceMap map = built(DistanceKind::Euclidean, 2, 5, field);

@@ -1,4 +1,4 @@
-// What the builders of maps look up in constant time: the least of a stretch, the sectors that a rectangle meets.
+// Constant-time queries of the map builders: the minimum of a range, the sectors that a rectangle intersects.
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
@@ -28,8 +28,8 @@ TEST(RangeMinimum, IsTheLeastOfEveryStretch) {
 }
 
 TEST(AzimuthSectors, OfARectangleAreThoseOfItsPoints) {
-    constexpr int kPoints = 200;  // along each side
-    // A sector that the rectangle only touches may count; one that is this far (texels) off may not.
+    constexpr int kPoints = 200;  // on each side
+    // A sector that the rectangle only touches may be included; one further away than this, in texels, may not.
     constexpr double kTouch = 1e-6;
     Random random(11);
     for (const int count : {1, 3, 4, 6, 8, 16, 32}) {
@@ -65,7 +65,7 @@ TEST(AzimuthSectors, OfARectangleAreThoseOfItsPoints) {
     }
 }
 
-// Maps rely on it: whoever goes left by however little is in no sector of those that go right.
+// Maps rely on this: a direction that points left, by however little, is in no sector of directions that point right.
 TEST(AzimuthSectors, ASectorOfAQuadrantHoldsNoDirectionOfTheNext) {
     constexpr double kTiny = 1e-30;
     for (const int count : {4, 8, 32}) {

@@ -1,4 +1,4 @@
-// Distance transforms of sampled functions, against every pair of places.
+// Distance transforms of sampled functions, against all pairs of points.
 #include "relief/maps/lower_envelope.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace relief::test {
 namespace {
 
-// Parabolas cross at places rounded in float; what is taken beyond them is off by as little.
+// The intersections of parabolas are rounded to float; a value taken beyond one has an error of that size.
 constexpr double kFloatRounding = 2e-6;
 
 struct Case {
@@ -36,7 +36,7 @@ TEST_P(Envelope, IsTheLeastOverAllPlaces) {
     for (const float largest : {2.0F, 60.0F, 900.0F, 4e6F}) {
         FloatImage f(c.width, c.height);
         Random random(static_cast<std::uint64_t>(c.width * 100 + c.height));
-        // Many equal and zero ones among them.
+        // Many values are equal or zero.
         for (float& v : f.pixels()) v = random.below(3) == 0 ? 0.0F : largest * static_cast<float>(random.unit());
         if (largest > 100) {
             for (float& v : f.pixels()) v = largest;
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(All, Envelope,
                                          Case{16, 8, true, false}, Case{1, 9, true, false}, Case{2, 3, true, false},
                                          Case{17, 13, false, true}, Case{17, 13, true, true}, Case{16, 8, true, true},
                                          Case{1, 1, true, true}, Case{2, 5, true, true}, Case{1, 7, false, true},
-                                         // Wider than windows are.
+                                         // Wider than the transform's window.
                                          Case{1200, 2, false, false}, Case{1, 2100, true, true},
                                          Case{2, 1300, false, true}, Case{2100, 1, true, false}));
 

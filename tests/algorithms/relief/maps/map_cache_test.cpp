@@ -1,4 +1,4 @@
-// The cache keeps within its budget what it holds: maps, and the heights that they are of.
+// The cache keeps its content within its budget: maps, and the heights that they belong to.
 #include <gtest/gtest.h>
 
 #include "relief/map_cache.h"
@@ -19,7 +19,8 @@ TEST(MapCache, HeightsThatItKeepsAliveCountOnce) {
     EXPECT_EQ(cache.bytes(), picture + 100);
     cache.put({"b", heights}, std::make_shared<const Small>());
     EXPECT_EQ(cache.bytes(), picture + 200);
-    // Maps of another picture: for both there is no room, and the first goes with all that is of it.
+    // Maps of a second picture: there is no room for both, so the first picture is dropped with everything that belongs
+    // to it.
     const std::weak_ptr<const FloatImage> first = heights;
     heights.reset();
     EXPECT_FALSE(first.expired());

@@ -1,4 +1,4 @@
-// Maps in files: the same bits come back, anything else is refused; and builds that end early leave nothing.
+// Maps in files: reading gives the same bits, anything else is refused; interrupted builds leave nothing behind.
 #include "algorithms/images/temporary_folder.h"
 #include "algorithms/relief/fields.h"
 #include "images/described_tiff.h"
@@ -22,7 +22,7 @@ HeightField smallField(Surface surface = Surface::Bilinear, Address address = Ad
     return {randomHeights(13, 9, 5), surface, address, 0.3};
 }
 
-// Of every kind, in every precision; more than one sector where there can be.
+// Every kind of map in every precision; with several sectors where possible.
 std::vector<MethodChoice> storedChoices() {
     std::vector<MethodChoice> all;
     for (const std::string& kind : mapKinds()) {
@@ -116,7 +116,7 @@ TEST(MapFiles, SameBitsOfEveryKind) {
     EXPECT_EQ(folder.files(), 1);
 }
 
-// Distances rounded down, cones up: never beyond what the floats allow.
+// Distances are rounded down, cone slopes up, so that values never exceed those of float.
 TEST(MapFiles, CoarserValuesLieOnTheSafeSide) {
     Work work;
     const auto values = [](const StoredMap& map) -> std::vector<const StoredValues*> {
@@ -168,7 +168,7 @@ TEST(MapFiles, TracersUseTheStoredMap) {
             MapCache cache;
             MethodChoice asked{choice.name, {}};
             if (!outer.empty()) {
-                // Marks the bottom level alone, so that hybrid builds one map more.
+                // Marks only the bottom level, so that the hybrid builds an additional map.
                 asked = {outer, {{"inner", choice.name}}};
             }
             const MethodChoice chosen = useMap(folder / "map.tif", stored, asked, field, cache);
@@ -190,7 +190,7 @@ TEST(MapFiles, AnotherFieldIsRefused) {
     FloatImage other = field.heights();
     other(3, 4) = std::nextafter(other(3, 4), 1.0F);
     expectPart(loadFault(path, {share(other), Surface::Bilinear, Address::Repeat, 0.3}), "another height map");
-    // As many texels with the same bits, in another shape.
+    // The same number of texels with the same bits, in another shape.
     FloatImage turned(9, 13);
     std::copy(field.heights().pixels().begin(), field.heights().pixels().end(), turned.pixels().begin());
     expectPart(loadFault(path, {share(turned), Surface::Bilinear, Address::Repeat, 0.3}), "another height map");
@@ -237,7 +237,7 @@ TEST(MapFiles, AnotherVersionOrPictureIsRefused) {
     EXPECT_NE(loadFault(folder / "nothing.tif", field), "");
 }
 
-// Every field of the description is held by its checksum: a number changed anywhere is noticed.
+// Every field of the description is covered by its checksum: any changed number is detected.
 TEST(MapFiles, AlteredDescriptionsAreRefused) {
     const TemporaryFolder folder;
     const std::string path = folder / "map.tif";
@@ -263,7 +263,8 @@ TEST(MapFiles, AlteredDescriptionsAreRefused) {
     EXPECT_GT(altered, 50);
 }
 
-// A byte changed anywhere: refused with a line, or nothing of the map is changed (padding, a date); never a crash.
+// A byte changed at any position: the file is refused with a message, or the map is the same (padding, a date); never a
+// crash.
 TEST(MapFiles, DamagedAndTruncatedFilesAreRefused) {
     const TemporaryFolder folder;
     const HeightField field = smallField();
@@ -315,7 +316,7 @@ TEST(MapFiles, TooLargeIsRefusedBeforeAllocating) {
     saveMap(folder / "map.tif", map, field.heights());
     EXPECT_EQ(loadFault(folder / "map.tif", field, kPlenty), "");
     EXPECT_NE(loadFault(folder / "map.tif", field, mapBytes(map) / 8), "");
-    // 1 TB: were it allocated first, the machine would say so.
+    // Would need 1 TB; the test fails if it were allocated before the check.
     const HeightField large(constantHeights(16384, 16384, 0.5F));
     for (const std::string& kind : mapKinds()) {
         MapCache cache(1 << 20);
@@ -334,7 +335,7 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
         std::stop_source stop;
         MapCache cache;
         bool begun = false;
-        // Stopped from inside, once some of it is done.
+        // Cancelled from the progress callback, after part of the build.
         Work work(2, stop.get_token(), [&](std::string_view, double fraction) {
             begun = true;
             if (fraction > 0) stop.request_stop();
@@ -342,7 +343,7 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
         EXPECT_THROW((void)buildMap(kind, {}, field, cache, work), Cancelled);
         EXPECT_TRUE(begun);
         EXPECT_EQ(cache.bytes(), 0U);
-        // The next one who asks gets a whole map.
+        // The next request builds a complete map.
         Work again;
         const StoredMap map = buildMap(kind, {}, field, cache, again);
         EXPECT_EQ(cache.bytes(), mapBytes(map) + field.heights().bytes());
@@ -351,7 +352,7 @@ TEST(MapFiles, CancelledBuildsLeaveNothing) {
     }
 }
 
-TEST(MapFiles, usedMapsAreThoseThatTheMethodWalks) {
+TEST(MapFiles, usedMapsAreThoseOfTheMethod) {
     for (const MethodDescription& method : tracerList()) {
         const auto used = usedMap({method.name, {}});
         bool stored = false;

@@ -1,4 +1,4 @@
-// Packed cones against every pair of cells.
+// Packed cones against all pairs of cells.
 #include "relief/maps/packed_cones.h"
 
 #include <bit>
@@ -14,14 +14,14 @@
 namespace relief::test {
 namespace {
 
-// Three bits of mantissa are chosen, the rest may be whatever the depths are.
+// Of the slope's mantissa three bits are chosen; the bits below hold the depths, whatever these are.
 constexpr double kWordSteeper = 1.125 * 1.00001;
-// A window reaches up to a quarter farther than its ring, and by the blocks that a seam cuts.
+// A window extends up to a quarter beyond its ring, and further by the blocks that a seam cuts.
 constexpr double kRingsSteeper = 1.25;
 constexpr double kSeamSteeper = 1.5;
 constexpr double kApexRounding = 1e-6;
 
-// Everything low, a few texels high: windows that miss one of them are seen.
+// Low ground with a few high texels, so that a window that misses one is noticed.
 Heights needles(int width, int height, std::uint64_t seed) {
     Random random(seed);
     FloatImage image(width, height);
@@ -36,16 +36,16 @@ struct Quadrant {
     int sideY() const { return (index & 2) != 0 ? -1 : 1; }
 };
 
-// What the cone of a cell must be: by every cell of the quadrant.
+// What the cone of a cell must satisfy, computed from every cell of the quadrant.
 struct Need {
-    double above = -1;  // the most that a cell rises above the stored cone
-    // The slope that is asked for above the stored apex; and by cells behind the own, within its block of 2^l cells,
-    // which are taken to be as far as that level's first ring.
+    double above = -1;  // largest height of a cell above the stored cone
+    // The required slope above the stored apex. Cells that lie behind the own one, within its block of 2^l cells, are
+    // taken to be as far away as that level's first ring.
     double slope = 0;
 };
 
 Need needOf(const BruteCells& cells, const PackedCones& map, int x, int y, Quadrant quadrant) {
-    constexpr int kFirstRing = 8;  // blocks
+    constexpr int kFirstRing = 8;  // in blocks
     const std::uint32_t entry = map.quadrant(static_cast<std::size_t>(quadrant.index))[map.index(x, y)];
     const double apex = map.heightAt(coneApexDepth(entry));
     const auto kappa = static_cast<double>(coneSlope(entry));
@@ -79,7 +79,7 @@ PackedCones built(const HeightField& field, int threads) {
     return buildPackedCones(field, work);
 }
 
-// The nodes of a cell lie together; a row's cells share them.
+// The nodes of a cell are adjacent; neighbouring cells of a row share them.
 void expectNodes(const HeightField& field, const PackedCones& map) {
     const bool bilinear = field.surface() == Surface::Bilinear;
     const std::size_t row = static_cast<std::size_t>(map.nx) + (bilinear ? 1 : 0);
@@ -99,7 +99,7 @@ void expectNodes(const HeightField& field, const PackedCones& map) {
     }
 }
 
-// every: of the cells that are looked at, the next so many on.
+// every: only each such cell is examined.
 void expectLaw(const HeightField& field, int every) {
     const BruteCells cells(field);
     const PackedCones map = built(field, 2);
@@ -139,7 +139,7 @@ TEST(PackedCones, StandAboveEveryCellOfTheirQuadrant) {
     }
 }
 
-// More than a tile in each direction, several levels of blocks, seams that cut blocks.
+// Sizes larger than a tile in each direction, several levels of blocks, seams that cut blocks.
 TEST(PackedCones, StandAboveEveryCellFarOff) {
     for (const Surface surface : allSurfaces()) {
         for (const Address address : allAddresses()) {
@@ -150,7 +150,7 @@ TEST(PackedCones, StandAboveEveryCellFarOff) {
                     SCOPED_TRACE(describe(field) + " " + relief);
                     expectLaw(field, 97);
                 }
-                // One needle: each window must hold it.
+                // A single needle: each window must contain it.
                 FloatImage one(width, height, 0.0F);
                 one(width / 3, height / 2) = 1.0F;
                 const HeightField field(share(std::move(one)), surface, address, 0.3);
@@ -161,10 +161,10 @@ TEST(PackedCones, StandAboveEveryCellFarOff) {
     }
 }
 
-// Walls as high as a word can hold their cone without loss, a few roundings higher or lower: slopes are rounded up from
-// what the wall needs, not from what rounding has made of it.
-TEST(PackedCones, AreSteepEnoughWhereWordsHoldSlopesExactly) {
-    constexpr std::uint32_t kDepths = 0xFFFFF;  // level ground, and its apex
+// Walls whose cone an entry can store exactly, varied by a few roundings: slopes are rounded up from the exact value
+// that the wall requires, not from a rounded one.
+TEST(PackedCones, AreSteepEnoughWhereEntriesHoldSlopesExactly) {
+    constexpr std::uint32_t kDepths = 0xFFFFF;  // depth bits of level ground and of its apex
     Random random(51);
     for (int n = 0; n < 400; ++n) {
         const int gap = 1 + random.below(12);
@@ -222,10 +222,10 @@ TEST(PackedCones, AreKeptOnceForAllReliefDepths) {
 
 TEST(PackedCones, ReportProgressStopAndRefuse) {
     const HeightField field(needles(400, 300, 35), Surface::Bilinear, Address::Repeat, 0.1);
-    double told = 0;
-    Work telling(2, {}, [&](std::string_view, double fraction) { told = std::max(told, fraction); });
-    buildPackedCones(field, telling);
-    EXPECT_EQ(told, 1);
+    double reported = 0;
+    Work reporting(2, {}, [&](std::string_view, double fraction) { reported = std::max(reported, fraction); });
+    buildPackedCones(field, reporting);
+    EXPECT_EQ(reported, 1);
     std::stop_source source;
     source.request_stop();
     Work stopped(2, source.get_token());

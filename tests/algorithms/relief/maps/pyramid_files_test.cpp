@@ -14,7 +14,7 @@
 namespace relief::test {
 namespace {
 
-// As any other program reads it: a picture with MIP levels.
+// Other programs read the file as a picture with mip levels.
 TEST(PyramidFiles, areReadAsMipLevelsElsewhere) {
     Work work;
     for (const std::string& name : pyramidMapKinds()) {
@@ -40,7 +40,7 @@ TEST(PyramidFiles, areReadAsMipLevelsElsewhere) {
                 std::vector<float> numbers(level.size());
                 ASSERT_TRUE(input->read_image(0, l, 0, 1, OIIO::TypeDesc::FLOAT, numbers.data()));
                 EXPECT_TRUE(std::equal(numbers.begin(), numbers.end(), level.pixels().begin()));
-                // Of MIP levels OpenImageIO reads the first one's description only: it is each page's own in the file.
+                // OpenImageIO reads only the first level's description; in the file each page has its own.
                 const std::string own = "\"level\":" + std::to_string(l) + ",\"levels\":";
                 EXPECT_NE(bytes.find(own + std::to_string(pyramid.levels())), std::string::npos) << l;
                 if (l > 0) continue;

@@ -1,4 +1,5 @@
-// Refined maps against the point form, worked out by dense search, and the example that can be followed by hand.
+// Refined maps against the pointwise definition, evaluated by dense search, and an example that can be followed by
+// hand.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,15 +15,15 @@
 namespace relief::test {
 namespace {
 
-// The point form: the least distance from P to the first hit over the rays that reach P from above without having hit
-// anything. D(P) = min over azimuths u and ways t of sqrt(t^2 + max(P.z - H(P + t u), t m_h(P, u), 0)^2), m_h the
-// steepness below which a ray was blocked behind P. Never less than the truth: horizons are rounded up, and directions
-// and ways are sampled.
+// The pointwise definition: the smallest distance from P to the first hit over all rays that reach P from above without
+// an earlier hit. D(P) = min over azimuths u and horizontal distances t of sqrt(t^2 + max(P.z - H(P + t u), t m_h(P,
+// u), 0)^2), where m_h is the slope below which a ray was blocked before it reached P. The result is never below the
+// true value, apart from sampling: horizons are rounded up; directions and distances are sampled.
 class PointForm {
   public:
     PointForm(const HeightField& field, double flattest)
         : field_(field), cells_(field), mMin_(std::tan(flattest * std::numbers::pi / 180)) {
-        // The steepest step along a line in any patch: differences of neighbours along both axes.
+        // Bound on the slope along a line in any patch, from the differences of neighbours along both axes.
         for (int y = -1; y <= field.height(); ++y) {
             for (int x = -1; x <= field.width(); ++x) {
                 const double across = std::abs(static_cast<double>(field.texel(x + 1, y) - field.texel(x, y)));
@@ -33,7 +34,7 @@ class PointForm {
         slope_ *= std::numbers::sqrt2 * field.slabTexels();
     }
 
-    // z in the metric, texels.
+    // z: in the units of the distance, texels above the bottom of the slab.
     double distance(double s, double t, double z, double angle) const {
         const double c = std::cos(angle);
         const double b = std::sin(angle);
@@ -43,11 +44,11 @@ class PointForm {
             if (high > z) horizon = way > 0 ? std::max(horizon, (high - z) / way) : 1e30;
             return way * horizon <= slab - z;
         });
-        // Border: who comes in outside the picture is a miss before it is here.
+        // Under border a ray that enters outside the picture has already missed.
         return nearest(s, t, z, angle, std::max(horizon, (slab - z) / out));
     }
 
-    // Over the rays no flatter than `horizon`; 0: the Euclidean distance in that direction.
+    // For rays at least as steep as `horizon`; 0 gives the Euclidean distance in that direction.
     double nearest(double s, double t, double z, double angle, double horizon) const {
         const double c = std::cos(angle);
         const double b = std::sin(angle);
@@ -63,8 +64,8 @@ class PointForm {
     double heightAt(double s, double t) const { return field_.at(s, t) * field_.slabTexels(); }
 
   private:
-    // Calls body(way, the highest until the next, the height there) along a line until it says no; the least way on
-    // which it can have left the picture, infinite if it did not.
+    // Calls body(way, largest height up to the next sample, height there) along a line until it returns false. Returns
+    // the smallest horizontal distance at which the line may have left the picture, infinite if it did not.
     template <class Body>
     double walk(double s, double t, double c, double b, const Body& body) const {
         if (field_.surface() == Surface::Columns) {
@@ -175,8 +176,8 @@ TEST_P(Refined, IsNeverBelowItsEuclidean) {
 
 TEST_P(Refined, IsNeverAboveThePointForm) {
     constexpr int kPoints = 12000;
-    constexpr double kNearly = 0.2;  // texels; the closest of so many points
-    constexpr int kAzimuths = 24;    // a sector
+    constexpr double kNearly = 0.2;  // texels; the smallest difference found for this number of points
+    constexpr int kAzimuths = 24;    // per sector
     const DistanceMap map = built(DistanceKind::Refined);
     const PointForm form(field_, kFlattest);
     const BruteCells cells(field_);
@@ -192,7 +193,7 @@ TEST_P(Refined, IsNeverAboveThePointForm) {
         const double bound = static_cast<double>(map.at(bx, by, k, sector));
         if (bound < 0) continue;
         const int f = GetParam().footprint;
-        // Every third at a corner of the box, or next to it.
+        // Every third point is at a corner of the box, or next to it.
         const auto within = [&](int from, int to) {
             const double share = n % 3 == 0 ? (random.below(2) == 0 ? 1e-9 : 1 - 1e-9) : random.unit();
             return from + share * (to - from);
@@ -225,10 +226,11 @@ INSTANTIATE_TEST_SUITE_P(All, Refined,
                                          Case{Surface::Bilinear, Address::Repeat, 4, 20, 16, 4},
                                          Case{Surface::Bilinear, Address::Border, 3, 20, 32, 16}));
 
-// Columns of heights 7 2 2 2 2 2 2 2 10 in a slab 10 high, C = (4, 6) in the vertical plane. The nearest surface is the
-// left wall, 3 away; but a ray that flies left through C fell at least 45 degrees, or the right wall had hidden C; so
-// it meets the left wall no nearer than 3 sqrt(2). One flying right fell at least 1 in 3, and meets the right wall at
-// 4 sqrt(10) / 3. What is left is the floor, 4 below.
+// Columns of heights 7 2 2 2 2 2 2 2 10 in a slab of height 10, C = (4, 6) in the vertical plane. The nearest surface
+// is the left wall at distance 3. But a ray that moves left through C falls by at least 45 degrees, since otherwise the
+// right wall would have blocked it, so it meets the left wall at a distance of at least 3 sqrt(2). A ray that moves
+// right falls by at least 1 in 3 and meets the right wall at 4 sqrt(10) / 3. The smallest remaining distance is that to
+// the floor, 4 below.
 class WorkedExample : public testing::Test {
   protected:
     static constexpr int kRows = 41;
@@ -251,7 +253,8 @@ TEST_F(WorkedExample, InThePlane) {
     const PointForm form(field_, 1);
     EXPECT_NEAR(either([&](double angle) { return form.distance(4, y, 6, angle); }), 4, kFloatHeights);
     EXPECT_NEAR(either([&](double angle) { return form.nearest(4, y, 6, angle, 0); }), 3, kFloatHeights);
-    // With the floor out of the way, the walls; with room before them, or a ray so flat came in beside the picture.
+    // With a lower floor the walls are nearest. Empty ground in front of them keeps flat rays from entering outside the
+    // picture.
     constexpr int kBefore = 12;
     const HeightField deep(profile(0, kBefore), Surface::Columns, Address::Border, 10.0 / (9 + kBefore));
     const PointForm walls(deep, 1);
@@ -259,9 +262,10 @@ TEST_F(WorkedExample, InThePlane) {
     EXPECT_NEAR(walls.distance(4 + kBefore, y, 6, 0), 4 * std::sqrt(10.0) / 3, kFloatHeights);
 }
 
-// The voxel [4, 5] x [6, 7] of the profile repeated over rows. Its bounds must hold for every point of it, and so they
-// are less than those of C: going left a ray fell 3 over at most 4 / cos 22.5 degrees of way within a horizon's sector,
-// which leaves 3.65; going right one at height 7 passed level over the left wall, and only the flattest ray bounds it.
+// The voxel [4, 5] x [6, 7] of the profile, repeated over rows. Its bounds must hold for each of its points, so they
+// are smaller than those of C. A ray that moves left fell by 3 over a horizontal distance of at most 4 / cos 22.5
+// degrees within a sector of the horizon, which gives 3.65. A ray that moves right at height 7 may pass horizontally
+// over the left wall, so only the flattest ray bounds it.
 TEST_F(WorkedExample, AsAVoxel) {
     constexpr double kRounding = 1e-5;
     constexpr double kDegree = std::numbers::pi / 180;
@@ -278,15 +282,16 @@ TEST_F(WorkedExample, AsAVoxel) {
     parameters.sectors = 8;
     const double left = 3 * std::hypot(1, 3.0 / 4 * std::cos(22.5 * kDegree));
     EXPECT_NEAR(left, 3.65, 0.001);
-    // What the middle line of the right wall as the gate gives, 3 over 4.5 of way, 3.61; its face is nearer.
+    // With the centre line of the right wall as the horizon the bound would be 3.61, a fall of 3 over 4.5; the wall's
+    // face is nearer.
     EXPECT_GE(left, std::hypot(3, 2));
     for (const int sector : {0, 7}) EXPECT_NEAR(voxel(DistanceKind::Refined, sector), right, kRounding);
     for (const int sector : {3, 4}) EXPECT_NEAR(voxel(DistanceKind::Refined, sector), left, kRounding);
-    // Along the walls there is the floor, 4 below.
+    // Along the walls the floor, 4 below, is nearest.
     for (const int sector : {1, 2, 5, 6}) EXPECT_LE(voxel(DistanceKind::Refined, sector), 4);
 }
 
-// The recipe of the paper's figures: 3 texels to the wall, 4 to the floor for whoever comes from above.
+// The example of the paper's figures: 3 texels to the wall, 4 to the floor for rays from above.
 TEST(PointDistances, OfThePapersExample) {
     Work work(1);
     MapCache cache;
@@ -301,16 +306,16 @@ TEST(PointDistances, OfThePapersExample) {
     EXPECT_EQ(found.ray.b, 0);
     EXPECT_TRUE(found.reached);
     EXPECT_GT(found.blocked, 0);
-    // Towards the left wall, stopped by the right one: its top ends the slab.
+    // A ray towards the left wall, blocked by the right one, whose top is at the top of the slab.
     EXPECT_LT(found.blockedRay.a, 0);
     EXPECT_LT(found.blockedHit.lambda, 0.4);
     EXPECT_GE(found.blockedHit.s, 8 - kRounding);
-    // In a wall, and on the floor: nothing is free.
+    // Inside a wall and on the floor the distance is zero.
     EXPECT_EQ(distancesAt(field, 0.5, 4.5, 0.6, 10, cache, work).refined, 0);
     EXPECT_EQ(distancesAt(field, 4, 4.5, 0.1, 10, cache, work).euclidean, 0);
 }
 
-// Never less than the Euclidean distance, nor more than a voxel's map of fewer rays.
+// Never smaller than the Euclidean distance.
 TEST(PointDistances, RefinedIsNeverTheSmaller) {
     Work work(1);
     MapCache cache;

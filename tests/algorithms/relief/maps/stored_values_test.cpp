@@ -1,4 +1,4 @@
-// Values as maps store them: never on the wrong side, marks kept apart.
+// Stored values of maps: rounded to the safe side, with marks kept distinguishable.
 #include "relief/maps/stored_values.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST_P(RoundedValues, LieOnTheSafeSideWithinOneUnit) {
                 }
                 const float late = rounding == Rounding::Down ? values[i] - got : got - values[i];
                 ASSERT_GE(late, 0) << values[i] << " is stored as " << got;
-                // A unit, and what a product of floats rounds.
+                // One unit, and the rounding of a float product.
                 ASSERT_LE(late, stored.unit() * 1.001F) << values[i] << " is stored as " << got;
             }
         }

@@ -1,4 +1,4 @@
-// Tracers that walk maps, with options, depths, sizes and addressing at random: the same bits as `exact`.
+// Tracers that use maps, with random options, depths, sizes and addressing: the same bits as `exact`.
 #include <cstdlib>
 #include <iostream>
 
@@ -19,7 +19,7 @@ const T& oneOf(Random& random, const T (&all)[N]) {
     return all[random.below(static_cast<int>(N))];
 }
 
-// Walls, needles and pits among what the recipes make; odd sizes, a single texel, long and thin.
+// Walls, needles and pits added to the procedural reliefs; odd sizes, a single texel, long narrow pictures.
 HeightField anyField(Random& random) {
     static const std::pair<int, int> sizes[] = {{1, 1},   {1, 7},   {2, 3},   {5, 64},  {13, 9},
                                                 {31, 17}, {64, 64}, {100, 3}, {77, 53}, {96, 80}};
@@ -29,7 +29,7 @@ HeightField anyField(Random& random) {
     const Heights heights = kind < 8 ? share(makeRelief(names[kind], width, height, random.bits()))
                                      : randomHeights(width, height, random.bits());
     const Surface surface = random.below(2) == 0 ? Surface::Bilinear : Surface::Columns;
-    // Slabs of a tenth of a texel to a few picture widths.
+    // Slabs from a tenth of a texel to a few picture widths.
     const double depth = 0.02 * std::pow(100.0, random.unit());
     return {heights, surface, allAddresses()[static_cast<std::size_t>(random.below(3))], depth};
 }
@@ -60,7 +60,7 @@ OptionValues anyOptions(Random& random, const std::string& method) {
 
 class MapTracers : public testing::TestWithParam<const char*> {};
 
-// 10^6 rays a method, 10^7 with RELIEF_LONG.
+// 10^6 rays per method, 10^7 with RELIEF_LONG.
 TEST_P(MapTracers, GiveTheBitsOfExactWhateverTheOptions) {
     const std::string method = GetParam();
     const std::size_t wanted = std::getenv("RELIEF_LONG") != nullptr ? 10'000'000 : 1'000'000;
@@ -98,7 +98,8 @@ TEST_P(MapTracers, GiveTheBitsOfExactWhateverTheOptions) {
         steps += counts.steps;
         cells += all.steps;
     }
-    // Were every voxel a surface voxel, nothing would be shown. The classic rule creeps; that is its nature.
+    // Shows that maps do save steps: if every voxel were a surface voxel, the test would prove nothing. The classic
+    // step rule is excluded, because it takes very small steps.
     EXPECT_LT(steps, cells);
     std::cout << total << " rays, seeds from " << kSeed << ": identical bits, "
               << static_cast<double>(steps) / static_cast<double>(cells) << " of the steps of every cell\n";
@@ -111,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(All, MapTracers, testing::Values("distance-conservative
                              return name;
                          });
 
-// [DIST17]: "only the data change, the tracer does not". A stored refined map in the unchanged tracers.
+// [DIST17]: "only the data change, the tracer does not". A stored refined map is used by the unchanged tracers.
 TEST(DropIn, AStoredRefinedMapServesTheUnchangedTracers) {
     Work work(2);
     const HeightField field(share(makeRelief("bricks", 48, 40, 3)), Surface::Bilinear, Address::Repeat, 0.1);
@@ -124,7 +125,7 @@ TEST(DropIn, AStoredRefinedMapServesTheUnchangedTracers) {
     struct Case {
         const char* tracer;
         const char* kind;
-        const char* own;  // the tracer whose own map it is
+        const char* own;  // the tracer that this map was made for
     };
     for (const Case& c : {Case{"distance", "refined-sampled", "distance-refined-sampled"},
                           Case{"distance-conservative", "refined", "distance-refined"}}) {
@@ -144,22 +145,22 @@ TEST(DropIn, AStoredRefinedMapServesTheUnchangedTracers) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             ASSERT_EQ(hits.outcome[i], own.outcome[i]) << describe(rays[i]);
             ASSERT_EQ(hits.lambda[i], own.lambda[i]) << describe(rays[i]);
-            // Flatter than the map serves: still traced, and safely.
+            // Rays flatter than the map supports are still traced, and exactly.
             if (std::hypot(rays.a[i], rays.b[i]) <= maxRun) continue;
             ++flat;
             ASSERT_EQ(hits.lambda[i], exact.lambda[i]) << describe(rays[i]);
         }
-        // Another one in its place is refused.
+        // The same map in place of one of another kind is refused.
         const MethodChoice wanted{c.tracer, {{"map", findTracer(c.tracer).maps.front()}}};
         EXPECT_THROW((void)useMap("map.tif", map, wanted, field, cache), InputError);
     }
     EXPECT_GT(flat, 100U);
 }
 
-// The march that ends at the surface: what the pictures that we ship, at their own depth, make of it.
+// The march that ends at the surface, on the shipped pictures with their own depth.
 TEST(DistanceMarch, FewRaysAreOffByMoreThanHalfATexel) {
     constexpr double kMost = 0.06;
-    constexpr int kSide = 128;  // of a part of the picture, whose slab is as deep as the whole one's
+    constexpr int kSide = 128;  // side of a crop; the slab has the same depth in texels as for the whole picture
     Work work(2);
     struct Case {
         std::string name;

@@ -1,5 +1,5 @@
-// Rays that lanes leave over: their walks find what `exact` finds, from wherever they begin before the hit; and lanes
-// say a place before the hit.
+// The scalar fallback for rays that SIMD cannot resolve: it finds the hit of `exact` from any start before the hit, and
+// SIMD hands rays over at a point before the hit.
 #include "relief/simd/packed_parts.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261122;
 constexpr std::size_t kRays = 300;
-// Rays over needles that run a whole map: enough that lanes refuse some hundred.
+// Rays over needles that cross a whole map: enough that SIMD rejects some hundred candidates.
 constexpr int kWide = 512;
 constexpr std::size_t kManyRays = 60000;
 constexpr std::size_t kLeastRefused = 30;
@@ -69,7 +69,7 @@ TEST(PackedWalk, findsTheHitFromAnyPlaceBeforeIt) {
     }
 }
 
-// From a place before the hit, some way on.
+// Traverses each ray from a point before its hit for a random length.
 void partsOf(const HeightField& field) {
     SCOPED_TRACE(describe(field));
     Work work(1);
@@ -105,7 +105,7 @@ void partsOf(const HeightField& field) {
     EXPECT_LT(ended, parts.size());
 }
 
-// A part ends with the hit of `exact`, or in the cell where the ray is from `until` on.
+// A part ends with the hit of `exact`, or in the cell in which the ray is after `until`.
 TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     const Heights heights = randomHeights(37, 24, kSeed);
@@ -114,7 +114,7 @@ TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
     }
 }
 
-TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
+TEST(PackedWalk, simdHandsRaysOverBeforeTheirHits) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const Address address : allAddresses()) {
         const HeightField field(share(makeRelief("spikes", kWide, kWide, 1)), Surface::Bilinear, address, 0.3);
@@ -145,8 +145,8 @@ TEST(PackedWalk, lanesLeaveRaysBeforeTheirHits) {
                 }
             }
         }
-        EXPECT_GE(refused, kLeastRefused) << "the law is not tried";
-        EXPECT_GE(unclear, kLeastUnclear) << "the law is not tried";
+        EXPECT_GE(refused, kLeastRefused) << "the property is not tested";
+        EXPECT_GE(unclear, kLeastUnclear) << "the property is not tested";
     }
 }
 

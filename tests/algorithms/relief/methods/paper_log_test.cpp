@@ -1,5 +1,5 @@
-// The step log of max-pyramid-paper follows the procedure of [MIP18], step for step: read back from the
-// log alone by a text of its own, on the paper's 8 x 8 example and on others.
+// The step log of max-pyramid-paper follows the procedure of [MIP18] step by step: it is checked from the log alone by
+// independent code, on the paper's 8 x 8 example and on other reliefs.
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -13,12 +13,12 @@ namespace {
 
 class PaperLog : public testing::Test {
   protected:
-    // Walks through the log and checks each step's decision against the rule that it claims.
+    // Goes through the log and checks each step's decision against the rule that it claims.
     void follow(const HeightField& field, const ViewRay& ray);
 
     MapCache cache_;
     Work work_{1};
-    std::array<long, 5> children_{};  // how many of a texel's children a ray crossed
+    std::array<long, 5> children_{};  // histogram of the number of children that a ray crosses in a texel
 };
 
 void PaperLog::follow(const HeightField& field, const ViewRay& ray) {
@@ -29,25 +29,25 @@ void PaperLog::follow(const HeightField& field, const ViewRay& ray) {
     ASSERT_GE(steps.size(), 2U);
     const int top = map->top();
     const double highest = map->highest();
-    // Step 1: the top level's value is the highest point; the ray is advanced to it.
+    // Step 1: the top level's value is the highest point; the ray advances to it.
     ASSERT_EQ(steps[0].decision, Decision::Start);
     ASSERT_EQ(steps[0].level, top);
     ASSERT_EQ(steps[0].value, highest);
     std::size_t n = 1;
     if (highest < 1) {
-        if (field.address() == Address::Border && steps[1].decision == Decision::Miss) return;  // left before
+        if (field.address() == Address::Border && steps[1].decision == Decision::Miss) return;  // it left before that
         ASSERT_EQ(steps[1].decision, Decision::Advance);
         ASSERT_NEAR(steps[1].lambdaAfter, 1 - highest, 2 * kExclusionMargin);
         n = 2;
     }
     if (steps[n].decision == Decision::Hit) {
-        // The start is as high as anything: no tracing. The truth must agree that nothing is above the start there.
+        // The start is on the highest ground, so nothing is traced. The truth must agree that nothing is higher there.
         ASSERT_EQ(n + 1, steps.size());
         ASSERT_NEAR(logged.hit.lambda, 1 - highest, 2 * kExclusionMargin);
         return;
     }
-    std::vector<Step> parents;  // descended into, not yet ascended from
-    std::vector<int> crossed;   // children crossed in each of them
+    std::vector<Step> parents;  // texels descended into and not yet ascended from
+    std::vector<int> crossed;   // number of children crossed in each of them
     for (; n < steps.size(); ++n) {
         const Step& step = steps[n];
         SCOPED_TRACE(std::to_string(n) + " " + std::string(decisionName(step.decision)) + " ray " + describe(ray));
@@ -75,7 +75,7 @@ void PaperLog::follow(const HeightField& field, const ViewRay& ray) {
             ASSERT_TRUE(j == 2 * parentY || j == 2 * parentY + 1);
             if (step.decision != Decision::Miss) ++crossed.back();
         }
-        const double lowest = 1 - step.lambdaOut;  // the ray's lowest point in the texel
+        const double lowest = 1 - step.lambdaOut;  // the ray's lowest point within the texel
         if (step.decision == Decision::Skip) {     // step 3
             ASSERT_LT(step.value, lowest);
             ASSERT_EQ(step.lambdaAfter, step.lambdaOut);
@@ -120,16 +120,17 @@ TEST_F(PaperLog, anySizeAndTheShareOfChildrenCrossed) {
             }
         }
     }
-    std::cout << "children crossed in texels that confirmed nothing: one " << children_[1] << ", two " << children_[2]
+    std::cout << "children crossed in texels without a hit: one " << children_[1] << ", two " << children_[2]
               << ", three " << children_[3] << "\n";
-    // The paper says at most two; three do occur.
+    // The paper states at most two children; three do occur.
     EXPECT_GT(children_[3], 0);
 }
 
-// One ray of the example, written out: straight down the first row, over the two high texels.
+// One ray of the example, step by step: along the first row, over its two high texels.
 TEST_F(PaperLog, oneRayWordForWord) {
     const HeightField field(share(makeRelief("paper8x8", 8, 8, 1)), Surface::Columns, Address::Repeat, 0.5);
-    // Enters above (0.5, 1.5) where the row is 0.2 0.3 0.2 0.6 ...; runs eight texels a unit of descent to the right.
+    // Enters above (0.5, 1.5), where the row is 0.2 0.3 0.2 0.6 ...; runs to the right by eight texels per unit of
+    // lambda.
     const Logged logged = traceLogged(*makeTracer({"max-pyramid-paper", {}}, field, cache_, work_), {0.5, 1.5, 8, 0});
     std::string words;
     for (const Step& step : logged.steps) {

@@ -1,5 +1,6 @@
-// What methods without a guarantee answer: the layers' first at or below the surface, their refinements, and the cone
-// that a march looks up, by their definitions, on numbers that floats and doubles hold exactly where they are ties.
+// Results of methods without a guarantee, against their definitions: the first layer at or below the surface, its
+// refinements, and the cone that a march samples. Where ties occur, the numbers are exactly representable in float and
+// double.
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
@@ -11,7 +12,8 @@ namespace {
 
 using Truth = long double;
 
-// Over level ground of height h: the first layer at or below it, then halved; counted from `in` to `out`.
+// Lambda over level ground of height h: of the first layer at or below it, after the given bisections; layers are
+// counted from `in`, the last one is at `out`.
 Truth halved(Truth h, int layers, int bisections, Truth in = 0, Truth out = 1) {
     const Truth ground = 1 - h;
     Truth above = in;
@@ -29,7 +31,7 @@ Truth halved(Truth h, int layers, int bisections, Truth in = 0, Truth out = 1) {
     }
 }
 
-// One by one and many at a time; all rays give the same.
+// Traces the same ray many times, in SIMD or one by one; all results must be equal.
 double lambdaOf(const Tracer& tracer, const ViewRay& ray, bool lanes) {
     constexpr std::size_t kRays = 40;
     RayBlock rays;
@@ -68,7 +70,7 @@ TEST(SampledAnswers, LayersEndAtTheFirstAtOrBelowTheSurface) {
                         halved(height, layers, bisections))
                         << bisections;
                 }
-                // Level ground is a straight line: the secant meets it.
+                // Level ground is a straight line, so the secant finds it exactly.
                 const Truth secant = lambda({"layers-secant", {{"layers", count}}});
                 const Truth met = halved(height, layers, 0);
                 EXPECT_NEAR(static_cast<double>(secant), static_cast<double>(met > 0 ? 1 - height : 0), 1e-15);
@@ -77,7 +79,7 @@ TEST(SampledAnswers, LayersEndAtTheFirstAtOrBelowTheSurface) {
     }
 }
 
-// Within a piece of the ray layers are as far from each other as in the whole slab.
+// Within a segment of the ray, layers have the same spacing as in the whole slab.
 TEST(SampledAnswers, LayersOfAPieceKeepTheirDistance) {
     const ViewRay ray{3.5, 2.25, 4, -2};
     NullSink sink;
@@ -97,9 +99,9 @@ TEST(SampledAnswers, LayersOfAPieceKeepTheirDistance) {
     }
 }
 
-// The cone of a step is mixed of the four texels whose centres are around it.
+// The cone of a step is interpolated between the four texels whose centres surround it.
 TEST(SampledAnswers, ConesAreLookedUpBetweenTexelCentres) {
-    constexpr Truth kSlope = 1e-12L;  // of double, of products of four
+    constexpr Truth kSlope = 1e-12L;  // error in double of products of four factors
     MapCache cache;
     Work work(1);
     for (const Surface surface : allSurfaces()) {

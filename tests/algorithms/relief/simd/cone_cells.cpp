@@ -6,7 +6,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "algorithms/relief/simd/cone_cells.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Included after foreach_target.h.
 #include "plain_arithmetic-inl.h"
 #include "relief/simd/cone_entry-inl.h"
 
@@ -14,7 +14,7 @@
 #define RELIEF_CONE_CELLS_VISITS
 namespace relief::test {
 
-// By the ray's place in the chunk; cells from its first.
+// A visited cell: the ray's index in the chunk, and the cell's offset from the ray's first one.
 struct Visit {
     std::int32_t slot, x, y;
     std::uint32_t word;
@@ -54,7 +54,7 @@ struct Noting : Base {
     }
 };
 
-// call() for the scene's surface.
+// Invokes `call` with the walk for the scene's surface.
 template <class Arithmetic, class Call>
 void onSurface(const FloatScene& scene, const Call& call) {
     if (scene.surface == Surface::Bilinear) {
@@ -63,7 +63,7 @@ void onSurface(const FloatScene& scene, const Call& call) {
         call.template operator()<Surface::Columns, Noting<Arithmetic>>();
     }
 }
-// plain: as the reference rounds.
+// plain: with arithmetic that rounds as the reference does.
 template <class Call>
 void noted(bool plain, const FloatScene& scene, const Call& call) {
     plain ? onSurface<PlainArithmetic>(scene, call) : onSurface<FastArithmetic>(scene, call);
@@ -97,10 +97,10 @@ namespace {
 
 using RayKey = std::array<double, 4>;
 
-// Of the rays that are being traced.
+// The visited cells of the rays being traced.
 struct Noted {
     std::map<RayKey, std::size_t> numbers;
-    std::vector<LookedAtRay> rays;
+    std::vector<VisitedRay> rays;
     bool plain = true;
 };
 Noted& noted() {
@@ -108,7 +108,7 @@ Noted& noted() {
     return all;
 }
 
-// To the rays whose columns are given.
+// Assigns the visits to the rays, which are identified by their numbers in `given`.
 void sortVisits(const double* const* given, const LaneRays& rays) {
     for (const Visit& visit : visits()) {
         const auto slot = static_cast<std::size_t>(visit.slot);
@@ -141,8 +141,8 @@ void resume(const FloatScene& scene, const PackedCones& cones, const double* con
 
 }  // namespace
 
-std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
-                                      HitBlock& hits, bool asTheReference) {
+std::vector<VisitedRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
+                                     HitBlock& hits, bool asTheReference) {
     noted() = {};
     noted().plain = asTheReference;
     noted().rays.resize(rays.size());

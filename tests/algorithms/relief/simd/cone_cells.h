@@ -1,4 +1,4 @@
-// What the cone walk looks at in lanes: each step's cell and word, ray by ray.
+// Records the cells and map entries that the SIMD cone traversal visits, ray by ray.
 #pragma once
 
 #include <vector>
@@ -7,24 +7,24 @@
 
 namespace relief::test {
 
-// A cell before any addressing, and its word in the ray's quadrant.
-struct LookedAt {
+// A cell before addressing, and its map entry for the ray's quadrant.
+struct VisitedCell {
     std::int64_t x = 0;
     std::int64_t y = 0;
     std::uint32_t word = 0;
-    bool operator==(const LookedAt&) const = default;
+    bool operator==(const VisitedCell&) const = default;
 };
 
-// begin: lambda at which the ray parted from its packet.
-struct LookedAtRay {
+// begin: lambda at which the ray left its packet.
+struct VisitedRay {
     double begin = 0;
-    std::vector<LookedAt> cells;
+    std::vector<VisitedCell> cells;
 };
 
-// Of an instance of the walk that rounds as the reference does (products and sums apart, quotients) and leads no rays
-// in packets; or of the product's. The rays differ from each other. hits: of all rays but those flatter than the
-// domain.
-std::vector<LookedAtRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
-                                      HitBlock& hits, bool asTheReference);
+// Traces the rays with a recording instance of the SIMD traversal. asTheReference: an instance that rounds as the
+// reference does (no fused sums, true quotients) and forms no packets; otherwise the instance that is shipped. The rays
+// must differ from each other. hits: of all rays except those flatter than the supported domain.
+std::vector<VisitedRay> cellsInLanes(const HeightField& field, const PackedCones& cones, const RayBlock& rays,
+                                     HitBlock& hits, bool asTheReference);
 
 }  // namespace relief::test

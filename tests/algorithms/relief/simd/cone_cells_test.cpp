@@ -1,4 +1,4 @@
-// What is shown is what drew the pixel: lanes look at the cells that the reference logs, one by one.
+// The displayed steps are those that rendered the pixel: SIMD visits the cells that the reference logs, one by one.
 #include "cone_cells.h"
 
 #include <array>
@@ -16,13 +16,14 @@ constexpr std::uint64_t kSeed = 20261124;
 
 struct Logged {
     Hit hit;
-    std::vector<LookedAt> cells;
-    std::vector<Step> steps;  // of these cells
+    std::vector<VisitedCell> cells;
+    std::vector<Step> steps;  // one per cell
 };
 
-// The word of a step, as far as its record tells: that of its cell in the ray's quadrant.
+// Traces the ray with the reference and returns its cells; checks each step's record against the map entry of its cell
+// in the ray's quadrant.
 Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray, double begin) {
-    // The steps that lanes take as well; those in double, next to corners, they leave to the reference.
+    // Only the steps in float, which SIMD takes as well; those in double, next to corners, are left to the reference.
     LogSink sink;
     NullSink inDouble;
     Logged out;
@@ -38,7 +39,7 @@ Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray
         const std::uint32_t word = words[cones.index(cx, cy)];
         if (cone != nullptr) {
             EXPECT_EQ(cone->apex, cones.heightAt(coneApexDepth(word)));
-            EXPECT_GT(1 - step.lambdaOut, cone->apex) << "nothing is promised below the apex";
+            EXPECT_GT(1 - step.lambdaOut, cone->apex) << "the cone makes no claim below its apex";
         }
         EXPECT_EQ(step.value,
                   cone != nullptr ? static_cast<double>(coneSlope(word)) : cones.heightAt(coneOwnDepth(word)));
@@ -48,7 +49,7 @@ Logged logged(const ConeWalk& walk, const PackedCones& cones, const ViewRay& ray
     return out;
 }
 
-// Those that are finite, each once.
+// Returns the finite rays, each once.
 RayBlock differentRays(const RayBlock& all) {
     RayBlock rays;
     std::set<std::array<double, 4>> seen;
@@ -59,7 +60,7 @@ RayBlock differentRays(const RayBlock& all) {
     return rays;
 }
 
-std::string textOf(const std::vector<LookedAt>& cells, std::size_t from) {
+std::string textOf(const std::vector<VisitedCell>& cells, std::size_t from) {
     std::string text;
     for (std::size_t n = from; n < std::min(from + 4, cells.size()); ++n) {
         text += " (" + std::to_string(cells[n].x) + ", " + std::to_string(cells[n].y) + ")";
@@ -82,20 +83,20 @@ void expectSameCells(const HeightField& field, const RayBlock& rays, std::size_t
         const auto lanes = cellsInLanes(field, *cones, rays, hits, true);
         int different = 0;
         for (std::size_t i = 0; i < rays.size() && different < 3; ++i) {
-            const auto& wanted = reference[i].cells;
+            const auto& expected = reference[i].cells;
             const auto& found = lanes[i].cells;
-            if (found == wanted) continue;
+            if (found == expected) continue;
             ++different;
             const auto at = static_cast<std::size_t>(
-                std::mismatch(wanted.begin(), wanted.end(), found.begin(), found.end()).first - wanted.begin());
+                std::mismatch(expected.begin(), expected.end(), found.begin(), found.end()).first - expected.begin());
             ADD_FAILURE() << describe(field) << ", ray " << i << ": " << describe(rays[i]) << ": step " << at << " of "
-                          << wanted.size() << " and " << found.size() << ":" << textOf(wanted, at) << " and in lanes"
-                          << textOf(found, at);
+                          << expected.size() << " and " << found.size() << ":" << textOf(expected, at)
+                          << " and in lanes" << textOf(found, at);
         }
     });
 }
 
-TEST(ConeCells, lanesLookAtThoseThatTheReferenceLogs) {
+TEST(ConeCells, simdVisitsThoseThatTheReferenceLogs) {
     constexpr std::size_t kRays = 400;
     std::size_t steps = 0;
     onAwkwardMaps(kSeed, kRays, [&](const HeightField& field, const RayBlock& rays) {
@@ -105,7 +106,7 @@ TEST(ConeCells, lanesLookAtThoseThatTheReferenceLogs) {
     EXPECT_GT(steps, 50000U);
 }
 
-// Of a view from above: neighbours begin together, so that packets lead them.
+// Rays of a view from above: neighbours have similar starts, so that packets form.
 RayBlock viewRays(const HeightField& field, double flat) {
     RayBlock rays;
     for (int y = 0; y < 40; ++y) {
@@ -117,13 +118,14 @@ RayBlock viewRays(const HeightField& field, double flat) {
     return rays;
 }
 
-// By so much of a jump, and so much more, cells, its end may differ: the reciprocal is approximate, sums are fused.
+// The end of a jump may differ by this share of its length, plus this many cells: the reciprocal is approximate, and
+// sums are fused.
 constexpr double kJumpShare = 3 * static_cast<double>(kReciprocalError);
 constexpr double kJumpRounding = 0x1p-17;
-// Of all steps, at most, those before which a jump ended so near a border that the cells differ.
+// Largest share of steps before which a jump ended so near to a border that the cells differ.
 constexpr double kMostDifferent = 0.001;
 
-// Whether the jump of a step ends next to a border of cells.
+// Returns true if the jump of a step ends next to a border of cells.
 bool endsAtABorder(const CellGrid& grid, const ViewRay& ray, const Step& step) {
     const GridRay exact(grid, ray);
     const double way = step.lambdaAfter - step.lambdaOut;
@@ -135,7 +137,7 @@ bool endsAtABorder(const CellGrid& grid, const ViewRay& ray, const Step& step) {
     return false;
 }
 
-TEST(ConeCells, lanesOfTheProductDifferOnlyWhereJumpsEndAtABorder) {
+TEST(ConeCells, shippedSimdDiffersOnlyWhereJumpsEndAtABorder) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     std::size_t steps = 0, different = 0, led = 0, rays = 0;
     for (const char* name : {"spikes", "bricks", "fractal"}) {
@@ -155,18 +157,18 @@ TEST(ConeCells, lanesOfTheProductDifferOnlyWhereJumpsEndAtABorder) {
                         led += lanes[i].begin > walk.scene().start ? 1 : 0;
                         const Logged reference = logged(walk, *cones, block[i], lanes[i].begin);
                         ASSERT_TRUE(sameBits(reference.hit, hits[i])) << i;
-                        const auto& wanted = reference.cells;
+                        const auto& expected = reference.cells;
                         const auto& found = lanes[i].cells;
-                        steps += wanted.size();
+                        steps += expected.size();
                         const auto at = static_cast<std::size_t>(
-                            std::mismatch(wanted.begin(), wanted.end(), found.begin(), found.end()).first -
-                            wanted.begin());
-                        if (at == wanted.size() && at == found.size()) continue;
+                            std::mismatch(expected.begin(), expected.end(), found.begin(), found.end()).first -
+                            expected.begin());
+                        if (at == expected.size() && at == found.size()) continue;
                         ++different;
                         ASSERT_GT(at, 0U) << "ray " << i << " begins in another cell";
                         EXPECT_TRUE(endsAtABorder(walk.scene().grid, block[i], reference.steps[at - 1]))
                             << describe(field) << ", ray " << i << ": " << describe(block[i]) << ": step " << at << ":"
-                            << textOf(wanted, at) << " and in lanes" << textOf(found, at);
+                            << textOf(expected, at) << " and in lanes" << textOf(found, at);
                     }
                 });
             }

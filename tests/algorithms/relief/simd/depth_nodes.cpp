@@ -4,7 +4,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "algorithms/relief/simd/depth_nodes.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Included after foreach_target.h.
 #include "plain_arithmetic-inl.h"
 #include "relief/simd/pyramid_lanes-inl.h"
 
@@ -12,7 +12,7 @@
 #define RELIEF_DEPTH_NODES_VISITED
 namespace relief::test {
 
-// By the ray's place in its chunk.
+// Indexed by the ray's position in its chunk.
 inline std::vector<std::vector<VisitedNode>>& visitedNodes() {
     static std::vector<std::vector<VisitedNode>> all;
     return all;

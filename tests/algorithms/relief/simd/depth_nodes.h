@@ -1,4 +1,4 @@
-// Records the nodes that the SIMD walk over the pyramid of depths visits, ray by ray.
+// Records the nodes that the SIMD traversal of the pyramid of depths visits, ray by ray.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ struct VisitedNode {
     int level = 0;
     std::int64_t x = 0;
     std::int64_t y = 0;
-    double maximum = 0;  // 1 - its depth
+    double maximum = 0;  // 1 - the node's depth
     bool operator==(const VisitedNode&) const = default;
 };
 
-// asTheReference: by an instance that rounds as the reference does (no fused sums, quotients); else by the product's.
-// hits: of the rays that lanes finish.
+// asTheReference: uses an instance that rounds as the reference does (no fused sums, true quotients); otherwise the
+// instance that is shipped. hits: of the rays that SIMD finishes.
 std::vector<std::vector<VisitedNode>> nodesInLanes(const FloatScene& scene, const DepthPyramid& depths,
                                                    const RayBlock& rays, HitBlock& hits, bool asTheReference);
 

@@ -1,4 +1,5 @@
-// What is shown is what drew the pixel: lanes look at the nodes of the pyramid that the reference logs, one by one.
+// The displayed steps are those that rendered the pixel: SIMD visits the pyramid's nodes that the reference logs, one
+// by one.
 #include "depth_nodes.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261125;
 
-// Steps that lanes take as well; those in double they leave to the reference.
+// The nodes of the steps in float, which SIMD takes as well; steps in double are left to the reference.
 std::vector<VisitedNode> loggedNodes(const MaxPyramidTracer& tracer, const ViewRay& ray) {
     std::vector<VisitedNode> nodes;
     if (!ray.finite()) return nodes;
@@ -60,7 +61,7 @@ void compare(const HeightField& field, const RayBlock& rays, bool asTheReference
     });
 }
 
-TEST(DepthNodes, lanesLookAtThoseThatTheReferenceLogs) {
+TEST(DepthNodes, simdVisitsThoseThatTheReferenceLogs) {
     constexpr std::size_t kRays = 400;
     Seen seen;
     onAwkwardMaps(kSeed, kRays,
@@ -69,10 +70,11 @@ TEST(DepthNodes, lanesLookAtThoseThatTheReferenceLogs) {
     EXPECT_GT(seen.steps, 50000U);
 }
 
-// Sums are fused: of all rays, at most, those whose way out of a node is within a rounding of its depth or of a corner.
+// Sums are fused: largest share of rays that leave a node within a rounding of its depth or of a corner, and so visit
+// other nodes.
 constexpr double kMostDifferent = 0.001;
 
-TEST(DepthNodes, lanesOfTheProductDifferInRoundingOnly) {
+TEST(DepthNodes, shippedSimdDiffersInRoundingOnly) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     Seen seen;
     for (const char* name : {"spikes", "bricks", "fractal"}) {

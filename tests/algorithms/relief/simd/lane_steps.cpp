@@ -4,7 +4,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "algorithms/relief/simd/lane_steps.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Included after foreach_target.h.
 #include "relief/simd/distance_march_lanes-inl.h"
 #include "relief/simd/distance_walk_lanes-inl.h"
 #include "relief/simd/layer_lanes-inl.h"

@@ -1,4 +1,4 @@
-// What walks in lanes of double look at: each step's numbers, ray by ray.
+// Records the steps that SIMD traversals in double take, as lists of numbers, ray by ray.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@ namespace relief::test {
 
 using LaneSteps = std::vector<std::vector<double>>;
 
-// Voxel (three numbers), distance, lambda before and after; of rays in the domain of exactness.
+// Voxel (three numbers), distance, lambda before and after; for rays in the exact domain.
 std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& rays);
-// lambda, distance, lambda after; not where the ray has arrived; of rays that the map serves.
+// Lambda, distance, lambda after; not for the last step, where the ray has arrived; for rays that the map supports.
 std::vector<LaneSteps> stepsInLanes(const MarchSearch& search, const RayBlock& rays);
-// Layer, lambda, the surface less the ray.
+// Layer, lambda, surface minus ray.
 std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& rays);
-// Cell (two numbers); of segments in the domain of exactness.
+// Cell (two numbers); for segments in the exact domain.
 std::vector<LaneSteps> stepsInLanes(const PackedConeAnyHit& query, const AnyRayBlock& rays);
 
 }  // namespace relief::test

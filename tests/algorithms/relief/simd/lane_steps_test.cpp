@@ -1,4 +1,5 @@
-// What is shown is what drew the pixel: lanes of double take the steps that the reference logs, one by one.
+// The displayed steps are those that rendered the pixel: SIMD in double takes the steps that the reference logs, one by
+// one.
 #include "lane_steps.h"
 
 #include <functional>
@@ -15,7 +16,7 @@ namespace {
 constexpr std::uint64_t kSeed = 20261125;
 constexpr std::size_t kRays = 150;
 
-// A step's numbers as lanes note them; none: they note no such step.
+// Returns the numbers that SIMD records for a step; empty if it records none.
 using Numbers = std::function<std::vector<double>(const Step&)>;
 
 template <class Tracer>
@@ -35,7 +36,7 @@ std::string textOf(const std::vector<double>& numbers) {
     return text;
 }
 
-// apt: whether lanes take the ray at all.
+// apt: returns true for rays that SIMD traces at all.
 template <class Tracer>
 std::size_t expectSameSteps(const Tracer& tracer, const RayBlock& rays, const Numbers& numbersOf,
                             const std::function<bool(const ViewRay&)>& apt,
@@ -61,7 +62,7 @@ std::size_t expectSameSteps(const Tracer& tracer, const RayBlock& rays, const Nu
     return steps;
 }
 
-// On maps of awkward sizes, whatever their surface and addressing.
+// Calls body for maps of unusual sizes with every surface and addressing.
 void onAwkwardFields(const std::function<void(const HeightField&, const RayBlock&)>& body) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {5, 3}, {33, 18}}) {
@@ -80,7 +81,7 @@ TEST(LaneSteps, walksOverDistances) {
     const Numbers numbers = [](const Step& step) -> std::vector<double> {
         const auto* const voxel = step.as<subject::Voxel>();
         if (voxel == nullptr) return {};
-        // A hit stands in the record where the cell's end would; lanes go on beyond the end.
+        // For a hit the log has the hit's lambda in place of the cell's end, to which SIMD continues.
         const double after = step.decision == Decision::Hit ? step.lambdaOut : step.lambdaAfter;
         return {static_cast<double>(voxel->i),
                 static_cast<double>(voxel->j),
@@ -92,7 +93,7 @@ TEST(LaneSteps, walksOverDistances) {
     onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
         MapCache cache;
         for (const DistanceKind kind : {DistanceKind::EuclideanConservative, DistanceKind::Refined}) {
-            if (kind == DistanceKind::Refined && field.address() == Address::Clamp) continue;  // there is no such map
+            if (kind == DistanceKind::Refined && field.address() == Address::Clamp) continue;  // no such map exists
             for (const int footprint : {1, 4}) {
                 for (const StepRule rule : {StepRule::Exit, StepRule::Classic}) {
                     DistanceParameters parameters;
@@ -130,7 +131,7 @@ TEST(LaneSteps, marchesByDistances) {
         for (const MarchEnd end :
              {MarchEnd{MarchStop::Surface, 0}, MarchEnd{MarchStop::Distance, 0.01}, MarchEnd{MarchStop::Never, 0}}) {
             const DistanceMarch march(field, map, 24, end);
-            // Others are the exact walk's, or beyond what periods can be counted of.
+            // Other rays are traced by the exact method, or cross more periods than can be counted.
             const auto apt = [&](const ViewRay& ray) {
                 return std::hypot(ray.a, ray.b) <= map->maxRun && std::max(std::abs(ray.a), std::abs(ray.b)) < 0x1p40;
             };
@@ -159,7 +160,7 @@ TEST(LaneSteps, searchesThroughLayers) {
         };
         steps += expectSameSteps(layers, rays, numbers, apt, [&] {
             std::vector<LaneSteps> all = stepsInLanes(search, rays);
-            // As the log has it: the surface's height.
+            // Converted to the value in the log: the surface's height.
             for (LaneSteps& ray : all) {
                 for (std::vector<double>& step : ray) step[2] = step[2] + 1 - step[1];
             }

@@ -1,4 +1,4 @@
-// SIMD versions held against their references, bit for bit, on every instruction set.
+// Compares SIMD versions with their references, bit for bit, on every instruction set.
 #pragma once
 
 #include "algorithms/every_target.h"
@@ -48,7 +48,7 @@ inline RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::s
                 break;
             case 10:
             case 11:
-                // Next to a line, by one rounding.
+                // Next to a line, off by one rounding.
                 for (double* place : {&ray.s0, &ray.t0}) {
                     const double line = std::floor(*place) + 0.5 * random.below(2);
                     const double side = random.below(2) == 0 ? -1.0 : 1.0;
@@ -63,8 +63,8 @@ inline RayBlock awkwardRays(const HeightField& field, std::uint64_t seed, std::s
     return rays;
 }
 
-// Calls body(field, rays) for maps of awkward sizes, flat and deep, with every surface and addressing, and awkward
-// rays.
+// Calls body(field, rays) for maps of unusual sizes, level and with deep relief, with every surface and addressing, and
+// for awkwardRays().
 template <class Body>
 void onAwkwardMaps(std::uint64_t seed, std::size_t count, const Body& body) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
@@ -83,7 +83,7 @@ void onAwkwardMaps(std::uint64_t seed, std::size_t count, const Body& body) {
     }
 }
 
-// The first three rays whose hits differ are named.
+// Reports the first three rays whose hits differ.
 inline void expectSameHits(const HitBlock& expected, const HitBlock& hits, const RayBlock& rays,
                            const std::string& what) {
     std::size_t different = 0;

@@ -1,5 +1,5 @@
-// Rays aimed at places that random rays meet about once in a million. algorithms/relief/margins.md says which test
-// fails without which margin, and without which ones none does.
+// Rays aimed at situations that random rays meet about once in a million. algorithms/relief/margins.md lists for each
+// margin the test that fails without it, and the margins for which none does.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -17,7 +17,7 @@ std::size_t rayCount() {
     return std::getenv("RELIEF_LONG") != nullptr ? 1'000'000 : 10'000;
 }
 
-// Pillars on level ground; a flank of each lies on a line of the pyramid's, on levels 1 to 5 and at the map's ends.
+// Pillars on level ground; a side of each lies on a grid line of the pyramid, on levels 1 to 5 and at the map's ends.
 struct Pillars {
     static constexpr int kSide = 64;
     struct Pillar {
@@ -40,8 +40,9 @@ struct Pillars {
         heights = std::move(image);
     }
 
-    // cellShift: of the cells' lines from texels' borders. Past a corner of a pillar, by some units in the last place
-    // of a float on either side of it; of every second ray the height there is the pillar's, to as much.
+    // Returns a ray past a corner of a pillar, some units in the last place of a float to either side. For every second
+    // ray the height at the corner is that of the pillar, with the same accuracy. cellShift: offset of the cells' lines
+    // from the texels' borders.
     ViewRay pastCorner(Random& random, double cellShift) const {
         const Pillar& pillar = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
         const double unit = 0x1p-24;
@@ -76,8 +77,8 @@ TEST(Margins, pastCornersOfPillars) {
     }
 }
 
-// Plateaus whose heights the packed cones hold without rounding, and slopes between them: lines of cells of all levels
-// are edges of some.
+// Plateaus whose heights the packed cones store exactly, and slopes between them: some of their edges are cell lines of
+// each level.
 Heights terraces(int width, int height, std::uint64_t seed) {
     constexpr int kDepths = 1023;
     Random random(seed);
@@ -96,7 +97,7 @@ Heights terraces(int width, int height, std::uint64_t seed) {
     return share(std::move(image));
 }
 
-// Rays that meet, or all but meet, the surface within a hair of a line of cells.
+// Generates rays that hit, or nearly hit, the surface very close to a cell line.
 class Aim {
   public:
     Aim(const HeightField& field, std::uint64_t seed) : field_(field), random_(seed) {}
@@ -106,7 +107,7 @@ class Aim {
         const double z = std::clamp(static_cast<double>(field_.at(s, t)) + hair(12), 0.0, 1.0);
         const double lambda = 1 - z;
         ViewRay ray;
-        // From within the map, or at any slope.
+        // Starts within the map, or has any slope.
         if (lambda > 0 && random_.below(2) == 0) {
             ray.s0 = place(field_.width()), ray.t0 = place(field_.height());
             ray.a = (s - ray.s0) / lambda, ray.b = (t - ray.t0) / lambda;
@@ -123,7 +124,7 @@ class Aim {
         return all;
     }
 
-    // From the surface up past such a place.
+    // Returns a segment from the surface upwards past such a point.
     AnyRay segment() {
         const double s = place(field_.width()), t = place(field_.height());
         const double z = static_cast<double>(field_.at(s, t)) + hair(12);
@@ -135,12 +136,12 @@ class Aim {
     }
 
   private:
-    // Of any size; some all but parallel to an axis.
+    // Of any magnitude; some nearly parallel to an axis.
     double run() {
         const double exponent = random_.below(4) == 0 ? random_.between(-60, -10) : random_.between(-16, 14);
         return (random_.below(2) == 0 ? 1 : -1) * std::exp2(exponent);
     }
-    // Up to 2^-bits on either side, of any size.
+    // A small offset of up to 2^-bits in either direction, of any magnitude.
     double hair(int bits) {
         if (random_.below(4) == 0) return 0;
         return (random_.below(2) == 0 ? 1 : -1) * std::exp2(-random_.between(bits, 50));
@@ -156,7 +157,7 @@ class Aim {
     Random random_;
 };
 
-// Heights are clamped to `highest`; below 1, walks begin above it, inside a cell.
+// Heights are clamped to `highest`; below 1, traversal begins at that height, inside a cell.
 std::vector<HeightField> terraceFields(float highest = 1) {
     std::vector<HeightField> fields;
     FloatImage image = *terraces(96, 64, kSeed);
@@ -177,8 +178,8 @@ TEST(Margins, lanesMeetTerracesAtTheirEdgesAsTheReference) {
     }
 }
 
-// Most rays come upon a plateau at the lambda where their walks begin, beside a line or the map's rim.
-TEST(Margins, lanesBeginBesideLinesAsTheReference) {
+// Most rays hit a plateau at the lambda at which traversal begins, next to a line or to the map's rim.
+TEST(Margins, simdStartsNextToLinesAsTheReference) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
     for (const HeightField& field : terraceFields(0.375F)) {
@@ -187,7 +188,7 @@ TEST(Margins, lanesBeginBesideLinesAsTheReference) {
     }
 }
 
-// The hits of `exact`.
+// Returns the hits of `exact`, after checking that all exact methods agree.
 HitBlock expectAllReferencesAgree(const HeightField& field, const RayBlock& rays, MapCache& cache) {
     static const std::vector<MethodChoice> methods = choicesThatPromise(Guarantee::Exact);
     Work work(2);
@@ -209,9 +210,9 @@ TEST(Margins, referencesMeetTerracesAtTheirEdgesAlike) {
     }
 }
 
-// A ray leaves a plateau one unit in the last place above it, and the leaf, which rounds the plateau's height up, calls
-// it a hit: no walk may have passed over the cell.
-TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
+// A ray leaves a plateau one unit in the last place above it; the leaf, which rounds the plateau's height up, reports a
+// hit. So no traversal may skip that cell.
+TEST(Margins, aPlateauThatTheLeafRoundsUpIsNeverSkipped) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
     Random random(kSeed);
@@ -221,7 +222,7 @@ TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
         const auto height = static_cast<float>(random.between(0.5, 0.95));
         image(2, 2) = image(3, 2) = image(2, 3) = image(3, 3) = height;
         const HeightField field(share(std::move(image)), Surface::Bilinear, Address::Clamp, 0.5);
-        // Where it leaves the plateau's cell.
+        // Where the ray leaves the plateau's cell.
         const double lambda = 1 - static_cast<double>(height) - 0x1p-53, s = 3.5;
         RayBlock rays;
         for (int k = 0; k < 250; ++k) {
@@ -237,7 +238,7 @@ TEST(Margins, aPlateauThatTheLeafRoundsUpIsPassedByNoWalk) {
     EXPECT_GT(hits, 100U) << "too few to notice anything";
 }
 
-// Which cells are looked at may differ, but not what the one leaf says of the cell that blocks.
+// The visited cells may differ, but not the result for the cell that blocks.
 TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     MapCache cache;
@@ -275,28 +276,28 @@ TEST(Margins, anyHitQueriesSeeTerracesAtTheirEdgesAlike) {
     }
 }
 
-// Level ground, and a wall as high as a packed cone can hold it without loss: such a cone, of a cell at that gap from
-// the wall, all but touches the wall's near edge. Slopes have three bits of their own, and below them the depths of the
-// cell and of its apex, those of level ground.
+// Returns the height of a wall on level ground for which a packed cone can be exact: the cone of a cell at that gap
+// from the wall almost touches the wall's near edge. Only three bits of the slope's mantissa are stored; the bits below
+// hold the depths of the cell and of its apex, here those of level ground.
 double heightThatFits(double about, double gap) {
     constexpr double kSpare = 1e-6;  // the map's kApexLower, 2^-21, and as much again for rounding
     const auto slope = std::bit_cast<std::uint32_t>(static_cast<float>(about / gap)) | 0xFFFFFU;
     return static_cast<double>(static_cast<float>(std::bit_cast<float>(slope) * gap - kSpare));
 }
 bool tight(const PackedCones& cones, int x, int y, double height, double gap) {
-    constexpr double kTight = 5e-4;  // of the slope
+    constexpr double kTight = 5e-4;  // relative to the slope
     return static_cast<double>(coneSlope(cones.quadrant(0)[cones.index(x, y)])) * gap < height * (1 + kTight);
 }
 
-// Rays that end on the top of a low wall far off, just before its far side, led there by one cone: a jump that is too
-// long by 2^-16 of itself passes it. The peak that heights are counted from stands behind the rays.
+// Rays that hit the top of a distant low wall just before its far side, after a jump over a single cone: a jump that is
+// too long by 2^-16 of its length misses the wall. The peak to which depths refer is behind the rays.
 TEST(Margins, aLongJumpEndsBeforeTheWall) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
-    constexpr int kWall = 4096, kBlock = 256;  // so far off cones are made by blocks of as many cells
+    constexpr int kWall = 4096, kBlock = 256;  // at this distance cones are computed from blocks of that many cells
     Random random(kSeed);
     int tightOnes = 0;
     for (int n = 0; n < 40; ++n) {
-        const int cell = kBlock * (1 + random.below(7)) - 1;  // at the end of a block
+        const int cell = kBlock * (1 + random.below(7)) - 1;  // the last cell of a block
         const double gap = kWall - (cell + 1), wall = heightThatFits(random.between(0.004, 0.012), gap);
         FloatImage image(kWall + 100, 2, 0.0F);
         for (int y = 0; y < 2; ++y) image(0, y) = 1, image(kWall, y) = static_cast<float>(wall);
@@ -316,7 +317,7 @@ TEST(Margins, aLongJumpEndsBeforeTheWall) {
     EXPECT_GE(tightOnes, 20);
 }
 
-// Grazing rays that cut a corner off a pillar, two cells after a cone that all but touches it: a jump that ends some
+// Grazing rays that cut a corner off a pillar, two cells after a cone that almost touches it: a jump that ends some
 // hundredths of a cell too late misses the pillar.
 TEST(Margins, aGrazingJumpEndsBeforeTheCorner) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
@@ -336,7 +337,7 @@ TEST(Margins, aGrazingJumpEndsBeforeTheCorner) {
         for (int i = 0; i < 100; ++i) {
             ViewRay ray;
             ray.a = random.between(3e4, 6e4), ray.b = ray.a * random.between(0.2, 1);
-            // Into the pillar's cell through its side x = kPillar, all but at its end.
+            // Enters the pillar's cell through its side x = kPillar, very close to the end of that side.
             const double lambda = (1 - height) * (1 + 1e-9 * random.unit());
             ray.s0 = kPillar - lambda * ray.a;
             ray.t0 = kPillar + 1 - std::exp2(-random.between(4, 16)) - lambda * ray.b;

@@ -1,5 +1,5 @@
-// Arithmetic of SIMD walks that rounds as their references do: products and sums apart, quotients. Compiled for each
-// target.
+// Arithmetic for SIMD traversals that rounds as their references do: separate products and sums, true quotients.
+// Compiled for each target.
 
 #if defined(RELIEF_PLAIN_ARITHMETIC_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RELIEF_PLAIN_ARITHMETIC_INL_H

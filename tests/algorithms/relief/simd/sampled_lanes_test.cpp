@@ -1,4 +1,4 @@
-// Layers and interpolated distances in lanes against their reference: the same bits, for any target.
+// Layers and interpolated distances in SIMD against their references: the same bits, for every target.
 #include <bit>
 #include <limits>
 
@@ -20,7 +20,7 @@ void expectSameBits(const HitBlock& lanes, const HitBlock& scalar, const RayBloc
     }
 }
 
-// Random ones, and what is hard to take into a period or not to be traced.
+// Random rays, and rays that are hard to reduce to a period or must not be traced.
 RayBlock hardRays(const HeightField& field, std::size_t count) {
     RayBlock rays = randomRays(141, field, count, 3);
     Random random(142);
@@ -44,7 +44,7 @@ RayBlock hardRays(const HeightField& field, std::size_t count) {
                 ray.s0 -= 12345678.0 * field.width();
                 break;
             case 5:
-                // Whole periods, for which the quotient may come out too small.
+                // Whole periods, for which the quotient may be rounded down too far.
                 ray.s0 = 0.5 * random.below(2);
                 ray.a = random.below(1000) * field.width();
                 break;

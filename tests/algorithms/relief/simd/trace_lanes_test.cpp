@@ -1,4 +1,4 @@
-// Laws of the lanes: the bits of the reference, for every instruction set, number of rays, surface and addressing.
+// SIMD tracing gives the bits of the reference, for every instruction set, number of rays, surface and addressing.
 #include <gtest/gtest.h>
 
 #include "lanes.h"
@@ -10,7 +10,7 @@ namespace relief::test {
 namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
-// Rays a field; a hundred times as many with RELIEF_LONG.
+// Rays per field; a hundred times as many with RELIEF_LONG.
 std::size_t rayCount() {
     return std::getenv("RELIEF_LONG") != nullptr ? 200000 : 700;
 }
@@ -19,7 +19,7 @@ const std::vector<MethodChoice>& jumps() {
     static const std::vector<MethodChoice> all{{"max-pyramid", {}}, {"cone", {}}};
     return all;
 }
-// Their maps take long to build.
+// Building their maps takes long.
 const std::vector<MethodChoice>& voxelWalks() {
     static const std::vector<MethodChoice> all{
         {"distance-conservative", {{"layers", "5"}}},
@@ -65,8 +65,8 @@ TEST(Lanes, haveTheBitsOfTheReferenceOnAwkwardSizes) {
     for (const float value : {0.0F, 1.0F}) expectSameBitsEverywhere(constantHeights(9, 9, value), kSeed);
 }
 
-// Ways on them are more words than a float tells apart, and rows are longer than the cells.
-TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyWords) {
+// These maps have more entries than float has integers, and rows longer than their cells.
+TEST(Lanes, haveTheBitsOfTheReferenceOnMapsOfManyEntries) {
     const Heights heights = std::make_shared<FloatImage>(makeRelief("fractal", 2101, 2005, 3));
     MapCache cache;
     for (const Address address : allAddresses()) {
@@ -98,12 +98,12 @@ TEST(Lanes, haveTheBitsOfTheReferenceForAnyNumberOfRaysAndThreads) {
     }
 }
 
-// Rays that clear the edges of a stair by less than floats tell: the exact leaf refuses step after step, by the hundred
-// in one chunk.
-TEST(Lanes, haveTheBitsOfTheReferenceWhereManyCellsAreRefused) {
+// Rays that pass the edges of a stair by less than the resolution of float: the exact leaf rejects candidate after
+// candidate, hundreds in one chunk.
+TEST(Lanes, haveTheBitsOfTheReferenceWhereManyCandidatesAreRejected) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     constexpr int kSteps = 16, kTread = 8, kRows = 24;
-    constexpr double kClearance = 2e-7;  // of the height, at most
+    constexpr double kClearance = 2e-7;  // largest clearance, relative to the height
     auto stair = std::make_shared<FloatImage>(kSteps * kTread, kRows);
     for (int y = 0; y < kRows; ++y) {
         for (int x = 0; x < stair->width(); ++x) (*stair)(x, y) = 1 - static_cast<float>(x / kTread + 1) / kSteps;
@@ -144,8 +144,9 @@ TEST(Lanes, haveTheBitsOfTheReferenceThroughVoxels) {
     }
 }
 
-// A cone map from a file is what a user wants to see walked: wrong answers included, with a log and without.
-TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
+// A cone map from a file must be used as it is, since the user wants to see its effect, wrong results included, with a
+// log and without.
+TEST(Lanes, coneMapsFromFilesAreUsedAsTheyAre) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     const HeightField field(share(makeRelief("spikes", 50, 50, kSeed)), Surface::Bilinear, Address::Repeat, 0.5);
     Work work(2);
@@ -153,7 +154,7 @@ TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
     ConeMap map = buildConeMap(ConeKind::Conservative, {}, field, work);
     const std::vector<float> nothing(map.slopes.codes().index() == 0 ? std::get<0>(map.slopes.codes()).size() : 0,
                                      0.0F);
-    // Cones that are all of the space above the cell: most of the relief is missed.
+    // These cones contain the whole space above the cell, so most of the relief is missed.
     map.slopes = StoredValues(map.nx(), map.ny(), 1, nothing, Precision::Float, Rounding::Up);
     cache.put(coneMapKey(ConeKind::Conservative, {}, field), std::make_shared<const ConeMap>(std::move(map)));
     const auto tracer = makeTracer({"cone", {{"layout", "texel"}}}, field, cache, work);
@@ -170,11 +171,11 @@ TEST(Lanes, coneMapsFromFilesAreWalkedAsTheyStand) {
         EXPECT_TRUE(sameBits(logged[i], plain[i])) << i << ": " << describe(rays[i]);
         wrong += sameBits(plain[i], right[i]) ? 0 : 1;
     }
-    EXPECT_GT(wrong, rays.size() / 50) << "the map is not wrong enough to tell";
+    EXPECT_GT(wrong, rays.size() / 50) << "the map's error is too small for the test";
 }
 
-// What an unsafe map makes of a ray is the same, too: the walk itself is, not only where it ends.
-TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
+// With an unsafe map the traversal itself is the same as the reference's, not only its result.
+TEST(Lanes, traverseUnsafeMapsAsTheReferenceDoes) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     for (const StepRule rule : {StepRule::Exit, StepRule::Classic}) {
         for (const Address address : allAddresses()) {
@@ -199,7 +200,7 @@ TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 wrong += sameBits(walk.trace(rays[i], sink), exact.trace(rays[i], sink)) ? 0 : 1;
             }
-            EXPECT_GT(wrong, rays.size() / 50) << "the map is not unsafe enough to tell";
+            EXPECT_GT(wrong, rays.size() / 50) << "the map's error is too small for the test";
             onEveryTarget([&] {
                 HitBlock lanes(rays.size());
                 walk.traceSimd(rays, 0, rays.size(), lanes);
@@ -211,8 +212,8 @@ TEST(Lanes, walkUnsafeMapsAsTheReferenceDoes) {
     }
 }
 
-// What SIMD versions read besides counts as memory, too; cones are read by both forms.
-TEST(Lanes, walkTheMapOfTheReference) {
+// Additional data of SIMD versions count as memory, too; cones are used by both.
+TEST(Lanes, useTheMapOfTheReference) {
     MapCache cache;
     Work work(2);
     const HeightField field(randomHeights(40, 24, kSeed), Surface::Bilinear, Address::Repeat, 0.2);

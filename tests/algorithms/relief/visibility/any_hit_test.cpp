@@ -1,4 +1,4 @@
-// Any-hit queries against an independent truth, and the laws they obey.
+// Any-hit queries against an independent truth, and their general properties.
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 namespace relief::test {
 namespace {
 
-// Heights within which the truth in long double and the query in double may take a segment for blocked or clear.
+// Height difference below which the truth in long double and the query in double may decide differently.
 constexpr long double kTangentHeight = 1e-12L;
 
-// The highest that the surface rises above the segment, by sorted crossings and three samples a cell.
+// Returns the largest height of the surface above the segment, from sorted crossings and three samples per cell.
 long double highestAbove(const HeightField& field, const AnyRay& ray) {
     using Real = long double;
     const Real shift = field.surface() == Surface::Bilinear ? 0.5L : 0.0L;
@@ -131,7 +131,8 @@ TEST_F(AnyHit, agreesWithLongDouble) {
     EXPECT_LE(tangent, rays / 100);
 }
 
-// What a view ray sees is seen back along the same line, up to a little before the hit; beyond it lies the relief.
+// The point that a view ray hits is visible from the viewer's side along the same line, from slightly before the hit;
+// beyond the hit the relief blocks.
 TEST_F(AnyHit, aHitIsSeenBackFromTheViewer) {
     forEachQuery([&](const std::string& name, Surface surface, Address address) {
         const HeightField field(randomHeights(23, 19, 8), surface, address, 0.4);
@@ -163,9 +164,9 @@ TEST_F(AnyHit, plateausAndTheOwnSurfacePointDoNotBlock) {
         const auto query = makeAnyHit({name, {}}, field, cache_, work_);
         AnyRayBlock block;
         block.push({8, 8, 0.25, 5, 3, 0});     // along the plateau
-        block.push({8, 8, 0.25, 5, 3, 0.75});  // up from it
+        block.push({8, 8, 0.25, 5, 3, 0.75});  // upwards from it
         block.push({8, 8, 0.25, 5, 3, -0.1});  // down into it
-        block.push({8, 8, 0.2, 5, 3, 0.8});    // up from below it
+        block.push({8, 8, 0.2, 5, 3, 0.8});    // upwards from below it
         VisibilityBlock results;
         NullSink null;
         query->query(block, results, null, work_);
@@ -199,7 +200,8 @@ TEST_F(AnyHit, sinksAndThreadsAgree) {
     });
 }
 
-// The first thing in the way ends the search: a wall beside the start costs a few steps, however long the segment.
+// The first blocking cell ends the search: with a wall next to the start it takes a few steps, however long the
+// segment.
 TEST_F(AnyHit, leavesEarly) {
     FloatImage wall(4096, 4);
     for (int y = 0; y < 4; ++y) wall(20, y) = 1;

@@ -1,4 +1,4 @@
-// Any-hit queries in lanes against their reference: the same answers and the same cells, for any target.
+// Any-hit queries in SIMD against their reference: the same results and the same cells, for every target.
 #include <iostream>
 #include <limits>
 
@@ -12,8 +12,8 @@
 namespace relief::test {
 namespace {
 
-// From anywhere, or from the surface itself (shadows, footprints); with zero runs, starts on lines, and what is not to
-// be followed.
+// Segments from any point, or from the surface itself (as for shadows and footprints); with zero components, starts on
+// grid lines, and values that must not be traced.
 AnyRay segmentFor(Random& random, const HeightField& field) {
     const double reach = random.between(0, 2) * field.width();
     const double azimuth = random.between(0, 7);
@@ -35,7 +35,7 @@ AnyRay segmentFor(Random& random, const HeightField& field) {
     if (random.below(9) == 0) ray.dt = ray.ds;
     if (random.below(400) == 0) ray.dz = std::numeric_limits<double>::quiet_NaN();
     if (random.below(50) == 0) ray.ds = -1e-301;
-    // So flat that the reference gives up: a few, they are long.
+    // So flat that the reference gives up; only a few, because they take long.
     if (random.below(20000) == 0) ray.ds = 3e6, ray.z = ray.dz = 0.5;
     return ray;
 }
@@ -81,7 +81,7 @@ TEST(AnyHitLanes, AnswerAsTheReference) {
     EXPECT_GT(answers[2], 0U);
 }
 
-// Blocks shorter than a vector, single cells and rows.
+// Blocks shorter than a SIMD vector, maps of single cells and rows.
 TEST(AnyHitLanes, AnswerOnAwkwardSizes) {
     MapCache cache;
     Work work(1);
@@ -108,7 +108,7 @@ TEST(AnyHitLanes, AnswerOnAwkwardSizes) {
     }
 }
 
-// The cells that the reference logs.
+// Returns the cells that the reference logs.
 LaneSteps loggedCells(const PackedConeAnyHit& query, const AnyRay& ray) {
     LogSink log;
     query.query(ray, log);
@@ -122,7 +122,7 @@ LaneSteps loggedCells(const PackedConeAnyHit& query, const AnyRay& ray) {
     return cells;
 }
 
-TEST(AnyHitLanes, LookAtTheCellsThatTheReferenceLogs) {
+TEST(AnyHitLanes, VisitTheCellsThatTheReferenceLogs) {
     constexpr std::uint64_t kSeed = 133;
     constexpr std::size_t kSegments = 800;
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
