@@ -101,9 +101,9 @@ void LegendRows::wrapped(const Message& message) {
     }
 }
 
-void LegendRows::line(Role role, const Message& what, LevelTint tint, double length) {
+void LegendRows::line(Role role, const Message& what, LevelTint tint, double length, Emphasis emphasis) {
     const Point at = place(length + 4 + textRoom(what) + kBetween);
-    add(role, Polyline{{{at.x, at.y}, {at.x + length, at.y}}}, tint);
+    add(role, Polyline{{{at.x, at.y}, {at.x + length, at.y}}}, tint, emphasis);
     text({at.x + length + 4, at.y}, what);
 }
 

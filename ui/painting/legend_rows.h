@@ -12,6 +12,10 @@ namespace reliefui {
 
 class LegendRows {
   public:
+    static constexpr double kLine = 18;
+    static constexpr double kSign = 14;
+    static constexpr double kBetween = 9;
+
     LegendRows(double width, relief::Language language) : width_(width), language_(language) {}
 
     // Adds a symbol, given relative to (0, 0), followed by its explanation. room: width of the symbol and the gap after
@@ -24,7 +28,8 @@ class LegendRows {
     // Approximate width of the text.
     double textRoom(const relief::Message& message) const;
     // Adds a short line of this role and its explanation.
-    void line(Role role, const relief::Message& what, LevelTint tint = {}, double length = 18);
+    void line(Role role, const relief::Message& what, LevelTint tint = {}, double length = kLine,
+              Emphasis emphasis = Emphasis::Normal);
     // Adds a colour patch, optionally hatched, and its explanation.
     void swatch(Role role, const relief::Message& what, LevelTint tint = {}, bool hatched = false);
     // Adds a colour bar of the map and its explanation.
@@ -46,9 +51,6 @@ class LegendRows {
     // Starts a new row for the next entry.
     void newRow();
     Drawing take();
-
-    static constexpr double kSign = 14;
-    static constexpr double kBetween = 9;
 
   private:
     double width_;

@@ -303,9 +303,14 @@ ParetoPicture paretoPicture(const ParetoSource& source, const Box& room) {
 }
 
 void addParetoLegend(LegendRows& rows, const ParetoSource& source) {
-    rows.line(Role::Series, Message(MessageId::DrawChartFront));
-    rows.sign(Role::Layer, Marker{{}, Shape::Dot, 0.75 * kMarkSize}, Message(MessageId::DrawChartDominated));
     const auto& points = source.table.points;
+    if (source.table.bothForms()) {
+        rows.line(Role::Series, Message(MessageId::DrawChartSimdFront));
+        rows.line(Role::Series, Message(MessageId::DrawChartScalarFront), {}, LegendRows::kLine, Emphasis::Faint);
+    } else {
+        rows.line(Role::Series, Message(MessageId::DrawChartFront));
+    }
+    rows.sign(Role::Layer, Marker{{}, Shape::Dot, 0.75 * kMarkSize}, Message(MessageId::DrawChartDominated));
     if (std::any_of(points.begin(), points.end(), [](const ParetoPoint& p) { return p.wrongOutcome > 0; })) {
         rows.sign(Role::Layer, Marker{{}, Shape::Diamond, 0.8 * kMarkSize}, Message(MessageId::DrawChartWrong));
     }
