@@ -460,14 +460,15 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
 // A figure that takes long is cancelled with everything else that runs; the file that was there stays.
 TEST_F(WindowTest, AnExportIsCancelled) {
     relief::Scenario scenario = smallScenario();
-    scenario.filter = {"supersample", {{"samples", "16"}}};
+    scenario.filter.name = relief::kSupersample;
+    scenario.filter.samples = 3;
     openWindow(scenario);
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("large.png"));
     relief::writeTextFile(path.toStdString(), "of before");
     QSignalSpy notices(workspace_.get(), &Workspace::notice);
     QSignalSpy progress(&workspace_->tasks(), &BackgroundTasks::progress);
-    window_->saveView(QStringLiteral("result"), {path, 8000});
+    window_->saveView(QStringLiteral("result"), {path, 3000});
     EXPECT_TRUE(workspace_->tasks().busy());
     ASSERT_TRUE(QTest::qWaitFor([&] { return progress.size() > 1; }, kPatienceMs));
     QTest::keyClick(window_.get(), Qt::Key_Escape);

@@ -210,7 +210,7 @@ class Groups {
         const relief::Ellipse& e = p.ellipse;
         // Of squares of derivatives, and of squares of these.
         const auto scaled = [&](double value, const char* power) {
-            return with(value, MessageId::DrawFormulaTexelsPixel, power);
+            return formulaNumber(value) + " " + say(MessageId::DrawFormulaTexelsPixel, {{"power", std::string(power)}});
         };
         groups_.back().rows.push_back({"A U² + B U V + C V² = F", {}, {}, kTex, {}});
         row("A", "v_x² + v_y²", term::square(j.vx) + " + " + term::square(j.vy), e.a, scaled(e.a, "²"), kTex);
