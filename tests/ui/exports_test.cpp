@@ -439,14 +439,15 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
 // A long export is cancelled together with all other background work; an existing file is unchanged.
 TEST_F(WindowTest, AnExportIsCancelled) {
     relief::Scenario scenario = smallScenario();
-    scenario.filter = {"supersample", {{"samples", "16"}}};
+    scenario.filter.name = relief::kSupersample;
+    scenario.filter.samples = 3;
     openWindow(scenario);
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("large.png"));
     relief::writeTextFile(path.toStdString(), "of before");
     QSignalSpy notices(workspace_.get(), &Workspace::notice);
     QSignalSpy progress(&workspace_->tasks(), &BackgroundTasks::progress);
-    window_->saveView(QStringLiteral("result"), {path, 8000});
+    window_->saveView(QStringLiteral("result"), {path, 3000});
     EXPECT_TRUE(workspace_->tasks().busy());
     ASSERT_TRUE(QTest::qWaitFor([&] { return progress.size() > 1; }, kPatienceMs));
     QTest::keyClick(window_.get(), Qt::Key_Escape);

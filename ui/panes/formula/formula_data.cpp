@@ -211,7 +211,7 @@ class Groups {
         const relief::Ellipse& e = p.ellipse;
         // The unit is a power of that of the derivatives: power 2 for A, B, C, power 4 for F.
         const auto scaled = [&](double value, const char* power) {
-            return with(value, MessageId::DrawFormulaTexelsPixel, power);
+            return formulaNumber(value) + " " + say(MessageId::DrawFormulaTexelsPixel, {{"power", std::string(power)}});
         };
         groups_.back().rows.push_back({"A U² + B U V + C V² = F", {}, {}, kTex, {}});
         row("A", "v_x² + v_y²", term::square(j.vx) + " + " + term::square(j.vy), e.a, scaled(e.a, "²"), kTex);
