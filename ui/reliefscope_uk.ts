@@ -2145,7 +2145,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Man&amp;ual</source>
-        <translation>&amp;Посібник</translation>
+        <translation>Посі&amp;бник</translation>
     </message>
     <message>
         <source>The guide, the methods and the commands, in the browser</source>
