@@ -94,4 +94,8 @@ void Turntable::apply(vtkCamera* camera) const {
     camera->SetViewUp(a.up.data());
 }
 
+double Turntable::viewHeight() const {
+    return 2 * distance_ * std::tan(halfView_);
+}
+
 }  // namespace reliefui

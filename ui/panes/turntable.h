@@ -32,6 +32,8 @@ class Turntable {
     void zoom(double factor, double x, double y);
 
     void apply(vtkCamera* camera) const;
+    // Height of the view at the focus, in units of the scene.
+    double viewHeight() const;
     Place right() const { return axes().right; }
 
   private:

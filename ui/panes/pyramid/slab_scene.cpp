@@ -36,6 +36,9 @@ constexpr double kSide = 0.5;
 constexpr double kHidden = 0.4;      // opacity of the ray where slabs hide it
 constexpr double kBeforeAll = -2e5;  // depth offset by which marks are drawn in front of everything
 constexpr double kMostLines = 40;    // of a level's grid, per side
+// Least side of a slab with an outline, in points. Seen from above, the slab's depth is about half of that, and its
+// outline would cover its colour.
+constexpr double kLeastOutlined = 5;
 
 using Place = Turntable::Place;
 
@@ -125,6 +128,7 @@ void SlabScene::show(const PyramidParts& parts, const Style& style) {
     renderer_->SetBackground(ground.r / 255.0, ground.g / 255.0, ground.b / 255.0);
     renderer_->RemoveAllViewProps();
     marks_.clear();
+    outlines_.clear();
     tower_ = SlabTower(parts);
     for (std::size_t n = 0; n < parts.parts.size(); ++n) {
         addBodies(n);
@@ -136,6 +140,7 @@ void SlabScene::show(const PyramidParts& parts, const Style& style) {
 void SlabScene::releaseContents() {
     renderer_->RemoveAllViewProps();
     marks_.clear();
+    outlines_.clear();
     tower_ = {};
     parts_ = nullptr;
 }
@@ -153,8 +158,10 @@ void SlabScene::addBodies(std::size_t part) {
         for (const Line& line : rim(part, g, slab.top)) edges[static_cast<std::size_t>(slab.level)].push_back(line);
     }
     renderer_->AddActor(faces.actor());
-    for (const std::vector<Line>& level : edges) {
-        if (!level.empty()) addLines(level, style_.color(Role::Frame), 0.5);
+    for (std::size_t level = 0; level < edges.size(); ++level) {
+        if (edges[level].empty()) continue;
+        outlines_.emplace_back(std::ldexp(1.0, static_cast<int>(level)),
+                               addLines(edges[level], style_.color(Role::Frame), 0.5));
     }
 }
 
@@ -416,6 +423,10 @@ void SlabScene::showAll(double width, double height) {
 
 void SlabScene::place() {
     camera.apply(renderer_->GetActiveCamera());
+    const double pixelsPerTexel = renderer_->GetSize()[1] / camera.viewHeight();
+    for (const auto& [side, outline] : outlines_) {
+        outline->SetVisibility(side * pixelsPerTexel >= kLeastOutlined * style_.pixelsPerPoint());
+    }
     renderer_->ResetCameraClippingRange();
 }
 

@@ -45,7 +45,8 @@ class SlabScene {
     void showAll(double width, double height);
     // Sets the initial direction: from above, with the ray from left to right.
     void lookFromHome();
-    // Applies the camera to the renderer; call it before each rendering.
+    // Applies the camera to the renderer, and hides the outlines of slabs that they would cover; call it before each
+    // rendering.
     void place();
 
     const SlabTower& tower() const { return tower_; }
@@ -82,6 +83,8 @@ class SlabScene {
     const PyramidParts* parts_ = nullptr;
     SlabTower tower_;
     double titleWidth_ = 0;  // in pixels
+    // The slabs' outlines, by level, with the slabs' side in texels.
+    std::vector<std::pair<double, vtkSmartPointer<vtkActor>>> outlines_;
     std::vector<vtkSmartPointer<vtkProp>> marks_;
 };
 
