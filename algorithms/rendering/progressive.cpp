@@ -140,7 +140,7 @@ ProgressiveRenderer::Picture ProgressiveRenderer::moving(const FrameRequest& req
     return picture;
 }
 
-ProgressiveRenderer::Picture ProgressiveRenderer::settled(const FrameRequest& request, Work& work) {
+ProgressiveRenderer::Picture ProgressiveRenderer::atRest(const FrameRequest& request, Work& work) {
     levelFor(request);
     Picture picture = draw(request, {0, request.filter, 1, 0}, work);
     const auto& stages = picture.frame->stages;

@@ -53,7 +53,7 @@ class ProgressiveRenderer {
     // coarserRequest(). Throws what FrameRenderer::render throws.
     Picture moving(const FrameRequest& request, Work& work);
     // Renders the full request, with the same bits as FrameRenderer. Throws what FrameRenderer::render throws.
-    Picture settled(const FrameRequest& request, Work& work);
+    Picture atRest(const FrameRequest& request, Work& work);
     // Returns the picture's frame with steps and reads.
     std::shared_ptr<const Frame> counted(const Picture& picture, Work& work);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "measuring/bench/bench_columns.h"
 #include "measuring/verify/stress_record.h"
 #include "output.h"
 #include "stress_report.h"
@@ -27,31 +28,6 @@ std::optional<std::string_view> takeRecord(std::string_view& text) {
     return std::nullopt;
 }
 
-struct Field {
-    std::string text;
-    bool quoted = false;
-};
-
-std::vector<Field> fieldsOf(std::string_view record) {
-    std::vector<Field> fields(1);
-    bool inside = false;
-    for (std::size_t at = 0; at < record.size(); ++at) {
-        const char c = record[at];
-        if (c == '"') {
-            // Two quotes inside a quoted field stand for one.
-            const bool twice = inside && at + 1 < record.size() && record[at + 1] == '"';
-            if (twice) fields.back().text += record[++at];
-            if (!twice) inside = !inside;
-            fields.back().quoted = true;
-        } else if (c == ',' && !inside) {
-            fields.emplace_back();
-        } else {
-            fields.back().text += c;
-        }
-    }
-    return fields;
-}
-
 template <class T>
 std::optional<Json> numberOf(const std::string& text) {
     T value{};
@@ -64,7 +40,7 @@ std::optional<Json> numberOf(const std::string& text) {
 enum class Kind : std::uint8_t { Whole, Real, Word };
 
 // Converts a field as benchField() wrote it: an empty field is a missing number.
-Json valueOf(const Field& field, Kind kind) {
+Json valueOf(const CsvField& field, Kind kind) {
     if (kind == Kind::Word || field.quoted) return field.text;
     if (field.text.empty()) return nullptr;
     if (kind == Kind::Whole) {
@@ -126,11 +102,11 @@ void readTable(const TextPart& part, Table& table) {
                                                                       {"here", std::string(*header)},
                                                                       {"there", std::string(table.header)}}));
     }
-    const std::size_t columns = fieldsOf(*header).size();
+    const std::size_t columns = csvFields(*header).size();
     std::vector<std::string_view> rows;
     while (const auto record = takeRecord(text)) {
         rows.push_back(*record);
-        if (fieldsOf(*record).size() != columns) failLine(part.path, 2 + rows.size());
+        if (csvFields(*record).size() != columns) failLine(part.path, 2 + rows.size());
     }
     if (!text.empty()) failLine(part.path, 3 + rows.size());
     std::size_t used = 0;
@@ -163,11 +139,11 @@ std::string csvText(const Table& table) {
 }
 
 std::string jsonText(const Table& table) {
-    const std::vector<Field> names = fieldsOf(table.header);
+    const std::vector<CsvField> names = csvFields(table.header);
     Json rows = Json::array();
     for (const Cell& cell : table.cells) {
         for (const std::string_view row : cell.rows) {
-            const std::vector<Field> fields = fieldsOf(row);
+            const std::vector<CsvField> fields = csvFields(row);
             Json object = Json::object();
             for (std::size_t n = 0; n < names.size(); ++n) {
                 object[names[n].text] = valueOf(fields[n], table.kindOf(names[n].text));

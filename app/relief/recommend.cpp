@@ -153,7 +153,7 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "recommend", "which method, filter and map for a height map, measured on it",
         "Which method should trace this height map? All tracers, with those values of their options that are worth "
-        "trying, are measured on the same rays of the views asked for. A method that breaks the error bound, needs too "
+        "trying, are measured on the same rays of the given views. A method that breaks the error bound, needs too "
         "much memory, or whose map takes too long to build, is dropped; the others are timed in short rounds in turn, "
         "and after each round those that are clearly slower are dropped. A method up to 3% slower is preferred if its "
         "map is smaller. The answer gives the reasons: what the relief is like, steps, samples, bytes and build time; "

@@ -46,7 +46,7 @@ std::string levelText(const MovingLevel& level) {
 void printCoarse(ProgressiveRenderer& renderer, const FrameRequest& request, Work& work) {
     const ProgressiveRenderer::Picture coarse = renderer.moving(request, work);
     if (coarse.level.number == 0) return;
-    const std::shared_ptr<const Frame> full = renderer.settled(request, work).frame;
+    const std::shared_ptr<const Frame> full = renderer.atRest(request, work).frame;
     ColorImage enlarged(request.width, request.height);
     for (int y = 0; y < request.height; ++y) {
         for (int x = 0; x < request.width; ++x) {

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "measuring/bench/bench_columns.h"
 #include "relief/files.h"
 
 namespace relief::claims {
@@ -12,24 +13,6 @@ namespace relief::claims {
 namespace {
 
 constexpr int kDigits = 3;
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-    std::vector<std::string> fields(1);
-    bool inside = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool twice = line[i] == '"' && inside && i + 1 < line.size() && line[i + 1] == '"';
-        if (twice) {
-            fields.back() += line[i++];
-        } else if (line[i] == '"') {
-            inside = !inside;
-        } else if (line[i] == ',' && !inside) {
-            fields.emplace_back();
-        } else {
-            fields.back() += line[i];
-        }
-    }
-    return fields;
-}
 
 // Returns the local date on which the file was last written: "2026-11-26".
 std::string dayOf(const std::string& path) {
@@ -60,12 +43,12 @@ std::vector<std::string> linesOf(const std::string& text) {
 Table::Table(const std::string& path) : path_(path) {
     const auto lines = linesOf(readTextFile(path));
     if (lines.empty()) fail(path, "empty");
-    const auto names = fieldsOf(lines[0]);
+    const auto names = csvFields(lines[0]);
     for (std::size_t l = 1; l < lines.size(); ++l) {
-        const auto fields = fieldsOf(lines[l]);
+        const auto fields = csvFields(lines[l]);
         if (fields.size() != names.size()) fail(path, "line " + std::to_string(l + 1));
         rows_.emplace_back();
-        for (std::size_t c = 0; c < names.size(); ++c) rows_.back()[names[c]] = fields[c];
+        for (std::size_t c = 0; c < names.size(); ++c) rows_.back()[names[c].text] = fields[c].text;
     }
     if (rows_.empty()) fail(path, "no rows");
 }

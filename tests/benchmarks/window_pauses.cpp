@@ -131,7 +131,7 @@ class Session {
                 change([&](relief::Scenario& s) { s.reliefDepth = 0.05 + 0.01 * k; }, true);
                 QTest::qWait(40);
             }
-            workspace_.settle();
+            workspace_.finishInteraction();
         });
     }
     void longRay(relief::PixelChoice pixel, const relief::Camera& camera) {
@@ -179,7 +179,7 @@ class Session {
                 window_.pane<reliefui::DistanceView>()->setOptions(options);
                 wait();
                 static_cast<void>(
-                    QTest::qWaitFor([&] { return window_.pane<reliefui::DistanceView>()->settled(); }, kPatienceMs));
+                    QTest::qWaitFor([&] { return window_.pane<reliefui::DistanceView>()->isUpToDate(); }, kPatienceMs));
             });
         step();
         pane("footprint-pane", "pane footprint");

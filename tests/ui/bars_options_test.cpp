@@ -22,7 +22,7 @@ class BarsAndOptions : public WindowTest {
     template <class View>
     void settle(View* view) {
         QTest::qWait(100);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view->settled() && !workspace_->busy(); }, kPatienceMs));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view->isUpToDate() && !workspace_->busy(); }, kPatienceMs));
     }
     const HistogramBar* fullest(const HistogramPicture& picture, BarKind kind) {
         const HistogramBar* most = nullptr;

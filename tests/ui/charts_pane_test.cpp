@@ -29,7 +29,7 @@ class ChartsPane : public WindowTest {
     }
     void settle() {
         QTest::qWait(100);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled() && !workspace_->busy(); }, kPatienceMs));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->isUpToDate() && !workspace_->busy(); }, kPatienceMs));
     }
     ChartsView* view() { return window_->pane<ChartsView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }
@@ -108,7 +108,7 @@ TEST_F(ChartsPane, MeasuringIsCancelledAndFollowsTheView) {
     openPane();
     // Building the maps of many methods takes long enough to cancel.
     view()->setWithMaps(true);
-    ASSERT_FALSE(view()->settled());
+    ASSERT_FALSE(view()->isUpToDate());
     view()->cancel();
     settle();
     EXPECT_FALSE(view()->measured()->withMaps);

@@ -38,7 +38,7 @@ class ComparePane : public WindowTest {
     }
     void settle() {
         QTest::qWait(100);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return pane()->settled() && !workspace_->busy(); }, kPatienceMs));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return pane()->isUpToDate() && !workspace_->busy(); }, kPatienceMs));
     }
     CompareView* pane() { return window_->pane<CompareView>(); }
     ComparePictures* pictures() { return pane()->pictures(); }

@@ -23,7 +23,7 @@ class DistanceTest : public WindowTest {
     void settle() {
         // Work for a changed option starts at once; work for a new picture starts when that is ready.
         QTest::qWait(20);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kDistancePatienceMs)) << "no map in time";
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->isUpToDate(); }, kDistancePatienceMs)) << "no map in time";
     }
     void show(const DistanceOptions& options) {
         view()->setOptions(options);

@@ -190,7 +190,7 @@ TEST_F(DistanceTest, ABuildIsCancelledAndRequestedAgain) {
     // The window stays responsive while the map is built.
     auto* const waiting = control<QWidget>("distance-waiting");
     ASSERT_TRUE(QTest::qWaitFor([&] { return waiting->isVisible(); }, kDistancePatienceMs));
-    ASSERT_FALSE(view()->settled());
+    ASSERT_FALSE(view()->isUpToDate());
     QTest::keyClick(window_.get(), Qt::Key_Escape);
     settle();
     EXPECT_EQ(view()->shown(), nullptr);

@@ -30,7 +30,7 @@ class DuelTest : public WindowTest {
     void waitForDuel() {
         waitForFull();
         const auto ready = [&] {
-            return window_->pane<DuelView>()->settled() && window_->pane<DuelView>()->duel() != nullptr &&
+            return window_->pane<DuelView>()->isUpToDate() && window_->pane<DuelView>()->duel() != nullptr &&
                    window_->pane<DuelView>()->duel()->snapshot == snapshot();
         };
         ASSERT_TRUE(QTest::qWaitFor(ready, 20000));

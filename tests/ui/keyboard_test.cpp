@@ -287,7 +287,7 @@ TEST_F(KeyboardTest, DividersAreMovedByKeys) {
     openWindow(scenario);
     window_->findChild<QDockWidget*>(QStringLiteral("compare-pane"))->raise();
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return window_->pane<CompareView>()->view() != nullptr && window_->pane<CompareView>()->settled(); },
+        [&] { return window_->pane<CompareView>()->view() != nullptr && window_->pane<CompareView>()->isUpToDate(); },
         20000));
     ComparePictures* const pictures = window_->pane<CompareView>()->pictures();
     pictures->setFocus();

@@ -289,7 +289,8 @@ TEST_F(LayoutTest, ComparedPicturesAreNotTooSmall) {
             window_->setProjector(projector);
             setSize(size);
             dock("compare-pane")->raise();
-            ASSERT_TRUE(QTest::qWaitFor([&] { return view->settled() && view->view() && view->view()->rated; }, 60000));
+            ASSERT_TRUE(
+                QTest::qWaitFor([&] { return view->isUpToDate() && view->view() && view->view()->rated; }, 60000));
             QTest::qWait(kLayoutMs);
             const CompareLayout& layout = view->pictures()->layoutNow();
             ASSERT_EQ(layout.rooms.size(), 4U);

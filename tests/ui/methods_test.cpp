@@ -94,7 +94,7 @@ TEST_F(WindowTest, TheOptionsOfAMethodAreChangedAndDrawn) {
     EXPECT_EQ(snapshot()->scenario.method, this->scenario().method);
     // The steps are those of the changed number of layers.
     EXPECT_EQ(snapshot()->trace.steps.at(2).lambdaOut, 1.0 / 256);
-    workspace_->settle();
+    workspace_->finishInteraction();
     layers->box()->setValue(8);
     waitForFull();
     EXPECT_EQ(snapshot()->trace.steps.at(2).lambdaOut, 1.0 / 8);

@@ -127,7 +127,7 @@ TEST_F(PaneChoices, SavedAndOpenedTheyAreTheSame) {
 TEST_F(PaneChoices, ADragIsOneStepOfUndo) {
     openWindow(smallScenario());
     window_->pane<DistanceView>()->window()->findChild<QWidget*>(QStringLiteral("distance-pane"))->raise();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->pane<DistanceView>()->settled(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->pane<DistanceView>()->isUpToDate(); }, 10000));
     const relief::Scenario before = scenario();
     auto* const slider = window_->pane<DistanceView>()->findChild<QSlider*>(QStringLiteral("distance-slice"));
     ASSERT_NE(slider, nullptr);

@@ -280,7 +280,7 @@ TEST_F(WindowTest, TheDuelLeavesItsDrawingTheRoom) {
     DuelView* const duel = window_->pane<DuelView>();
     auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("duel-pane"));
     dock->raise();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return duel->settled() && duel->duel() != nullptr; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return duel->isUpToDate() && duel->duel() != nullptr; }, 20000));
     QTest::qWait(200);
     auto* const table = duel->findChild<QTableView*>();
     // In the dock only the drawing is shown; in the whole window the table is next to it.

@@ -32,7 +32,7 @@ class RowsPane : public WindowTest {
     }
     void settle() {
         QTest::qWait(100);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->settled(); }, kPatienceMs));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view()->isUpToDate(); }, kPatienceMs));
     }
     RowsView* view() { return window_->pane<RowsView>(); }
     DrawingCanvas* canvas() { return view()->canvas(); }

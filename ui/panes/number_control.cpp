@@ -101,13 +101,13 @@ NumberControl::NumberControl(const relief::OptionDescription& description, QWidg
         box_->setValue(value);
         Q_EMIT changed(value, slider_->isSliderDown());
     });
-    connect(slider_, &QSlider::sliderReleased, this, &NumberControl::settled);
+    connect(slider_, &QSlider::sliderReleased, this, &NumberControl::editFinished);
     connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
         const QSignalBlocker quiet(slider_);
         slider_->setValue(scale_.position(value));
         Q_EMIT changed(value, false);
     });
-    connect(box_, &QDoubleSpinBox::editingFinished, this, &NumberControl::settled);
+    connect(box_, &QDoubleSpinBox::editingFinished, this, &NumberControl::editFinished);
 }
 
 void NumberControl::fitBox() {

@@ -39,7 +39,7 @@ class NumberControl : public QWidget {
 
   signals:
     void changed(double value, bool live);  // live: the slider is being dragged
-    void settled();
+    void editFinished();
 
   protected:
     void changeEvent(QEvent* event) override;

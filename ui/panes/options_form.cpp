@@ -77,7 +77,7 @@ void OptionsForm::addControl(const Control& control) {
         label->setBuddy(number);
         form_->addRow(label, number);
         addWords(control, number);
-        connect(number, &NumberControl::settled, this, &OptionsForm::settled);
+        connect(number, &NumberControl::editFinished, this, &OptionsForm::editFinished);
         connect(number, &NumberControl::changed, this, [this, name](double value, bool live) {
             Q_EMIT changed(name, QString::fromStdString(relief::numberText(value)), live);
         });

@@ -25,7 +25,7 @@ class OptionsForm : public QWidget {
 
   signals:
     void changed(const QString& name, const QString& text, bool live);
-    void settled();
+    void editFinished();
 
   private:
     // An option's key in the choice ("inner.layers"), and its default.

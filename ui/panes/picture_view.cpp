@@ -30,7 +30,7 @@ PictureView::PictureView(Workspace* workspace, QWidget* parent) : QWidget(parent
     setAttribute(Qt::WA_OpaquePaintEvent);
     wheelRest_.setSingleShot(true);
     wheelRest_.setInterval(kWheelRestMs);
-    connect(&wheelRest_, &QTimer::timeout, workspace_, &Workspace::settle);
+    connect(&wheelRest_, &QTimer::timeout, workspace_, &Workspace::finishInteraction);
 }
 
 QSize PictureView::pictureSize() const {
@@ -101,7 +101,7 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->localPos();
     const QPointF delta = at - last_;
     if (drag_ == Drag::Pressed && (at - pressed_).manhattanLength() >= QApplication::startDragDistance()) {
-        workspace_->settle();
+        workspace_->finishInteraction();
         drag_ = Drag::Orbit;
     }
     if (drag_ == Drag::Orbit) {
@@ -123,11 +123,11 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
 void PictureView::mouseReleaseEvent(QMouseEvent* event) {
     const Drag ended = drag_;
     drag_ = Drag::None;
-    if (ended == Drag::Orbit) workspace_->settle();
+    if (ended == Drag::Orbit) workspace_->finishInteraction();
     if (ended != Drag::Pressed) return;
     const auto pixel = pixelAt(event->localPos());
     if (!pixel) return;
-    workspace_->settle();  // each click is a separate step of undo
+    workspace_->finishInteraction();  // each click is an undo step of its own
     workspace_->choosePixel(pixel->x, pixel->y);
 }
 

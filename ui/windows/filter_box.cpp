@@ -19,7 +19,7 @@ FilterBox::FilterBox(Workspace* workspace, QWidget* parent)
     column->addWidget(help_);
     column->addWidget(options_);
     connect(workspace_, &Workspace::scenarioChanged, this, &FilterBox::refresh);
-    connect(options_, &OptionsForm::settled, workspace_, &Workspace::settle);
+    connect(options_, &OptionsForm::editFinished, workspace_, &Workspace::finishInteraction);
     connect(options_, &OptionsForm::changed, this, &FilterBox::change);
     refresh();
 }

@@ -124,7 +124,7 @@ bool KeyPolicy::eventFilter(QObject* watched, QEvent* event) {
             pressed(widget);
             return false;
         case QEvent::MouseButtonRelease:
-            settle_.start();
+            focusCheck_.start();
             return false;
         case QEvent::Wheel:
             if (widget == held_ || (kind != Kind::List && kind != Kind::Slider && kind != Kind::Text)) return false;
@@ -147,7 +147,7 @@ bool KeyPolicy::keepsKey(QWidget* widget, const QKeyEvent& event) {
     if (event.type() == QEvent::KeyPress && isTab(event)) {
         tab_ = true;
         tabBack_ = event.key() == Qt::Key_Backtab || (event.modifiers() & Qt::ShiftModifier) != 0;
-        settle_.start();
+        focusCheck_.start();
         return true;
     }
     const Kind kind = kindOf(widget);
@@ -159,7 +159,7 @@ bool KeyPolicy::keepsKey(QWidget* widget, const QKeyEvent& event) {
         if (done && event.type() == QEvent::KeyPress) {
             // The box accepts the number; after that, keys act on the view again.
             held_ = nullptr;
-            settle_.start();
+            focusCheck_.start();
         }
         return true;
     }
@@ -178,7 +178,7 @@ void KeyPolicy::focusCame(QWidget* widget, Qt::FocusReason reason) {
         if (!scrolls(widget)) view_ = widget;
         held_ = nullptr;
     }
-    settle_.start();
+    focusCheck_.start();
 }
 
 void KeyPolicy::pressed(QWidget* widget) {
@@ -195,7 +195,7 @@ void KeyPolicy::pressed(QWidget* widget) {
     }
 }
 
-void KeyPolicy::settle() {
+void KeyPolicy::checkFocus() {
     const bool tab = std::exchange(tab_, false);
     // Called again when the mouse button is released or the list is closed.
     if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activePopupWidget() != nullptr) return;

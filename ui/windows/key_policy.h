@@ -35,7 +35,7 @@ class KeyPolicy : public QObject {
     KeyPolicy(QMainWindow* window, std::function<QWidget*()> fallback);
 
     // Call this after panes were shown or hidden. The focus is checked after the layout is done.
-    void panesMoved() { settle_.start(); }
+    void panesMoved() { focusCheck_.start(); }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -45,7 +45,7 @@ class KeyPolicy : public QObject {
     bool keepsKey(QWidget* widget, const QKeyEvent& event);
     void focusCame(QWidget* widget, Qt::FocusReason reason);
     void pressed(QWidget* widget);
-    void settle();
+    void checkFocus();
     QWidget* viewFor(const QWidget* control) const;
 
     QMainWindow* window_;
@@ -54,7 +54,7 @@ class KeyPolicy : public QObject {
     QPointer<QWidget> held_;  // the control that the user chose explicitly, by Tab or a click
     bool tab_ = false;        // the focus is being moved by Tab
     bool tabBack_ = false;
-    DeferredCall settle_{this, [this] { settle(); }};
+    DeferredCall focusCheck_{this, [this] { checkFocus(); }};
 };
 
 }  // namespace reliefui

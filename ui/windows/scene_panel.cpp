@@ -90,7 +90,7 @@ NumberControl* makeNumberControl(Workspace* workspace, const std::string& name, 
     QObject::connect(workspace, &Workspace::scenarioChanged, control, refresh);
     QObject::connect(control, &NumberControl::changed, workspace,
                      [workspace, name](double value, bool live) { changeNumber(*workspace, name, value, live); });
-    QObject::connect(control, &NumberControl::settled, workspace, &Workspace::settle);
+    QObject::connect(control, &NumberControl::editFinished, workspace, &Workspace::finishInteraction);
     refresh();
     return control;
 }
@@ -244,7 +244,7 @@ void ScenePanel::addMethod(QFormLayout* form) {
     options_ = new OptionsForm(this);
     form->addRow(options_);
     addDefaults(form);
-    connect(options_, &OptionsForm::settled, workspace_, &Workspace::settle);
+    connect(options_, &OptionsForm::editFinished, workspace_, &Workspace::finishInteraction);
     connect(options_, &OptionsForm::changed, this, [this](const QString& name, const QString& text, bool live) {
         relief::Scenario scenario = workspace_->scenario();
         // Options of a nested method are dropped when another one is chosen.

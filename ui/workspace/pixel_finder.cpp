@@ -89,9 +89,9 @@ void PixelFinder::choose() {
         return;
     }
     const relief::PixelWorth& pixel = found_[next_ % found_.size()];
-    workspace_->settle();
+    workspace_->finishInteraction();
     workspace_->choosePixel(pixel.x, pixel.y);
-    workspace_->settle();
+    workspace_->finishInteraction();
     Q_EMIT reported(tr("%1 of %2: pixel (%3, %4), %5")
                         .arg(next_ % found_.size() + 1)
                         .arg(found_.size())

@@ -55,7 +55,7 @@ void RenderWorker::render(RenderJob job) {
     wake_.notify_all();
 }
 
-void RenderWorker::settle() {
+void RenderWorker::finishInteraction() {
     {
         const std::lock_guard lock(mutex_);
         if (nextRender_) nextRender_->live = false;

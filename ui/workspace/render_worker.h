@@ -71,7 +71,7 @@ class RenderWorker {
 
     void render(RenderJob job);
     // Reports the end of a drag: the full picture is drawn at once.
-    void settle();
+    void finishInteraction();
     // Replaces an earlier load that is not finished.
     void load(LoadJob job);
     // Cancels all running and waiting work; each part is reported to the listener as cancelled.

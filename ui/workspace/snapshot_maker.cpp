@@ -90,7 +90,7 @@ bool SnapshotMaker::draw(Shown& shown, const SnapshotOrder& order, const relief:
     if (same && shown.is(order.scenario, assets)) return false;
     shown.scenario.reset();              // set again when complete, because drawing may be cancelled
     if (&shown == &full_) coarse_ = {};  // frees memory: may be as large as the full one
-    shown.drawn = order.moving ? renderer_.draw(request, level_, work) : renderer_.settled(request, work);
+    shown.drawn = order.moving ? renderer_.draw(request, level_, work) : renderer_.atRest(request, work);
     shown.assets = assets;
     shown.layer = makeLayer(Layer::Color, *shown.drawn.frame, *shown.drawn.request, *maps_, work);
     shown.picture = shown.layer.image;

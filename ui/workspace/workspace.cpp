@@ -133,9 +133,9 @@ void Workspace::requestRender(bool live) {
     reportBusy();
 }
 
-void Workspace::settle() {
+void Workspace::finishInteraction() {
     past_.close();
-    if (worker_) worker_->settle();
+    if (worker_) worker_->finishInteraction();
 }
 
 void Workspace::choosePixel(int x, int y) {
@@ -146,7 +146,8 @@ void Workspace::choosePixel(int x, int y) {
     toLastStep_ = raysFromEnd_;
     // Start at the beginning of the search, not at its result.
     if (!raysFromEnd_) requested.step = 0;
-    // Each click is one undo entry. Arrow keys in succession share one, because no settle() comes between them.
+    // Each click is one undo entry. Arrow keys in succession share one, because no finishInteraction() comes between
+    // them.
     keepStep_ = true;
     change(requested, changeName([] { return tr("Choose pixel"); }), QStringLiteral("pixel"));
     keepStep_ = false;

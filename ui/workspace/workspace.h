@@ -49,7 +49,7 @@ class Workspace : public QObject {
     // nothing.
     void change(const relief::Scenario& scenario, const QString& what, const QString& mergeKey = {}, bool live = false);
     // Ends a series of merged changes (mouse released), and draws the full picture.
-    void settle();
+    void finishInteraction();
     // Chooses a pixel (clamped to the picture) and the first step of its ray, or a step. Both are part of the undo
     // history.
     void choosePixel(int x, int y);

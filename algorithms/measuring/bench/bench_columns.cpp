@@ -28,6 +28,26 @@ std::string benchField(const BenchValue& value) {
     return std::isfinite(number) ? numberText(number) : "";
 }
 
+std::vector<CsvField> csvFields(std::string_view record) {
+    std::vector<CsvField> fields(1);
+    bool inside = false;
+    for (std::size_t at = 0; at < record.size(); ++at) {
+        const char c = record[at];
+        if (c == '"') {
+            // Two quotes inside a quoted field stand for one.
+            const bool twice = inside && at + 1 < record.size() && record[at + 1] == '"';
+            if (twice) fields.back().text += record[++at];
+            if (!twice) inside = !inside;
+            fields.back().quoted = true;
+        } else if (c == ',' && !inside) {
+            fields.emplace_back();
+        } else {
+            fields.back().text += c;
+        }
+    }
+    return fields;
+}
+
 std::string jsonTable(std::span<const std::string_view> names, std::span<const BenchValue> values) {
     assert(!names.empty() && values.size() % names.size() == 0);
     auto all = nlohmann::ordered_json::array();

@@ -26,6 +26,15 @@ struct BenchColumnOf {
 // Returns the value as a CSV field: fields with commas or quotes are quoted; NaN is empty.
 std::string benchField(const BenchValue& value);
 
+// A field of a CSV record, without its quotes.
+struct CsvField {
+    std::string text;
+    bool quoted = false;
+};
+
+// Splits a CSV record, given without its line break, into its fields: the inverse of benchField().
+std::vector<CsvField> csvFields(std::string_view record);
+
 // Returns the rows of a table, `names.size()` values each, as a JSON array of objects; NaN becomes null. Ends with
 // "\n".
 std::string jsonTable(std::span<const std::string_view> names, std::span<const BenchValue> values);

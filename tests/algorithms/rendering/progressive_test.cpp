@@ -184,9 +184,9 @@ TEST(Progressive, aboveTheBudgetFramesAreCoarseUntilTheCameraRests) {
                 stop.request_stop();
                 Work stopped(2, stop.get_token());
                 if (budget == never) {
-                    EXPECT_THROW(renderer.settled(request, stopped), Cancelled);
+                    EXPECT_THROW(renderer.atRest(request, stopped), Cancelled);
                 }
-                expectSame(*renderer.settled(request, work).frame, *alone(request), what + ", settled");
+                expectSame(*renderer.atRest(request, work).frame, *alone(request), what + ", settled");
             }
         }
     }
@@ -208,7 +208,7 @@ TEST(Progressive, anyLevelSettlesToThePictureItself) {
             const auto moving = renderer.draw(request, level, work);
             expectSame(*moving.frame, *alone(coarserRequest(request, level)), what);
             EXPECT_FALSE(moving.frame->hits->counted());
-            const auto settled = renderer.settled(request, work);
+            const auto settled = renderer.atRest(request, work);
             expectSame(*settled.frame, *alone(request), what + ", settled");
             EXPECT_EQ(settled.frame->stages[static_cast<std::size_t>(Stage::Hits)].reused, level.factor == 1) << what;
             // The counts of a picture are right even after another one was rendered.
@@ -226,7 +226,7 @@ TEST(Progressive, lightLeavesTheFilterAlone) {
     FrameRequest request = requestFor(kFilters[0]);
     ProgressiveRenderer renderer(std::make_shared<MapCache>(), 1);
     Work work(2);
-    renderer.settled(request, work);
+    renderer.atRest(request, work);
     for (int n = 0; n < 8; ++n) {
         request.light.azimuth += 10;
         const auto lit = renderer.moving(request, work);
@@ -234,12 +234,12 @@ TEST(Progressive, lightLeavesTheFilterAlone) {
         EXPECT_TRUE(lit.frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
     }
     ProgressiveRenderer hurried(std::make_shared<MapCache>(), 0);
-    hurried.settled(request, work);
+    hurried.atRest(request, work);
     for (int n = 0; n < 8; ++n) {
         request.light.azimuth += 10;
         EXPECT_GT(hurried.moving(request, work).level.factor, 1);
     }
-    EXPECT_TRUE(hurried.settled(request, work).frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
+    EXPECT_TRUE(hurried.atRest(request, work).frame->stages[static_cast<std::size_t>(Stage::Color)].reused);
 }
 
 // Neither the full-size renderer nor that of smaller pictures keeps data of an earlier relief alive.
@@ -253,13 +253,13 @@ TEST(Progressive, ofAnotherReliefNothingIsKept) {
         const FrameRequest first = requestFor({"elliptical", {}});
         heights = first.field.sharedHeights();
         color = first.color;
-        renderer.settled(first, work);
+        renderer.atRest(first, work);
         EXPECT_GT(renderer.moving(first, work).level.factor, 1);
     }
     maps->clear();
     EXPECT_FALSE(heights.expired());
     EXPECT_FALSE(color.expired());
-    renderer.settled(requestFor({"bilinear", {}}), work);
+    renderer.atRest(requestFor({"bilinear", {}}), work);
     maps->clear();
     EXPECT_TRUE(heights.expired());
     EXPECT_TRUE(color.expired());

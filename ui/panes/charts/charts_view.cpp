@@ -22,7 +22,7 @@ QString number(double value) {
 
 }  // namespace
 
-bool ChartsView::settled() const {
+bool ChartsView::isUpToDate() const {
     return !stale() && !job_->busy();
 }
 
@@ -224,7 +224,7 @@ void ChartsView::chooseOf(const HistogramBar& bar) {
         // The next pixel of this bar, if one of its pixels is already chosen.
         const auto next = at == pixels->end() || at + 1 == pixels->end() ? pixels->begin() : at + 1;
         if (next != pixels->end()) {
-            workspace_->settle();  // each click is a separate step of undo
+            workspace_->finishInteraction();  // each click is an undo step of its own
             workspace_->choosePixel(next->x, next->y);
         }
         refresh();  // restarts the measurement that was interrupted for this

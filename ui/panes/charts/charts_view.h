@@ -33,7 +33,7 @@ class ChartsView : public FigureView {
     const MeasuredView* measured() const { return measured_.get(); }
     const relief::FrameHistograms* histograms() const { return histograms_.get(); }
     // Returns true if no computation is pending.
-    bool settled() const;
+    bool isUpToDate() const;
 
   public slots:
     void measure();

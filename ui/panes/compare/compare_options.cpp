@@ -40,7 +40,7 @@ QWidget* CompareView::makeOptions() {
         column->addWidget(one.form);
         column->addStretch(1);
         row->addWidget(one.whole, 1);
-        connect(one.form, &OptionsForm::settled, workspace_, &Workspace::settle);
+        connect(one.form, &OptionsForm::editFinished, workspace_, &Workspace::finishInteraction);
         connect(one.form, &OptionsForm::changed, this,
                 [this, n](const QString& name, const QString& text, bool live) { setOption(n, name, text, live); });
         options_.push_back(one);

@@ -233,7 +233,7 @@ void ComparePictures::mouseReleaseEvent(QMouseEvent* event) {
     dragged_.reset();
     if (!fits) return;
     scenario.comparison.dividers = dividers_;
-    workspace()->settle();
+    workspace()->finishInteraction();
     workspace()->change(scenario, changeName([] { return tr("Move the divider"); }));
     relayout();
 }

@@ -23,7 +23,7 @@ QString textOf(relief::CompareSubject subject, const relief::MethodChoice& choic
 
 }  // namespace
 
-bool CompareView::settled() const {
+bool CompareView::isUpToDate() const {
     return !stale() && !job_->busy();
 }
 
@@ -130,7 +130,7 @@ void CompareView::cancel() {
 void CompareView::change(const relief::Comparison& comparison, const QString& what) {
     relief::Scenario scenario = workspace_->scenario();
     scenario.comparison = comparison;
-    workspace_->settle();
+    workspace_->finishInteraction();
     workspace_->change(scenario, what);
 }
 
@@ -188,7 +188,7 @@ void CompareView::setChoice(std::size_t number, const QString& name) {
         Q_EMIT workspace_->notice(tr("%1 is A already, and has no option to set it against itself.").arg(name));
         return showControls();
     }
-    workspace_->settle();
+    workspace_->finishInteraction();
     workspace_->change(scenario, changeName([letter = QChar(static_cast<char>('A' + number))] {
                            return tr("Compare: %1").arg(letter);
                        }));
@@ -200,7 +200,7 @@ void CompareView::swapWithA(std::size_t number) {
     std::vector<relief::MethodChoice>& others = relief::othersOf(scenario.comparison);
     if (number == 0 || number > others.size() || subject == relief::CompareSubject::Heights) return;
     const relief::MethodChoice own = std::exchange(others[number - 1], relief::ownVariation(scenario, subject));
-    workspace_->settle();
+    workspace_->finishInteraction();
     workspace_->change(relief::varied(scenario, subject, own), changeName([] { return tr("Swap with A"); }));
 }
 

@@ -104,7 +104,7 @@ class CompareView : public FigureView {
     ComparePictures* pictures() const { return pictures_; }
     const ComparedView* view() const { return view_.get(); }
     // Returns true if no computation is pending.
-    bool settled() const;
+    bool isUpToDate() const;
 
   public slots:
     void setSubject(relief::CompareSubject subject);

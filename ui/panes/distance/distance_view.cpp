@@ -53,7 +53,7 @@ bool DistanceView::ready() const {
     return snapshot_ && snapshot_->request && snapshot_->maxima && snapshot_->maps;
 }
 
-bool DistanceView::settled() const {
+bool DistanceView::isUpToDate() const {
     return !stale() && !job_->busy() && !point_.busy();
 }
 

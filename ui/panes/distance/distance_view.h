@@ -39,7 +39,7 @@ class DistanceView : public FigureView {
     // The drawing on the screen; null before the first.
     const DistancePicture* shown() const { return result_ ? &result_->picture : nullptr; }
     // Returns true if no computation is pending: the screen shows the requested slice, or a problem.
-    bool settled() const;
+    bool isUpToDate() const;
     // The point whose distances are shown; null: none.
     const PointQuery* point() const { return result_ ? result_->point.get() : nullptr; }
     QString problem() const { return problem_; }

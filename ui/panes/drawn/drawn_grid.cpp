@@ -154,7 +154,7 @@ void DrawnGrid::mousePressEvent(QMouseEvent* event) {
     const auto texel = drawnTexelAt(picture_, drawn(), toDrawing(event->localPos()));
     choose(texel);
     if (!texel) return;
-    workspace_->settle();  // each drag is a separate step of undo
+    workspace_->finishInteraction();  // each drag is an undo step of its own
     dragging_ = true;
     pressed_ = event->localPos();
     from_ = drawn().at(texel->first, texel->second);
@@ -183,7 +183,7 @@ void DrawnGrid::mouseMoveEvent(QMouseEvent* event) {
 void DrawnGrid::mouseReleaseEvent(QMouseEvent* event) {
     if (!dragging_ || event->button() != Qt::LeftButton) return;
     dragging_ = false;
-    workspace_->settle();
+    workspace_->finishInteraction();
 }
 
 void DrawnGrid::mouseDoubleClickEvent(QMouseEvent* event) {

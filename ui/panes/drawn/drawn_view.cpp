@@ -152,7 +152,7 @@ void DrawnView::set(relief::DrawnRelief drawn, const QString& what) {
     // Colours and normals of the previous relief would not match this one.
     if (scenario.pictures.drawn.empty()) scenario.pictures = {};
     scenario.pictures.drawn = std::move(drawn);
-    workspace_->settle();
+    workspace_->finishInteraction();
     workspace_->change(scenario, what);
 }
 

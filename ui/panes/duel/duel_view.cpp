@@ -315,7 +315,7 @@ void DuelView::last() {
 
 void DuelView::toDivergence() {
     // If the duel is still being computed, the jump follows when it is ready.
-    jump_ = !duel_ || !settled();
+    jump_ = !duel_ || !isUpToDate();
     if (jump_) return;
     goToDivergence();
 }

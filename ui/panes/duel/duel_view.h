@@ -33,7 +33,7 @@ class DuelView : public FigureView {
     QString verdict() const;
     double shownUpTo() const { return source_.upTo; }
     // Returns true if no computation is pending.
-    bool settled() const { return !stale() && !job_->busy(); }
+    bool isUpToDate() const { return !stale() && !job_->busy(); }
 
   public slots:
     // Stepping moves all methods in lock step.

@@ -53,7 +53,7 @@ void RowsView::adopt() {
     }
 }
 
-bool RowsView::settled() const {
+bool RowsView::isUpToDate() const {
     return !stale() && !job_->busy();
 }
 

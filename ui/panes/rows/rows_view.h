@@ -37,7 +37,7 @@ class RowsView : public FigureView {
     const RowsData* shown() const { return data_.get(); }
     const RowsFrame& frame() const { return frame_; }
     // Returns true if no computation is pending.
-    bool settled() const;
+    bool isUpToDate() const;
 
   public slots:
     void resetZoom();

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algorithms/measuring/altered_tracer.h"
+#include "measuring/bench/bench_columns.h"
 #include "measuring/bench/pareto.h"
 #include "relief/reliefs.h"
 
@@ -35,24 +36,6 @@ BenchOptions small(std::vector<MeasuredMethod> methods) {
     options.rays = 2000;
     options.rounds = 3;
     return options;
-}
-
-// Returns the fields of a line of CSV without quotes.
-std::vector<std::string> unquoted(const std::string& line) {
-    std::vector<std::string> fields(1);
-    bool inside = false;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {  // without the line break
-        if (line[i] == '"' && inside && line[i + 1] == '"') {
-            fields.back() += line[i++];
-        } else if (line[i] == '"') {
-            inside = !inside;
-        } else if (line[i] == ',' && !inside) {
-            fields.emplace_back();
-        } else {
-            fields.back() += line[i];
-        }
-    }
-    return fields;
 }
 
 HitBlock hitsOf(const std::vector<Outcome>& outcomes, const std::vector<double>& lambdas) {
@@ -249,17 +232,20 @@ TEST(BenchTracers, CsvAndJsonHoldTheSameNumbers) {
     ASSERT_EQ(json.size(), rows.size());
     EXPECT_NE(csv.find("\"a \"\"quoted\"\", odd name.png\""), std::string::npos);
     for (std::size_t r = 0; r < rows.size(); ++r) {
-        const auto fields = unquoted(benchCsvLine(rows[r]));
+        std::string line = benchCsvLine(rows[r]);
+        ASSERT_TRUE(line.ends_with('\n'));
+        line.pop_back();
+        const auto fields = csvFields(line);
         ASSERT_EQ(fields.size(), benchColumns().size());
         ASSERT_EQ(json[r].size(), benchColumns().size());
         for (std::size_t c = 0; c < fields.size(); ++c) {
             const auto& value = json[r].at(std::string(benchColumns()[c].name));
             if (value.is_null()) {
-                EXPECT_EQ(fields[c], "");
+                EXPECT_EQ(fields[c].text, "");
             } else if (value.is_string()) {
-                EXPECT_EQ(fields[c], value.get<std::string>());
+                EXPECT_EQ(fields[c].text, value.get<std::string>());
             } else {
-                EXPECT_EQ(std::stod(fields[c]), value.get<double>()) << benchColumns()[c].name;
+                EXPECT_EQ(std::stod(fields[c].text), value.get<double>()) << benchColumns()[c].name;
             }
         }
     }
