@@ -50,11 +50,7 @@ void LegendRows::add(Role role, Primitive primitive, LevelTint tint, Emphasis em
 // An entry wider than a row continues in the next rows; no other entry follows in its last row.
 void LegendRows::text(Point at, Message message) {
     const auto put = [this](Point place, Message words) {
-        Label label;
-        label.at = place;
-        label.text = std::move(words);
-        label.size = kTextSize;
-        add(Role::Legend, std::move(label));
+        add(Role::Legend, Label{.at = place, .text = std::move(words), .size = kTextSize});
     };
     const double room = width_ - at.x;
     if (textRoom(message) <= room) return put(at, std::move(message));
@@ -90,15 +86,6 @@ Point LegendRows::sign(Role role, Primitive sign, const Message& what, LevelTint
 void LegendRows::words(const Message& message, double behind) {
     const Point at = place(textRoom(message) + behind);
     text(at, message);
-}
-
-void LegendRows::wrapped(const Message& message) {
-    if (textRoom(message) <= width_) return words(message, 0);
-    const auto width = [](const std::string& line) { return textWidth(line, kTextSize); };
-    for (const std::string& line : wrappedText(relief::sentence(message, language_), width_, width)) {
-        newRow();
-        text(place(width(line)), plainText(line));
-    }
 }
 
 void LegendRows::line(Role role, const Message& what, LevelTint tint, double length, Emphasis emphasis) {

@@ -24,7 +24,6 @@ class LegendRows {
                Emphasis emphasis = Emphasis::Normal, double room = kSign);
     // Adds text without a symbol, broken into several lines if it is wider than the legend.
     void words(const relief::Message& message, double behind = kBetween);
-    void wrapped(const relief::Message& message);
     // Approximate width of the text.
     double textRoom(const relief::Message& message) const;
     // Adds a short line of this role and its explanation.

@@ -321,7 +321,7 @@ Drawing compareLegend(const CompareSource& source, double width, relief::Languag
         source.rays > 0 ? Message(filters ? MessageId::DrawCompareFiltersAgainst : MessageId::DrawCompareAgainst,
                                   {{"reference", source.reference}, {"rays", source.rays}, {"rounds", source.rounds}})
                         : Message(MessageId::DrawCompareColors, {{"reference", source.reference}});
-    rows.wrapped(note);
+    rows.words(note, 0);
     return rows.take();
 }
 
