@@ -175,6 +175,22 @@ TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
     EXPECT_FALSE(profile->options().guess);
 }
 
+TEST_F(WindowTest, AGuessInAPaneThatIsBeingHiddenShowsTheAnswer) {
+    openWindow(smallScenario());
+    ProfileView* const profile = window_->pane<ProfileView>();
+    QTest::keyClick(window_.get(), Qt::Key_6);
+    workspace_->setGuessing(true);
+    QTest::qWait(200);
+    const QPointF at = profile->canvas()->toWidget(profile->frame().onRay(0.3));
+    QMouseEvent press(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QMouseEvent release(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(profile->canvas(), &press);
+    profile->hide();
+    QApplication::sendEvent(profile->canvas(), &release);
+    EXPECT_FALSE(workspace_->guessing());
+    EXPECT_EQ(scenario().step, static_cast<int>(snapshot()->trace.steps.size()) - 1);
+}
+
 // Files as another program would write them, here with the steps of one of our methods.
 struct OtherFilesOnDisk {
     QTemporaryDir folder;

@@ -1,5 +1,7 @@
 #include "panes/profile/profile_view.h"
 
+#include <limits>
+
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -191,8 +193,8 @@ void ProfileView::guessAt(double lambda) {
     options_.guess = std::clamp(lambda, 0.0, frame_.lambdaEnd);
     guessed_ = workspace_->version();
     workspace_->setGuessing(false);
-    // Show the answer.
-    workspace_->chooseStep(static_cast<int>(shown_->trace.steps.size()) - 1);
+    // Show the answer: the last step. A pane that is hidden has dropped its snapshot, and with it the number of steps.
+    workspace_->chooseStep(std::numeric_limits<int>::max());
 }
 
 void ProfileView::showEmpty(relief::MessageId why) {
