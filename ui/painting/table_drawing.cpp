@@ -1,6 +1,7 @@
 #include "painting/table_drawing.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "painting/text_width.h"
 
@@ -16,6 +17,7 @@ constexpr double kMarkRoom = 12;
 constexpr double kBelowSize = 1.15;
 constexpr double kBelowLine = 16;
 constexpr double kIndent = 8;  // of rows below a heading
+constexpr double kRounding = 1e-6;
 
 // Breaks a text between words into lines of at most this width.
 std::vector<std::string> wrapped(const std::string& text, double room, double size, bool bold = false) {
@@ -24,18 +26,24 @@ std::vector<std::string> wrapped(const std::string& text, double room, double si
 
 class Table {
   public:
-    Table(const TableSource& source, double width) : source_(source), given_(width), width_(width) { share(); }
+    Table(const TableSource& source, double width)
+        : source_(source),
+          given_(width),
+          width_(width),
+          headings_(std::any_of(source.rows.begin(), source.rows.end(), [](const TableRow& r) { return r.heading; })) {
+        share();
+    }
+    // Factor by which the table is scaled to fit the page.
+    double scale() const { return std::min(1.0, given_ / width_); }
 
     Drawing take() {
         row(titles(), true);
         line();
-        const bool headings =
-            std::any_of(source_.rows.begin(), source_.rows.end(), [](const TableRow& r) { return r.heading; });
         for (const TableRow& r : source_.rows) {
             if (r.heading) {
                 heading(r);
             } else {
-                indent_ = headings ? kIndent : 0;
+                indent_ = headings_ ? kIndent : 0;
                 row(r, false);
             }
         }
@@ -43,7 +51,7 @@ class Table {
         line();
         below();
         drawing_.bounds = {0, 0, width_, y_};
-        shrink(std::min(1.0, given_ / width_));
+        shrink(scale());
         return std::move(drawing_);
     }
 
@@ -62,25 +70,46 @@ class Table {
         }
     }
 
-    // Column widths: each column fits its longest text, the last one gets the remaining width.
+    bool isText(std::size_t column) const { return column >= source_.numbers.size() || !source_.numbers[column]; }
+    bool isMarked(std::size_t column) const { return static_cast<int>(column) == source_.marked; }
+    // Width of a column besides its text.
+    double blank(std::size_t column) const {
+        return 2 * kPad + (isMarked(column) ? kMarkRoom : 0) + (column == 0 && headings_ ? kIndent : 0);
+    }
+
+    // Column widths: each column fits its longest text. If the page is narrower, titles and texts are wrapped, between
+    // words. The last column gets the remaining width.
     void share() {
-        const std::size_t count = source_.titles.size();
-        for (std::size_t c = 0; c < count; ++c) {
+        std::vector<double> least;  // fits the longest word, or number
+        for (std::size_t c = 0; c < source_.titles.size(); ++c) {
             double longest = textWidth(source_.titles[c], kTextSize, true);
+            double word = longestWord(source_.titles[c], true);
             for (const TableRow& r : source_.rows) {
                 if (r.heading || c >= r.cells.size()) continue;
-                longest = std::max(longest, textWidth(r.cells[c], kTextSize, r.chosen));
+                const double whole = textWidth(r.cells[c], kTextSize, r.chosen);
+                longest = std::max(longest, whole);
+                word = std::max(word, isText(c) ? longestWord(r.cells[c], r.chosen) : whole);
             }
-            const double marks = static_cast<int>(c) == source_.marked ? kMarkRoom : 0;
-            widths_.push_back(longest + 2 * kPad + marks);
+            widths_.push_back(longest + blank(c));
+            least.push_back(word + blank(c));
         }
         if (widths_.empty()) return;
-        double before = 0;
-        for (std::size_t c = 0; c + 1 < count; ++c) before += widths_[c];
-        constexpr double kLeastLast = 60;
-        const double last = std::max(std::min(widths_.back(), kLeastLast), width_ - before);
-        widths_.back() = last;
-        width_ = std::max(width_, before + last);
+        const auto sum = [](const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); };
+        const double wanted = sum(widths_), needed = sum(least);
+        if (wanted > width_ && wanted > needed) {
+            const double part = std::clamp((width_ - needed) / (wanted - needed), 0.0, 1.0);
+            for (std::size_t c = 0; c < least.size(); ++c) widths_[c] = least[c] + part * (widths_[c] - least[c]);
+        }
+        width_ = std::max(width_, sum(widths_));
+        widths_.back() += width_ - sum(widths_);
+    }
+
+    static double longestWord(const std::string& text, bool bold) {
+        double longest = 0;
+        for (const std::string& word : wrapped(text, 0, kTextSize, bold)) {
+            longest = std::max(longest, textWidth(word, kTextSize, bold));
+        }
+        return longest;
     }
 
     void text(Point at, Anchor anchor, const std::string& words, double size, Emphasis emphasis) {
@@ -95,35 +124,36 @@ class Table {
     }
 
     void row(const TableRow& row, bool strong) {
-        const std::size_t count = widths_.size();
-        const std::vector<std::string> last =
-            row.cells.size() == count && count > 0
-                ? wrapped(row.cells.back(), widths_.back() - 2 * kPad, kTextSize, strong || row.chosen)
-                : std::vector<std::string>{};
-        const double height = kLine * static_cast<double>(std::max<std::size_t>(1, last.size()));
+        const std::size_t count = std::min(widths_.size(), row.cells.size());
+        const bool bold = strong || row.chosen;
+        std::vector<std::vector<std::string>> cells;
+        std::size_t lines = 1;
+        for (std::size_t c = 0; c < count; ++c) {
+            const double room = widths_[c] - blank(c) + kRounding;
+            cells.push_back(isText(c) || strong ? wrapped(row.cells[c], room, kTextSize, bold)
+                                                : std::vector<std::string>{row.cells[c]});
+            lines = std::max(lines, cells.back().size());
+        }
+        const double height = kLine * static_cast<double>(lines);
         if (row.chosen) {
             drawing_.add({}, Role::Highlight, Rectangle{{0, y_, width_, y_ + height}, true, 0, 0}, Emphasis::Faint);
             drawing_.add({}, Role::Highlight, Rectangle{{0, y_, width_, y_ + height}, false, 0, 0});
         }
-        const Emphasis emphasis = strong || row.chosen ? Emphasis::Strong : Emphasis::Normal;
+        const Emphasis emphasis = bold ? Emphasis::Strong : Emphasis::Normal;
         double x = 0;
-        for (std::size_t c = 0; c < count && c < row.cells.size(); ++c) {
+        for (std::size_t c = 0; c < count; ++c) {
             const double y = y_ + kLine / 2;
             const bool right = c < source_.numbers.size() && source_.numbers[c];
             double from = x + kPad + (c == 0 ? indent_ : 0);
-            if (static_cast<int>(c) == source_.marked) {
+            if (isMarked(c)) {
                 if (row.mark) {
                     drawing_.add({}, roleOf(*row.mark), Marker{{from + 4, y}, shapeOf(*row.mark), 8});
                 }
                 from += kMarkRoom;
             }
-            if (c + 1 == count && !right) {
-                for (std::size_t l = 0; l < last.size(); ++l) {
-                    text({from, y + kLine * static_cast<double>(l)}, Anchor::Left, last[l], kTextSize, emphasis);
-                }
-            } else {
-                const double at = right ? x + widths_[c] - kPad : from;
-                text({at, y}, right ? Anchor::Right : Anchor::Left, row.cells[c], kTextSize, emphasis);
+            for (std::size_t l = 0; l < cells[c].size(); ++l) {
+                text({right ? x + widths_[c] - kPad : from, y + kLine * static_cast<double>(l)},
+                     right ? Anchor::Right : Anchor::Left, cells[c][l], kTextSize, emphasis);
             }
             x += widths_[c];
         }
@@ -150,16 +180,35 @@ class Table {
     const TableSource& source_;
     double given_;
     double width_;  // at full size, before scaling
+    bool headings_;
     std::vector<double> widths_;
     double indent_ = 0;
     double y_ = 0;
     Drawing drawing_;
 };
 
+void removeSpareColumn(TableSource& table) {
+    const int column = table.spare.front();
+    table.spare.erase(table.spare.begin());
+    const auto erase = [column](auto& cells) {
+        if (static_cast<std::size_t>(column) < cells.size()) cells.erase(cells.begin() + column);
+    };
+    erase(table.titles);
+    erase(table.numbers);
+    for (TableRow& row : table.rows) {
+        if (!row.heading) erase(row.cells);
+    }
+    for (int& other : table.spare) other -= static_cast<int>(other > column);
+    table.marked -= static_cast<int>(table.marked > column);
+}
+
 }  // namespace
 
 Drawing tableDrawing(const TableSource& source, double width) {
-    return Table(source, width).take();
+    constexpr double kLegible = 0.85;
+    TableSource narrowed = source;
+    while (!narrowed.spare.empty() && Table(narrowed, width).scale() < kLegible) removeSpareColumn(narrowed);
+    return Table(narrowed, width).take();
 }
 
 }  // namespace reliefui

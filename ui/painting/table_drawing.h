@@ -19,13 +19,15 @@ struct TableRow {
 // Content of a table; texts are already translated.
 struct TableSource {
     std::vector<std::string> titles;
-    std::vector<bool> numbers;  // per column: right-aligned
+    std::vector<bool> numbers;  // per column: right-aligned, not wrapped
     int marked = -1;
     std::vector<TableRow> rows;
-    std::string below;  // a sentence under the table
+    std::string below;       // a sentence under the table
+    std::vector<int> spare;  // columns that are left out, one after the other, where the table would be scaled much
 };
 
-// Draws the table `width` points wide; the text of the last column is wrapped.
+// Draws the table `width` points wide. Texts are wrapped where it is narrower than they are; a table whose numbers and
+// longest words do not fit is scaled.
 Drawing tableDrawing(const TableSource& source, double width);
 
 }  // namespace reliefui

@@ -187,7 +187,8 @@ std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption captio
     const auto aspect = [maker](const FigurePage& page) {
         const double points = page.widthMm / kMmPerPoint;
         const Drawing legend = maker.legend(points - kFigureMargins, page.style.language);
-        return std::max(maker.aspect, maker.leastRoom + (legend.bounds.height() + 1.5 * kFigureMargins) / points);
+        const double below = (legend.bounds.height() + 1.5 * kFigureMargins) / points;
+        return std::max(maker.aspect, maker.leastRoom * page.taller() + below);
     };
     return paintedFigure(paint, std::move(caption), aspect);
 }
@@ -212,6 +213,11 @@ QImage Figure::image(const FigurePage& page, const QSize& size) const {
 int FigurePage::pixels() const {
     if (widthPixels > 0) return widthPixels;
     return std::max(1, static_cast<int>(std::lround(widthMm / kMmPerInch * dpi)));
+}
+
+double FigurePage::taller() const {
+    constexpr double kMost = 1.6;
+    return std::clamp(kFullFigureMm / widthMm, 1.0, kMost);
 }
 
 int FigurePage::picturePixels(double points) const {

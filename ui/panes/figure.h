@@ -29,12 +29,16 @@ struct FigurePage {
     int widthPixels = 0;   // of a PNG, and of pictures inside vector files; 0: follows from dpi
 
     int pixels() const;
+    // Factor by which figures are higher, relative to their width, on pages narrower than kFullFigureMm: text keeps its
+    // size there, so that drawings need more room.
+    double taller() const;
     // Width in pixels at which a picture that is `points` wide on the page has each pixel exactly once; at most
     // kMostRenderedPixels.
     int picturePixels(double points) const;
 };
 
 inline constexpr double kFigureAspect = 0.56;
+inline constexpr double kFullFigureMm = 140;
 
 // A figure. Immutable. Figures with vectors may be painted on any thread, others only on the window's (OpenGL).
 class Figure {
@@ -69,8 +73,9 @@ std::shared_ptr<const Figure> computedFigure(FigureMaker make);
 struct ChartMaker {
     std::function<Drawing(double width, relief::Language)> legend;
     std::function<std::vector<Drawing>(double width, double height, const Style&)> layers;
-    double aspect = kFigureAspect;  // of the page; increased if a long legend would leave less than leastRoom
-    double leastRoom = 0.42;        // height of the charts' room / its width
+    // Aspect of a page that is not narrow; increased if a long legend would leave less than leastRoom.
+    double aspect = kFigureAspect;
+    double leastRoom = 0.42;  // height of the charts' room / its width, on a page that is not narrow
 };
 std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption caption);
 

@@ -26,17 +26,23 @@ void paintWeights(QPainter& painter, const PixelFootprint& footprint, const Box&
     paintFigure(painter, {&plots}, legend, page, style);
 }
 
+// The legend with all numbers, since a figure has no tool tips.
+Drawing legendOf(const PixelFootprint& footprint, const FootprintOptions& options, bool weights, double width,
+                 relief::Language language) {
+    FootprintOptions named = options;
+    named.numbers = true;
+    return footprintLegend(footprint, named, weights, width, language);
+}
+
 void paintFootprint(QPainter& painter, const PixelFootprint& footprint, const FootprintOptions& options,
                     const Box& page, const Style& style) {
     const double width = page.width() / style.pixelsPerPoint() - kFigureMargins;
-    FootprintOptions named = options;
-    named.numbers = true;
-    Drawing legend = footprintLegend(footprint, named, true, width, style.language);
+    Drawing legend = legendOf(footprint, options, true, width, style.language);
     const Box room = figureRoom(legend, page, style);
     const Drawing texture = footprintTexture(footprint, room.width() / room.height());
     const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
     const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
-    if (!marks.weights) legend = footprintLegend(footprint, named, false, width, style.language);
+    if (!marks.weights) legend = legendOf(footprint, options, false, width, style.language);
     paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
 }
 
@@ -54,8 +60,13 @@ std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> sn
         if (below > 0) paintWeights(painter, footprint, {page.x0, page.y1 - below, page.x1, page.y1}, style);
     };
     const auto aspect = [snapshot, options](const FigurePage& page) {
+        constexpr double kLeastTexture = 0.35;  // height of the texture's room / the page's width
         const double points = page.widthMm / kMmPerPoint;
-        return kFigureAspect + weightsHeight(*snapshot->footprint, options, points, page.style.language) / points;
+        const PixelFootprint& footprint = *snapshot->footprint;
+        const Drawing legend = legendOf(footprint, options, true, points - kFigureMargins, page.style.language);
+        const double texture = kLeastTexture * page.taller() * points + legend.bounds.height() + 1.5 * kFigureMargins;
+        return std::max(kFigureAspect, texture / points) +
+               weightsHeight(footprint, options, points, page.style.language) / points;
     };
     return paintedFigure(paint, figureCaption(snapshot), aspect);
 }

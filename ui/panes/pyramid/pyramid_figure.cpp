@@ -51,10 +51,11 @@ double aspectOf(const Snapshot& snapshot, const PyramidOptions& options, const F
     style.projector = false;
     style.screenPixelsPerPoint = kFiner;
     const double width = page.widthMm / kMmPerPoint * kFiner;
-    for (double aspect = kFigureAspect; aspect <= 1; aspect += kHigher) {
+    const double least = kFigureAspect * page.taller();
+    for (double aspect = least; aspect <= 1; aspect += kHigher) {
         if (everyValueIsWritten(pageOf(snapshot, options, {0, 0, width, width * aspect}, style), style)) return aspect;
     }
-    return kFigureAspect;
+    return least;
 }
 
 struct SlabsFigure : SpaceFigure {
@@ -63,7 +64,7 @@ struct SlabsFigure : SpaceFigure {
     PyramidOptions options;
     std::optional<Turntable> camera;
 
-    double aspect(const FigurePage&) const override { return 0.5; }
+    double aspect(const FigurePage& page) const override { return 0.5 * page.taller(); }
     std::string caption(relief::Language language) const override { return figureCaption(snapshot, step)(language); }
     QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
         SlabScene scene;

@@ -28,6 +28,8 @@ TableSource stepTable(const std::shared_ptr<const Snapshot>& shown, int step, re
         table.numbers.push_back(c != StepModel::Decision);
     }
     table.marked = StepModel::Decision;
+    // The ray's height is 1 - lambda, and most steps end where the next one begins.
+    table.spare = {StepModel::Height, StepModel::After};
     const auto& steps = trace.steps;
     if (steps.empty() || trace.hidden) return table;
     const auto chosen = static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(steps.size()) - 1));

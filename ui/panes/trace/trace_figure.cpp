@@ -1,5 +1,7 @@
 #include "panes/trace/trace_figure.h"
 
+#include <algorithm>
+
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include "panes/figure_caption.h"
@@ -15,7 +17,7 @@ struct TraceFigure : SpaceFigure {
     int step = 0;
     TraceOptions options;
 
-    double aspect(const FigurePage&) const override { return 0.75; }
+    double aspect(const FigurePage& page) const override { return std::min(1.0, 0.75 * page.taller()); }
     std::string caption(relief::Language language) const override { return figureCaption(snapshot, step)(language); }
     QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
         TracePicture picture;
