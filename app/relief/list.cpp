@@ -1,4 +1,5 @@
 // relief list [NAME] [--json]
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "filtering/filters/filter_choice.h"
@@ -51,13 +52,32 @@ Json optionJson(const OptionDescription& option, const Json& defaultValue) {
     return json;
 }
 
+// Returns the option that names an inner method, whose guarantee the method has; nullptr: there is none.
+const OptionDescription* innerOption(const MethodDescription& method) {
+    const auto found = std::find_if(method.options.begin(), method.options.end(),
+                                    [](const OptionDescription& option) { return option.kind == OptionKind::Method; });
+    return found == method.options.end() ? nullptr : &*found;
+}
+
+// Returns the guarantee of the method with its default options.
+Guarantee defaultGuarantee(const MethodDescription& method) {
+    const OptionDescription* inner = innerOption(method);
+    return inner == nullptr ? method.guarantee : findTracer(method.defaults.at(inner->name)).guarantee;
+}
+
+std::string guaranteeText(const MethodDescription& method) {
+    const OptionDescription* inner = innerOption(method);
+    return std::string(guaranteeName(defaultGuarantee(method))) +
+           (inner == nullptr ? "" : ", that of its inner method " + method.defaults.at(inner->name));
+}
+
 Json methodJson(const MethodDescription& method) {
     Json json{{"name", method.name},
               {"title", method.title},
               {"help", method.help},
               {"source", method.source},
               {"kind", methodKindName(method.kind)},
-              {"guarantee", guaranteeName(method.guarantee)},
+              {"guarantee", guaranteeName(defaultGuarantee(method))},
               {"rays", rayClassName(method.rayClass)},
               {"surfaces", Json::array()},
               {"addresses", Json::array()},
@@ -135,7 +155,7 @@ std::string methodText(const MethodDescription& method) {
     std::vector<std::string> surfaces;
     for (const Surface surface : method.surfaces) surfaces.emplace_back(surfaceName(surface));
     std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
-    out += entry("guarantee", std::string(guaranteeName(method.guarantee)), 6, 12);
+    out += entry("guarantee", guaranteeText(method), 6, 12);
     if (method.kind != MethodKind::AnyHit) {
         out += entry("form", std::string(formName(methodForm({method.name, {}}))), 6, 12);
     }

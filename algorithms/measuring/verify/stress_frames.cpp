@@ -254,7 +254,7 @@ class FrameTry {
         const auto alone = rendered(false, 1);
         if (const auto fault = differenceFault(*frame, *alone, "no-skip", "with --no-skip")) return report(*fault);
         const auto fault = differenceFault(*alone, *plain, "threads", "by several threads");
-        report(fault.value_or(StressFault{"threads", "the same frame differs from one time to the next"}));
+        report(fault.value_or(StressFault{"threads", "the same frame differs between two renderings"}));
     }
 
     void report(const StressFault& fault) {
