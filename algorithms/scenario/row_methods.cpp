@@ -153,7 +153,7 @@ std::vector<OptionField<RowSettings>> RowSettings::fields() {
           64,
           0.01,
           {},
-          "largest error, which determines the span; 0: the given span is used"},
+          "largest error, which determines the span (0: the given span is used)"},
          &RowSettings::error},
         {{"anchor",
           OptionKind::Integer,
@@ -162,7 +162,7 @@ std::vector<OptionField<RowSettings>> RowSettings::fields() {
           1 << 20,
           1,
           {},
-          "pixels between exact restarts; 0: never; -1: chosen to keep an error of 1/256 texel"},
+          "pixels between exact restarts (0: never; -1: chosen to keep an error of 1/256 texel)"},
          &RowSettings::anchor},
     };
 }

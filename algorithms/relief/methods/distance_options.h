@@ -96,7 +96,7 @@ std::vector<OptionField<Options>> distanceFields() {
                            4096,
                            1,
                            {},
-                           "largest number of steps; stop=never takes all of them"},
+                           "largest number of steps (stop=never takes all of them)"},
                           &Options::iterations});
     }
     if constexpr (requires(Options o) { o.to; }) {
