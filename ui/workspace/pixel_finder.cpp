@@ -104,7 +104,7 @@ void PixelFinder::choose() {
 QString PixelFinder::textOf(const relief::PixelWorth& pixel) const {
     if (worth_ == relief::Worth::Steps) return tr("steps: %1").arg(pixel.value);
     if (std::isinf(pixel.value)) {
-        return worth_ == relief::Worth::Disagreement ? tr("another outcome than %1").arg(nameOf(rival_))
+        return worth_ == relief::Worth::Disagreement ? tr("outcome differs from that of %1").arg(nameOf(rival_))
                                                      : tr("another outcome");
     }
     const QString texels = QString::fromStdString(relief::numberText(pixel.value, 3));

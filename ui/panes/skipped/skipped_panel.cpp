@@ -36,7 +36,7 @@ class Wrapped : public QStyledItemDelegate {
 
 SkippedPanel::SkippedPanel(Workspace* workspace, QWidget* parent) : QTreeWidget(parent), workspace_(workspace) {
     setObjectName(QStringLiteral("skipped"));
-    setAccessibleName(tr("What the last frame did not compute"));
+    setAccessibleName(tr("Work that the last frame skipped"));
     setHeaderLabels({tr("Not computed"), tr("How many"), tr("Why")});
     setSelectionMode(QAbstractItemView::NoSelection);
     // Reasons are sentences, which are wrapped in a narrow pane.

@@ -167,7 +167,7 @@ QVariant StepModel::headerData(int section, Qt::Orientation orientation, int rol
                                    tr("height of the ray, 1 the top of the slab"),
                                    tr("the stored value that decided, here the maximum of the texel"),
                                    tr("what the tracer decided"),
-                                   tr("where it went on")};
+                                   tr("where the ray continued")};
     return help[section];
 }
 
