@@ -289,12 +289,13 @@ void addMaps(CLI::App& parser, BenchCommandOptions& options) {
     addText(parser, "--sizes", options.sizes, "WxH|N,...",
             "sizes of the reliefs that are named without a size, texels, such as 256,4096; N: N x N; default 256",
             kMaps);
-    addText(parser, "--relief-depth", options.reliefDepth, "D", "texture widths, 0 to 4, default 0.1", kMaps);
+    addText(parser, "--relief-depth", options.reliefDepth, "D",
+            "thickness of the relief slab, texture widths, 0 to 4, default 0.1", kMaps);
     options.reading.add(parser, kMaps);
 }
 
 void addTracers(CLI::App& parser, BenchCommandOptions& options) {
-    const char* group = "What is measured (tracers)";
+    const char* group = "Measurement (tracers)";
     addText(parser, "--tracers", options.tracers, "NAME,...",
             "methods, each with options as NAME:OPTION=VALUE:OPTION=VALUE, such as exact,layers:layers=128; default: "
             "all tracers of relief list",
@@ -303,9 +304,12 @@ void addTracers(CLI::App& parser, BenchCommandOptions& options) {
             "simd (default): the SIMD version, if a method has one (see relief list); scalar: only the reference "
             "implementations, without the maps of SIMD versions. The table's column form shows which was measured",
             group);
-    addText(parser, "--lowest", options.lowest, "DEGREES", "elevation of the flattest random rays, default 1", group);
-    addText(parser, "--surface", options.surface, "bilinear|columns", "default bilinear", group);
-    addText(parser, "--address", options.address, "repeat|clamp|border", "default repeat", group);
+    addText(parser, "--lowest", options.lowest, "DEGREES", "lowest elevation of the random rays, degrees, default 1",
+            group);
+    addText(parser, "--surface", options.surface, "bilinear|columns", "surface between texels, default bilinear",
+            group);
+    addText(parser, "--address", options.address, "repeat|clamp|border",
+            "relief outside the height maps, default repeat", group);
     addText(
         parser, "--rays", options.rays, "N",
         "rays per line of the table, default 65536; fewer, with a message, if the exact reference would take too long",
@@ -363,7 +367,7 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
             "the parts",
             "Run");
     options->restart.add(*parser, "with -o", "Run");
-    addOutput(*parser, options->output, "table: .csv or .json");
+    addOutput(*parser, options->output, "file of the table: .csv or .json");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runBench(*options, session); }});
 }

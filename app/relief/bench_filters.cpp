@@ -76,7 +76,7 @@ FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionTe
 }  // namespace
 
 void FilterBenchCommand::add(CLI::App& parser) {
-    const char* group = "What is measured (filters)";
+    const char* group = "Measurement (filters)";
     addText(parser, "--filters", filters, "NAME,...",
             "filters, each with options as NAME:OPTION=VALUE, such as elliptical:weights=uniform; default: those that "
             "the papers compare",

@@ -214,7 +214,7 @@ std::string filterText(const FilterDescription& filter) {
 
 std::string reliefText(const ReliefRecipe& recipe) {
     const std::string size = std::to_string(recipe.defaultSize) + " x " + std::to_string(recipe.defaultSize);
-    const std::string sizes = recipe.anySize ? "any size, default " + size + " by itself" : size + " only";
+    const std::string sizes = recipe.anySize ? "any size, default " + size + "" : size + " only";
     return entry(std::string(recipe.name), std::string(recipe.help) + " (" + sizes + ")", 2, 14);
 }
 
