@@ -58,7 +58,7 @@ void RangeBox::makeControls() {
         chooser("range-ends", tr("Ends of the colour range"), {tr("all values"), tr("percentiles"), tr("custom ends")});
     low_ = addNumber("range-low", tr("Lower end of the colour range"), &ColorRange::low);
     high_ = addNumber("range-high", tr("Upper end of the colour range"), &ColorRange::high);
-    thresholdOn_ = new QCheckBox(tr("only what is more than"), this);
+    thresholdOn_ = new QCheckBox(tr("only values above"), this);
     thresholdOn_->setObjectName(QStringLiteral("range-threshold-on"));
     thresholdOn_->setToolTip(tr("Values up to it share one colour; the legend counts those above it"));
     threshold_ = new QDoubleSpinBox(this);

@@ -97,7 +97,8 @@ void MainWindow::makeFileMenu() {
 void MainWindow::makeEditMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Edit"));
     undo_ = addAction(menu, tr("&Undo"), QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo the last change"));
-    redo_ = addAction(menu, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo what was undone"));
+    redo_ =
+        addAction(menu, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo the last undone change"));
     undo_->setIconText(QStringLiteral("↶"));
     redo_->setIconText(QStringLiteral("↷"));
     connect(undo_, &QAction::triggered, workspace_, &Workspace::undo);

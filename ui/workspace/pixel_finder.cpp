@@ -76,7 +76,7 @@ void PixelFinder::next(relief::Worth worth, const relief::MethodChoice& rival) {
         next_ = 0;
         choose();
     };
-    Q_EMIT reported(tr("Looking for pixels …"));
+    Q_EMIT reported(tr("Searching for pixels …"));
     job_->start({work, done});
 }
 

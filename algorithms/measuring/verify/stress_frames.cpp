@@ -179,7 +179,7 @@ class FrameTry {
             }
             run_.watched.begin({&run_.of, StressPart::Frames, &scenario_.method, family_, ViewRay{}, &scenario_});
             compare();
-            if (camera.refused) report({"accepted", "a camera in one place with what it looks at"});
+            if (camera.refused) report({"accepted", "a camera at its own target was accepted"});
         } catch (const WorkError& error) {
             report({"exception", error.what()});
         } catch (const InputError& error) {

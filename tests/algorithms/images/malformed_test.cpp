@@ -84,8 +84,8 @@ TEST(Malformed, NotAPicture) {
     for (int i = 0; i < 5000; ++i) random += static_cast<char>(generator() & 0xffU);
     for (const char* name :
          {"a.png", "a.jpg", "a.exr", "a.tif", "a.txt", "a", "a.mp4", "a.vdb", "a.null", "a.cr2", "a.dds"}) {
-        EXPECT_EQ(refusal(folder.with(name, "just some text\n")), "is not a picture that can be read") << name;
-        EXPECT_EQ(refusal(folder.with(name, random)), "is not a picture that can be read") << name;
+        EXPECT_EQ(refusal(folder.with(name, "just some text\n")), "is not a readable picture") << name;
+        EXPECT_EQ(refusal(folder.with(name, random)), "is not a readable picture") << name;
     }
     // Formats without a signature are recognised by the file's name: their libraries must examine the content.
     for (const char* name : {"a.tga", "a.rla", "a.heic"}) {
@@ -133,7 +133,7 @@ TEST(Malformed, PngWithAFlippedByte) {
         bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
         const std::string path = folder.with("flipped.png", bytes);
         const std::string line = refusal(path);
-        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a picture") || at == 16) << at << line;
+        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a readable picture") || at == 16) << at << line;
     }
 }
 

@@ -70,8 +70,8 @@ void ChartsView::makeBar() {
     maps_->setObjectName(QStringLiteral("charts-maps"));
     error_ = addChooser(bar, "charts-error", tr("Error on the vertical axis"));
     error_->addItem(tr("mean error"));
-    error_->addItem(tr("95th percentile of the error"));
-    error_->addItem(tr("99.99th percentile of the error"));
+    error_->addItem(tr("95th percentile"));
+    error_->addItem(tr("99.99th percentile"));
     error_->addItem(tr("largest error"));
     shown_ = addChooser(bar, "charts-shown", tr("Charts to show"));
     shown_->addItem(tr("all charts"));

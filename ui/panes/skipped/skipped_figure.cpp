@@ -43,7 +43,7 @@ QString measured(const relief::SkipRow& row, const relief::BoundedError& error) 
 
 TableSource skippedTable(const Snapshot& snapshot, relief::Language language) {
     TableSource table;
-    table.titles = {Texts::tr("Not computed").toStdString(), Texts::tr("How many").toStdString(),
+    table.titles = {Texts::tr("Not computed").toStdString(), Texts::tr("Count").toStdString(),
                     Texts::tr("Why").toStdString()};
     table.numbers = {false, false, false};
     if (!snapshot.request || !snapshot.frame) return table;

@@ -37,7 +37,7 @@ class Wrapped : public QStyledItemDelegate {
 SkippedPanel::SkippedPanel(Workspace* workspace, QWidget* parent) : QTreeWidget(parent), workspace_(workspace) {
     setObjectName(QStringLiteral("skipped"));
     setAccessibleName(tr("Work that the last frame skipped"));
-    setHeaderLabels({tr("Not computed"), tr("How many"), tr("Why")});
+    setHeaderLabels({tr("Not computed"), tr("Count"), tr("Why")});
     setSelectionMode(QAbstractItemView::NoSelection);
     // Reasons are sentences, which are wrapped in a narrow pane.
     setWordWrap(true);
