@@ -136,7 +136,8 @@ std::vector<std::string> splitText(const std::string& text, char separator) {
 void RunOptions::add(CLI::App& parser, bool withThreads) {
     if (withThreads) {
         addText(parser, "--threads", threads_, "N",
-                "number of threads, 0 to 1024; 0 (default): one per hardware thread. The result does not depend on it",
+                "number of threads, 0 to 1024; 0 (default): as many as the machine offers. The result does not depend "
+                "on it",
                 "General");
     }
     CLI::Option* const quiet =
@@ -179,7 +180,7 @@ void addLanguage(CLI::App& parser) {
 void ReadingOptions::add(CLI::App& parser, const char* group) {
     addText(parser, "--channel", channel_, "N|NAME",
             "channel that holds the heights: a number from 0, or a name (R, G, B, A, Y); default: grey, else the "
-            "first. An alpha channel changes no other channel",
+            "first. Other channels are never multiplied by alpha",
             group);
     addFlag(parser, "--invert", invert_, "the map stores depths: use 1 - h after scaling", group);
     addText(parser, "--range", range_, "auto|full|LO,HI",
