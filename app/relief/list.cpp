@@ -143,12 +143,10 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
 }
 
 std::string optionText(const OptionDescription& option, const std::string& defaultValue) {
-    std::string text = option.help;
-    if (!option.unit.empty()) text += ", " + option.unit;
-    text += isNumber(option) ? ", " + numberText(option.low) + " to " + numberText(option.high)
-                             : ": " + commaList(option.choices);
-    if (isNumber(option) && !option.choices.empty()) text += " or " + commaList(option.choices);
-    return text + ", default " + defaultValue;
+    const std::string names = commaList(option.choices);
+    const std::string values =
+        isNumber(option) ? ", " + rangeText(option) + (names.empty() ? "" : " or " + names) : " [" + names + "]";
+    return option.help + values + ", default " + defaultValue;
 }
 
 std::string methodText(const MethodDescription& method) {

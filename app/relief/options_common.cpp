@@ -27,6 +27,11 @@ CLI::App* addCommand(CLI::App& program, const std::string& name, const std::stri
     return parser;
 }
 
+std::string rangeText(const OptionDescription& number) {
+    const std::string unit = number.unit.empty() || number.unit == "level" ? "" : " " + number.unit;
+    return numberText(number.low) + " to " + numberText(number.high) + unit;
+}
+
 CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
                      const std::string& help, const std::string& group) {
     // Not bound as std::optional: CLI11 would treat an empty string as "not given".

@@ -17,12 +17,10 @@ namespace relief::app {
 
 namespace {
 
-// Returns "elevation, degrees, -90 to 90, default 35" from the shared description of the number.
+// Returns "elevation, -90 to 90 degrees, default 35" from the shared description of the number.
 std::string numberHelp(std::string_view name) {
     const ScenarioNumber& number = scenarioNumber(name);
-    const OptionDescription& d = number.description;
-    const std::string unit = d.unit.empty() ? "" : ", " + d.unit;
-    return d.help + unit + ", " + numberText(d.low) + " to " + numberText(d.high) + ", default " +
+    return number.description.help + ", " + rangeText(number.description) + ", default " +
            numberText(number.get(Scenario{}));
 }
 
