@@ -63,8 +63,8 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
     addArgument(*parser, "RELIEF", options->relief, "name of the relief; size and seed may follow, as in bricks:512:7");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
     addText(*parser, "--size", options->size, "WxH|N",
-            "size in texels, 1 to " + std::to_string(kMaxPictureSide) + " per side, " + std::to_string(kDefaultMaxPixels) +
-                " in all; N: N x N; default: that of the relief, mostly 256",
+            "size in texels, 1 to " + std::to_string(kMaxPictureSide) + " per side, " +
+                std::to_string(kDefaultMaxPixels) + " in all; N: N x N; default: that of the relief, mostly 256",
             "Relief");
     addText(*parser, "--seed", options->seed, "S", "seed of the random numbers, a whole number from 0; default 1",
             "Relief");

@@ -156,7 +156,7 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
                         (without either, the last session is opened; the first time, the stone wall that
                         comes with the program)
 
-  Defaults are in parentheses.
+Options, with defaults in parentheses
   --anew                start as the first time, not with the last session
   --size WxH|N          size of the window, pixels; N: N x N
   --screenshot FILE     open the window, save it as a PNG, and exit
