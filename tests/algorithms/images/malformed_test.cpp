@@ -133,7 +133,8 @@ TEST(Malformed, PngWithAFlippedByte) {
         bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
         const std::string path = folder.with("flipped.png", bytes);
         const std::string line = refusal(path);
-        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a readable picture") || at == 16) << at << line;
+        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a readable picture") || at == 16)
+            << at << line;
     }
 }
 
