@@ -47,17 +47,18 @@ struct VisibleOptions : EllipticalOptions {
 
     static std::vector<OptionField<VisibleOptions>> fields() {
         auto all = EllipticalOptions::fieldsOf<VisibleOptions>();
-        all.push_back({{"form",
-                        OptionKind::Choice,
-                        "",
-                        0,
-                        1,
-                        1,
-                        {"plane", "position", "position-area", "rays", "grid"},
-                        "where in the pixel a texel counts: its place on the plane (the paper's), its own, and with "
-                        "its area seen (ours); or what rays through parts of the pixel see, of its own or on a grid "
-                        "that neighbours share (ours; grid: the default)"},
-                       &VisibleOptions::form});
+        all.push_back(
+            {{"form",
+              OptionKind::Choice,
+              "",
+              0,
+              1,
+              1,
+              {"plane", "position", "position-area", "rays", "grid"},
+              "place of a texel within the pixel. plane: its point on the polygon's plane, as in the paper; position: "
+              "its point on the relief; position-area: the same, weighted by its visible area; rays, grid: the points "
+              "that rays through parts of the pixel see, traced for each pixel alone or shared with its neighbours"},
+             &VisibleOptions::form});
         all.push_back({{"samples",
                         OptionKind::Integer,
                         "rays",
@@ -65,7 +66,7 @@ struct VisibleOptions : EllipticalOptions {
                         64,
                         1,
                         {},
-                        "form=rays: through a pixel in which the relief is no plane"},
+                        "form=rays: rays through each pixel in which the relief is not planar"},
                        &VisibleOptions::samples});
         all.push_back({{"points",
                         OptionKind::Integer,
@@ -74,7 +75,7 @@ struct VisibleOptions : EllipticalOptions {
                         16,
                         1,
                         {},
-                        "form=grid: looked at for each pixel where the relief is no plane"},
+                        "form=grid: points sampled for each pixel in which the relief is not planar"},
                        &VisibleOptions::points});
         return all;
     }

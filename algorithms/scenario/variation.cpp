@@ -53,12 +53,12 @@ MethodDescription describedFilter(const MethodChoice& choice) {
     samples.low = fewestSamples(given != choice.options.end() ? parsePixelModel(given->second) : PixelModel::Box);
     samples.high = kMaxSamples;
     samples.step = 1;
-    samples.help = "samples along each side of a pixel";
+    samples.help = "number of samples along each side of a pixel";
     OptionDescription models;
     models.name = kPixelModel;
     models.kind = OptionKind::Choice;
     models.choices.assign(kPixelModelNames.begin(), kPixelModelNames.end());
-    models.help = "what a pixel of the display is: how samples are weighed";
+    models.help = "model of a display pixel: the weight function of the samples";
     // The name contains the range, because another range needs other controls.
     if (samples.low > 1) out.name += " from " + numberText(samples.low);
     out.options = {samples, models};
@@ -89,20 +89,20 @@ MethodDescription describedMapping(const MethodChoice& choice) {
 MethodDescription describedHeights(const MethodChoice& choice) {
     MethodDescription out;
     out.name = choice.name;
-    out.help = "the heights as they were read";
+    out.help = "the heights as read from the file";
     if (choice.name == kAsRead) return out;
     if (choice.name != kQuantised) {
         throw InputError(
             "", unknownName({"what", MessageId::WordHeights}, choice.name, std::string(kAsRead) + ", " + kQuantised));
     }
-    out.help = "heights rounded to so many bits, as files of whole numbers have them";
+    out.help = "heights rounded to a number of bits, as in files of integers";
     OptionDescription bits;
     bits.name = kBits;
     bits.kind = OptionKind::Integer;
     bits.low = 1;
     bits.high = kMostBits;
     bits.step = 1;
-    bits.help = "of a height: 2^bits values, uniform from 0 to 1";
+    bits.help = "bits per height: 2^bits uniform values from 0 to 1";
     out.options = {bits};
     out.defaults = {{kBits, "8"}};
     return out;

@@ -287,28 +287,35 @@ void addMaps(CLI::App& parser, BenchCommandOptions& options) {
     addTexts(parser, "--relief", options.recipes, "NAME[:SIZE[:SEED]]",
              "procedural relief; may be repeated; default: bricks, city, fractal, hills, pits, spikes, 256x256", kMaps);
     addText(parser, "--sizes", options.sizes, "WxH|N,...",
-            "sizes of the reliefs that are given without one, texels, 256 to 4096 say; N: N x N; default 256", kMaps);
-    addText(parser, "--relief-depth", options.reliefDepth, "D", "texture widths, 0 to 4, default 0.1", kMaps);
+            "sizes of the reliefs that are named without a size, texels, such as 256,4096; N: N x N; default 256",
+            kMaps);
+    addText(parser, "--relief-depth", options.reliefDepth, "D",
+            "thickness of the relief slab, texture widths, 0 to 4, default 0.1", kMaps);
     options.reading.add(parser, kMaps);
 }
 
 void addTracers(CLI::App& parser, BenchCommandOptions& options) {
-    const char* group = "What is measured (tracers)";
+    const char* group = "Measurement (tracers)";
     addText(parser, "--tracers", options.tracers, "NAME,...",
             "methods, each with options as NAME:OPTION=VALUE:OPTION=VALUE, such as exact,layers:layers=128; default: "
             "all tracers of relief list",
             group);
     addText(parser, "--form", options.form, "simd|scalar",
-            "scalar measures the reference implementations alone, without the maps of their SIMD versions; simd: the "
-            "SIMD version where a method has one (relief list says which), default; the column form of the table says "
-            "what was measured",
+            "simd (default): the SIMD version, if a method has one (see relief list); scalar: only the reference "
+            "implementations, without the maps of SIMD versions. The table's column form shows which was measured",
             group);
-    addText(parser, "--lowest", options.lowest, "DEGREES", "elevation of the flattest random rays, default 1", group);
-    addText(parser, "--surface", options.surface, "bilinear|columns", "default bilinear", group);
-    addText(parser, "--address", options.address, "repeat|clamp|border", "default repeat", group);
-    addText(parser, "--rays", options.rays, "N",
-            "of a line, default 65536; fewer, with a message, where the exact reference would take too long", group);
-    addText(parser, "--thread-counts", options.threadCounts, "N,...", "each is measured, instead of --threads", group);
+    addText(parser, "--lowest", options.lowest, "DEGREES", "lowest elevation of the random rays, degrees, default 1",
+            group);
+    addText(parser, "--surface", options.surface, "bilinear|columns", "surface between texels, default bilinear",
+            group);
+    addText(parser, "--address", options.address, "repeat|clamp|border",
+            "relief outside the height maps, default repeat", group);
+    addText(
+        parser, "--rays", options.rays, "N",
+        "rays per line of the table, default 65536; fewer, with a message, if the exact reference would take too long",
+        group);
+    addText(parser, "--thread-counts", options.threadCounts, "N,...",
+            "numbers of threads to measure, instead of --threads", group);
 }
 
 }  // namespace
@@ -316,23 +323,22 @@ void addTracers(CLI::App& parser, BenchCommandOptions& options) {
 void addBenchCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<BenchCommandOptions>();
     CLI::App* parser = addCommand(
-        program, "bench", "run time against error, measured",
-        "tracers: measures how fast each tracer is and how far it is from the exact answer, on the same rays: a line "
-        "for each height map, elevation and method. Rate: rays a second, the median of rounds over all methods in "
-        "turn; spread: "
-        "(p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, against exact; overshoots: "
-        "hits later than exact's, or misses where exact hits. On a terminal a table, elsewhere CSV. With -o what is "
-        "done is kept in FILE.part; after a run that was stopped or killed, --resume goes on from there and --anew "
-        "begins again. mpirun "
-        "-n N relief bench ... shares the cells among N processes: what is counted (errors, steps) as they come free, "
-        "then each machine times one cell at a time, its map's building too, while its other processes wait. Rank 0 "
-        "alone writes; the others need no common folder.\n"
-        "rows: texture coordinates along rows of a wall of 4,096 texels that fills the row, seen from 0.55 of its "
-        "width "
-        "at each elevation: operations a pixel, pixels a second, largest error in texels; derivatives: of the "
-        "footprint's ellipse.\n"
-        "filters: the colour alone, against the supersampled picture of the same view: pixels a second, errors in "
-        "linear light against each pixel model, texels read, traced back, hidden and skipped a pixel.",
+        program, "bench", "measure run time and error of tracers, filters and row methods",
+        "tracers: measures the speed of each tracer and its distance from the exact answer on the same rays, one line "
+        "for each height map, elevation and method. Rate: rays per second, the median of rounds over all methods in "
+        "turn; spread: (p75 - p25) / median; errors: |lambda difference| x max(1, hypot(a, b)), texels, compared with "
+        "exact; overshoots: hits later than those of exact, or misses where exact hits. The output is a table on a "
+        "terminal and CSV elsewhere. With -o finished parts are kept in FILE.part: if the run is stopped or killed, "
+        "--resume continues it and --anew starts again. mpirun -n N relief bench ... shares the measurements among N "
+        "processes: errors and steps are counted by any free process, then each machine times one method at a time, "
+        "including the building of its map, while its other processes wait. Only rank 0 writes; the others need no "
+        "common folder.\n"
+        "rows: measures texture coordinates along rows of a wall of 4,096 texels that fills the row, seen from 0.55 of "
+        "its width at each elevation: operations per pixel, pixels per second, largest error in texels; the "
+        "derivatives-* variants compute the footprint's ellipse.\n"
+        "filters: measures the filters alone, compared with the supersampled picture of the same view: pixels per "
+        "second, errors in linear light for each pixel model, and texels sampled, traced back, hidden and skipped per "
+        "pixel.",
         "  relief bench tracers --relief bricks --tracers exact,max-pyramid,layers:layers=128 -o bench.csv\n"
         "  relief bench rows --widths 3840 --variants direct,streams,subspan:error=0.25\n"
         "  relief bench filters --scenes bricks --elevations 25 -o filters.csv");
@@ -343,25 +349,25 @@ void addBenchCommand(CLI::App& program, Commands& commands) {
     options->rows.add(*parser);
     options->filters.add(*parser);
     addText(*parser, "--elevations", options->elevations, "DEGREES,...",
-            "from which the relief is seen, " + numberText(kLowestElevation) +
-                " to 90, neighbouring rays as a picture has them; random: entry, azimuth and elevation at random; "
-                "default 80,60,25,8,2,random; rows (of the row's middle) and filters: default 60,25,8",
+            "elevations from which the relief is seen, degrees, " + numberText(kLowestElevation) +
+                " to 90, with neighbouring rays as in a picture; random: random entry, azimuth and elevation; default "
+                "80,60,25,8,2,random; for rows (at the middle of the row) and filters: default 60,25,8",
             "Run");
-    addText(*parser, "--rounds", options->rounds, "N", "timed rounds, default 5", "Run");
+    addText(*parser, "--rounds", options->rounds, "N", "number of timed rounds, default 5", "Run");
     addText(*parser, "--seed", options->seed, "S",
-            "of the rays, default 1; tracers: several, separated by commas, are measured one by one",
+            "seed of the rays, default 1; tracers: several, separated by commas, are measured one by one",
             "Random numbers (tracers, filters)");
-    addText(
-        *parser, "--concurrent", options->concurrent, "N",
-        "with mpirun: cells that a machine times at once, default 1; with --part: how many you run beside each other, "
-        "which nobody checks; the column concurrent says so, and is empty where a part was not told",
-        "Run");
+    addText(*parser, "--concurrent", options->concurrent, "N",
+            "with mpirun: number of methods that a machine times at once, default 1; with --part: number of parts that "
+            "you run at once on a machine, which is not checked. The table's column concurrent holds this number and "
+            "is empty if a part was started without it",
+            "Run");
     addText(*parser, "--part", options->part, "K/N",
-            "only part K, from 1, of N: each N-th cell; with -o FILE.csv, which relief merge puts together with the "
-            "others",
+            "measure only part K, from 1, of N, which is every N-th measurement; needs -o FILE.csv; relief merge joins "
+            "the parts",
             "Run");
     options->restart.add(*parser, "with -o", "Run");
-    addOutput(*parser, options->output, "table: .csv or .json");
+    addOutput(*parser, options->output, "file of the table: .csv or .json");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runBench(*options, session); }});
 }

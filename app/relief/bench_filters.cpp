@@ -76,19 +76,20 @@ FilterBenchOptions filterOptions(const FilterBenchCommand& given, const OptionTe
 }  // namespace
 
 void FilterBenchCommand::add(CLI::App& parser) {
-    const char* group = "What is measured (filters)";
+    const char* group = "Measurement (filters)";
     addText(parser, "--filters", filters, "NAME,...",
-            "each with options as NAME:OPTION=VALUE, such as elliptical:weights=uniform; default: what the papers "
-            "compare",
+            "filters, each with options as NAME:OPTION=VALUE, such as elliptical:weights=uniform; default: those that "
+            "the papers compare",
             group);
     addText(parser, "--scenes", scenes, "NAME,...",
-            commaList(filterSceneNames()) + "; default all; height maps of yours take their place", group);
-    addText(parser, "--color", color, "FILE", "colours of a height map of yours; default: coloured patches", group);
-    addText(parser, "--pixel-models", pixelModels, "NAME,...",
-            "of the reference: box, gaussian, lcd, crt; default box,gaussian", group);
-    addText(parser, "--size", size, "WxH|N", "of the pictures, default 320x240", group);
-    addText(parser, "--samples", samples, "N", "of the reference, along each side of a pixel, 3 to 64, default 16",
+            commaList(filterSceneNames()) + "; default all; --height and --relief replace them", group);
+    addText(parser, "--color", color, "FILE", "colour picture for --height and --relief; default: coloured patches",
             group);
+    addText(parser, "--pixel-models", pixelModels, "NAME,...",
+            "pixel models of the reference: box, gaussian, lcd, crt; default box,gaussian", group);
+    addText(parser, "--size", size, "WxH|N", "size of the pictures, pixels, default 320x240", group);
+    addText(parser, "--samples", samples, "N",
+            "samples of the reference along each side of a pixel, 3 to 64, default 16", group);
 }
 
 int FilterBenchCommand::run(const std::vector<Pictures>& pictures, const OptionText& elevations,

@@ -54,19 +54,19 @@ RowBenchOptions rowOptions(const RowBenchCommand& given, const OptionText& eleva
 }  // namespace
 
 void RowBenchCommand::add(CLI::App& parser) {
-    const char* group = "What is measured (rows)";
+    const char* group = "Measurement (rows)";
     addText(parser, "--variants", variants, "NAME,...",
-            "each with options as NAME:OPTION=VALUE, such as streams:streams=4:anchor=0; default: all of relief list, "
-            "some of them in two forms",
+            "row methods, each with options as NAME:OPTION=VALUE, such as streams:streams=4:anchor=0; default: all of "
+            "relief list, some of them in two forms",
             group);
-    addText(parser, "--widths", widths, "N,...", "pixels of a row, up to 1048576, default 640,3840,16384,65536", group);
-    addText(parser, "--precisions", precisions, "float,double", "default both", group);
-    addText(
-        parser, "--rows", rows, "N,...",
-        "rows of a block, the same pixels in blocks of that height; the default is one block of all. Few long rows are "
-        "where rows in parallel are weak: --variants rows-parallel --widths 65536 --rows 1,2,64",
-        group);
-    addText(parser, "--pixels", pixels, "N", "of the rows that one timing covers, default 4194304", group);
+    addText(parser, "--widths", widths, "N,...",
+            "numbers of pixels per row, up to 1048576, default 640,3840,16384,65536", group);
+    addText(parser, "--precisions", precisions, "float,double", "number types, default both", group);
+    addText(parser, "--rows", rows, "N,...",
+            "heights of the blocks of rows into which the same number of pixels is divided; default: one block. Rows "
+            "in parallel are slow for few long rows: --variants rows-parallel --widths 65536 --rows 1,2,64",
+            group);
+    addText(parser, "--pixels", pixels, "N", "number of pixels in one timing, default 4194304", group);
 }
 
 int RowBenchCommand::run(const OptionText& elevations, const OptionText& rounds, BenchRun to, Session& session) const {

@@ -77,7 +77,8 @@ struct Written {
                 std::to_string(seen.pixel->y);
         // The window builds its own map; a stored map is not part of the scenario.
         if (!options.scenario.mapArgument().empty()) text += " (without the stored map)";
-        if (certificate.first && !shows(seen, assets, maps, work)) text += " (rounded, it just no longer shows it)";
+        if (certificate.first && !shows(seen, assets, maps, work))
+            text += " (rounded to this pixel, the ray no longer shows the violation)";
         return text + "\n";
     }
 };
@@ -118,22 +119,24 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
         program, "certify", "prove or refute that a map is safe",
         "A map is safe if no ray that is traced with it ends past the first hit, that is, passes through the relief. "
         "Every value of the conservative maps (euclidean-conservative, refined, cone) is compared with an exact bound "
-        "that is computed anew: if none exceeds it, the map is proven safe for every ray that it serves. In addition, "
-        "seeded rays that look for weak places (grazing, along walls, into walls, at edges) are traced with the method "
-        "and with exact. Interpolated maps, and methods without a map, are checked by these rays alone, which can "
-        "refute safety but not prove it. The first violation is named with its ray and the command that traces it. "
-        "Methods that promise nothing may end half a texel past the hit.\n"
+        "that is computed independently; if no value violates its bound, the map is proven safe for all rays for which "
+        "it is valid. In addition, seeded rays that are likely to fail (grazing, along walls, into walls, at edges) "
+        "are traced with the method and with exact. Interpolated maps, and methods without a map, are checked with "
+        "these rays only, which can refute safety but not prove it. The first violation is printed with its ray and "
+        "the command that traces it. Methods without a guarantee may end up to half a texel past the hit.\n"
         "Exit status: 0 proven safe, 1 not safe, 2 wrong usage or input, 3 not decided: neither proof nor violation, "
         "or the check could not be carried out.",
         "  relief certify heights.png --tracer cone-dummer -o witness.json\n"
         "  relief certify heights.png --map refined.tif");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::None);
     addText(*parser, "--rays", options->rays, "N",
-            "against exact; 0: values alone. Default " + std::to_string(CertificateOptions{}.rays), "Rays");
-    addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Rays");
+            "number of rays compared with exact; 0: only the map's values are checked. Default " +
+                std::to_string(CertificateOptions{}.rays),
+            "Rays");
+    addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Rays");
     addText(*parser, "-o,--output", options->output, "FILE.json",
-            "a scenario of the first violation, for relief render and the window: its ray is that of the chosen pixel. "
-            "Written only if there is one",
+            "scenario that shows the first violation in relief render and in the window, as the ray of the chosen "
+            "pixel. Written only if there is a violation",
             "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runCertify(*options, session); }, kUndecided});

@@ -55,23 +55,22 @@ int runClaims(const ClaimsCommandOptions& given, Session& session) {
 void addClaimsCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<ClaimsCommandOptions>();
     CLI::App* parser = addCommand(
-        program, "claims", "what the papers claim, and what was measured of it",
-        "Prints every claim of the five papers that can be measured, one a line: paper and place, the sentence, the "
-        "measurement, and whether it is confirmed, refuted, or depends on what the measurement names. The table is "
-        "part "
-        "of the program; its first line says when and on which machine it was made. --measure makes it anew here, "
-        "which "
-        "takes some minutes. Operations, steps and errors are counted; the few rates stand with their spread, and "
-        "compare one form with itself.",
+        program, "claims", "list the claims of the papers with measurements",
+        "Prints every measurable claim of the five papers, one per line: paper and place, the claim, the measurement, "
+        "and the verdict: confirmed, refuted, or dependent on the conditions that the measurement names. The table is "
+        "part of the program; its first line gives the date and the machine of the measurement. --measure measures "
+        "again on this machine, which takes some minutes. Most results are counts of operations and steps, or errors; "
+        "the few rates have their spread and compare implementations of the same form.",
         "  relief claims --language uk\n"
         "  relief claims --measure --size 64 --rays 2000 -o claims.json");
     addFlag(*parser, "--measure", options->measure, "measure again, on this machine", "Run");
     addText(*parser, "--size", options->size, "N", "with --measure: texels along each side of the reliefs, default 128",
             "Run");
-    addText(*parser, "--rays", options->rays, "N", "with --measure: rays over each relief, default 20000", "Run");
-    addText(*parser, "--rounds", options->rounds, "N", "with --measure: rounds of what is timed, default 5", "Run");
-    addOutput(*parser, options->output, "text, or JSON where the name ends in .json; default standard output");
-    addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
+    addText(*parser, "--rays", options->rays, "N", "with --measure: rays per relief, default 20000", "Run");
+    addText(*parser, "--rounds", options->rounds, "N", "with --measure: number of timed rounds, default 5", "Run");
+    addOutput(*parser, options->output,
+              "file for the text, or for JSON if the name ends in .json; default standard output");
+    addFlag(*parser, "--json", options->json, "write JSON instead of text", "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runClaims(*options, session); }});
 }

@@ -117,29 +117,31 @@ int runCompare(const CompareOptions& options, Session& session) {
 void addCompareCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App* parser = addCommand(
-        program, "compare", "RMSE, PSNR and FLIP of two pictures",
-        "Tells how far apart two pictures of one size are, as a screen shows them (sRGB values clamped to [0, 1]). "
-        "RMSE is 0 to 1; PSNR is in decibel, inf where the pictures are equal; FLIP (Andersson et al. 2020) is 0 to 1, "
-        "the mean of what a viewer notices who flips between the two.\n"
-        "Exit status: 1 where --max-flip is exceeded.",
+        program, "compare", "compute RMSE, PSNR and FLIP of two pictures",
+        "Measures the difference of two pictures of the same size, as shown on a screen (sRGB values clamped to [0, "
+        "1]). RMSE is 0 to 1. PSNR is in decibels, inf if the pictures are equal. FLIP (Andersson et al. 2020) is 0 to "
+        "1, the mean difference that a viewer notices when flipping between the pictures.\n"
+        "Exit status: 1 if --max-flip is exceeded.",
         "  relief compare exact.png pyramid.png -o error.png\n"
         "  relief compare exact.png pyramid.png --json --max-flip 0.02");
     addArgument(*parser, "A", options->reference, "the reference");
     addArgument(*parser, "B", options->test, "the other picture");
     addOutput(*parser, options->output,
-              "picture of FLIP's error, grey, black 0, white 1: .png, .tif, .bmp, or .exr with the plain values");
+              "picture of the FLIP error, grey, black 0 to white 1: .png, .tif, .bmp, or .exr with linear values");
     addFlag(*parser, "--json", options->json,
-            "JSON instead of text: width, height, rmse, psnr (null where the pictures are equal), flip, and with "
+            "JSON instead of text: width, height, rmse, psnr (null if the pictures are equal), flip, and with "
             "--max-flip max_flip and passed",
             "Output");
     addText(*parser, "--max-flip", options->maxFlip, "X",
-            "the largest FLIP that is allowed, 0 to 1: exit status 1 where it is more", "Output");
+            "largest allowed FLIP, 0 to 1; exit status 1 if it is exceeded", "Output");
     addText(*parser, "--ppd,--pixels-per-degree", options->pixelsPerDegree, "N",
-            "of the viewer's field, for FLIP, 1 to 1000; default " + numberText(kPixelsPerDegree) +
+            "pixels per degree of the viewer's field, for FLIP, 1 to 1000; default " + numberText(kPixelsPerDegree) +
                 " (a 3840-pixel screen 0.7 m wide, seen from 0.7 m)",
             "Viewer");
     addText(*parser, "--max-pixels", options->maxPixels, "N",
-            "refuse larger pictures before memory is taken; default " + std::to_string(kDefaultMaxPixels), "General");
+            "largest number of pixels of a picture; larger ones are refused before memory is allocated. Default " +
+                std::to_string(kDefaultMaxPixels),
+            "General");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runCompare(*options, session); }});
 }

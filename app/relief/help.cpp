@@ -26,7 +26,7 @@ void addHelpCommand(CLI::App& program, Commands& commands) {
     auto command = std::make_shared<OptionText>();
     CLI::App* parser = addCommand(program, "help", "explain a command",
                                   "Prints the same page as relief COMMAND --help.", "  relief help render");
-    addText(*parser, "COMMAND", *command, "", "which one; without it, all commands are listed", "Arguments");
+    addText(*parser, "COMMAND", *command, "", "command to explain; without it, all commands are listed", "Arguments");
     addLanguage(*parser);
     commands.push_back({parser, [command, &program](Session& session) {
                             writeStandardOutput(helpPage(program, *command), session.stop());

@@ -192,19 +192,19 @@ int runInfo(const InfoOptions& options, Session& session) {
 
 void addInfoCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* parser = addCommand(
-        program, "info", "what a picture or scenario holds, and what will be done with it",
-        "Tells a picture's size, channels, type and range, which channel will be taken for heights and how its numbers "
-        "become heights in [0, 1]; of a scenario (.json), what it looks at and how. The reading options show what they "
-        "would change.",
-        "  relief info heights.png --channel R --range 0,200\n"
-        "  relief info *.png --json");
+    CLI::App* parser =
+        addCommand(program, "info", "show what a picture or scenario contains and how it will be read",
+                   "Shows a picture's size, channels, type and range, the channel that will be used for heights and "
+                   "the scaling of its numbers to heights in [0, 1]; of a scenario (.json), its pictures, method, "
+                   "camera and scene. The options for reading take effect as in the other commands.",
+                   "  relief info heights.png --channel R --range 0,200\n"
+                   "  relief info *.png --json");
     parser->add_option("FILE", options->files, "pictures, or scenarios and reports (.json)")
         ->type_name("")
         ->group("Arguments")
         ->option_text(kNeeded);
-    addFlag(*parser, "--json", options->json, "JSON instead of text: an object, or of several files an array of them",
-            "Output");
+    addFlag(*parser, "--json", options->json,
+            "write JSON instead of text: an object, or an array of objects for several files", "Output");
     options->reading.add(*parser);
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runInfo(*options, session); }});

@@ -1,4 +1,5 @@
 // relief list [NAME] [--json]
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "filtering/filters/filter_choice.h"
@@ -51,13 +52,32 @@ Json optionJson(const OptionDescription& option, const Json& defaultValue) {
     return json;
 }
 
+// Returns the option that names an inner method, whose guarantee the method has; nullptr: there is none.
+const OptionDescription* innerOption(const MethodDescription& method) {
+    const auto found = std::find_if(method.options.begin(), method.options.end(),
+                                    [](const OptionDescription& option) { return option.kind == OptionKind::Method; });
+    return found == method.options.end() ? nullptr : &*found;
+}
+
+// Returns the guarantee of the method with its default options.
+Guarantee defaultGuarantee(const MethodDescription& method) {
+    const OptionDescription* inner = innerOption(method);
+    return inner == nullptr ? method.guarantee : findTracer(method.defaults.at(inner->name)).guarantee;
+}
+
+std::string guaranteeText(const MethodDescription& method) {
+    const OptionDescription* inner = innerOption(method);
+    return std::string(guaranteeName(defaultGuarantee(method))) +
+           (inner == nullptr ? "" : ", that of its inner method " + method.defaults.at(inner->name));
+}
+
 Json methodJson(const MethodDescription& method) {
     Json json{{"name", method.name},
               {"title", method.title},
               {"help", method.help},
               {"source", method.source},
               {"kind", methodKindName(method.kind)},
-              {"guarantee", guaranteeName(method.guarantee)},
+              {"guarantee", guaranteeName(defaultGuarantee(method))},
               {"rays", rayClassName(method.rayClass)},
               {"surfaces", Json::array()},
               {"addresses", Json::array()},
@@ -123,19 +143,17 @@ std::string entry(const std::string& name, const std::string& text, std::size_t 
 }
 
 std::string optionText(const OptionDescription& option, const std::string& defaultValue) {
-    std::string text = option.help;
-    if (!option.unit.empty()) text += ", " + option.unit;
-    text += isNumber(option) ? ", " + numberText(option.low) + " to " + numberText(option.high)
-                             : ": " + commaList(option.choices);
-    if (isNumber(option) && !option.choices.empty()) text += " or " + commaList(option.choices);
-    return text + ", default " + defaultValue;
+    const std::string names = commaList(option.choices);
+    const std::string values =
+        isNumber(option) ? ", " + rangeText(option) + (names.empty() ? "" : " or " + names) : " [" + names + "]";
+    return option.help + values + ", default " + defaultValue;
 }
 
 std::string methodText(const MethodDescription& method) {
     std::vector<std::string> surfaces;
     for (const Surface surface : method.surfaces) surfaces.emplace_back(surfaceName(surface));
     std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
-    out += entry("guarantee", std::string(guaranteeName(method.guarantee)), 6, 12);
+    out += entry("guarantee", guaranteeText(method), 6, 12);
     if (method.kind != MethodKind::AnyHit) {
         out += entry("form", std::string(formName(methodForm({method.name, {}}))), 6, 12);
     }
@@ -194,31 +212,34 @@ std::string filterText(const FilterDescription& filter) {
 
 std::string reliefText(const ReliefRecipe& recipe) {
     const std::string size = std::to_string(recipe.defaultSize) + " x " + std::to_string(recipe.defaultSize);
-    const std::string sizes = recipe.anySize ? "any size, " + size + " by itself" : size + " only";
+    const std::string sizes = recipe.anySize ? "any size, default " + size + "" : size + " only";
     return entry(std::string(recipe.name), std::string(recipe.help) + " (" + sizes + ")", 2, 14);
 }
 
 std::vector<Section> sections() {
     std::vector<Section> all;
-    all.push_back(
-        tracerSection("tracers", "Tracers: how rays meet the relief (--tracer NAME:OPTION=VALUE)", MethodKind::Tracer));
+    all.push_back(tracerSection("tracers",
+                                "Tracers: methods that find where rays hit the relief (--tracer NAME:OPTION=VALUE)",
+                                MethodKind::Tracer));
     all.push_back(
         tracerSection("shading", "Shading only: the ray stays on the polygon (--tracer NAME)", MethodKind::Shading));
-    all.push_back(tracerSection("meshes", "Meshes: the relief made of triangles (--tracer NAME)", MethodKind::Mesh));
-    all.push_back(tracerSection("any-hit",
-                                "Any-hit queries: whether something is in the way, for shadows and back-tracing",
-                                MethodKind::AnyHit));
-    Section maps{"maps", "maps", "Maps that are built once and stored (relief map KIND, --map FILE)", {}};
+    all.push_back(tracerSection("meshes", "Meshes: the relief as triangles (--tracer NAME)", MethodKind::Mesh));
+    all.push_back(tracerSection(
+        "any-hit", "Any-hit queries: tests whether anything blocks a segment, for shadows and back-tracing",
+        MethodKind::AnyHit));
+    Section maps{"maps", "maps", "Maps that can be stored (relief map KIND, --map FILE)", {}};
     for (const std::string& kind : mapKinds()) {
         maps.entries.emplace_back(
-            kind, entry(kind, "walked by the tracer " + methodOfMap(kind) + ", whose options it has", 2, 24));
+            kind, entry(kind, "used by the tracer " + methodOfMap(kind) + ", with whose options it is built", 2, 24));
     }
     for (const std::string& kind : pyramidMapKinds()) {
         maps.entries.emplace_back(kind, entry(kind, "for other programs, as a picture with MIP levels", 2, 24));
     }
     all.push_back(std::move(maps));
-    Section rows{
-        "rows", "rows", "Rows: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)", {}};
+    Section rows{"rows",
+                 "rows",
+                 "Row methods: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)",
+                 {}};
     for (const RowMethodDescription& method : rowMethodList()) {
         rows.entries.emplace_back(method.name, rowMethodText(method));
     }
@@ -299,19 +320,20 @@ void addListCommand(CLI::App& program, Commands& commands) {
         RunOptions run;
     };
     auto options = std::make_shared<ListOptions>();
-    CLI::App* parser = addCommand(
-        program, "list", "tracers, maps, rows, filters, reliefs: guarantees, options, units",
-        "Lists every tracer with what it promises, the surfaces and rays it is valid for, the maps it needs and its "
-        "options with unit, range and default; then maps, row variants with their operations per pixel, filters, "
-        "procedural reliefs, the numbers of a view and the layers. With a name, only what is called so.",
-        "  relief list cone\n"
-        "  relief list filters\n"
-        "  relief list --json | less");
+    CLI::App* parser =
+        addCommand(program, "list", "list tracers, maps, row methods, filters and reliefs with their options",
+                   "Lists every tracer with its guarantee, the surfaces and rays for which it is valid, the maps that "
+                   "it needs, and its options with unit, range and default; then maps, row methods with their "
+                   "operations per pixel, filters, procedural reliefs, the numbers of a view and the layers of a "
+                   "picture. With a name, lists only the entries of that name.",
+                   "  relief list cone\n"
+                   "  relief list filters\n"
+                   "  relief list --json | less");
     addText(*parser, "NAME", options->name, "",
-            "of a tracer, map, row variant, filter, relief or number; or all of a kind: tracers, shading, meshes, "
+            "name of a tracer, map, row method, filter, relief or number, or a kind: tracers, shading, meshes, "
             "any-hit, maps, rows, filters, reliefs, numbers, render-layers",
             "Arguments");
-    addFlag(*parser, "--json", options->json, "the same for programs", "Output");
+    addFlag(*parser, "--json", options->json, "write JSON instead of text", "Output");
     options->run.add(*parser, false);
     commands.push_back({parser, [options](Session& session) {
                             options->run.apply(session);

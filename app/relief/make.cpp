@@ -54,20 +54,20 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<MakeOptions>();
     std::string names;
     for (const ReliefRecipe& recipe : reliefRecipes()) names.append(names.empty() ? "" : ", ").append(recipe.name);
-    CLI::App* parser = addCommand(
-        program, "make", "make a procedural height map",
-        "Writes a height map made by a recipe: the same bits for the same seed on every machine. .png and .tif hold "
-        "16-bit integers, .exr 32-bit floats. The recipes: " +
-            names + "; relief list reliefs describes them.",
-        "  relief make bricks --size 512 --seed 7 -o bricks.png\n"
-        "  relief make bricks:512x256:7 -o bricks.png");
-    addArgument(*parser, "RELIEF", options->relief, "NAME[:SIZE[:SEED]]: name of the recipe, also with size and seed");
+    CLI::App* parser = addCommand(program, "make", "make a procedural height map",
+                                  "Writes a procedural height map. The same seed gives the same bits on every machine. "
+                                  ".png and .tif hold 16-bit integers, .exr 32-bit floats. The reliefs: " +
+                                      names + "; relief list reliefs describes them.",
+                                  "  relief make bricks --size 512 --seed 7 -o bricks.png\n"
+                                  "  relief make bricks:512x256:7 -o bricks.png");
+    addArgument(*parser, "RELIEF", options->relief, "name of the relief; size and seed may follow, as in bricks:512:7");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
     addText(*parser, "--size", options->size, "WxH|N",
-            "texels, 1 to " + std::to_string(kMaxPictureSide) + " a side, " + std::to_string(kDefaultMaxPixels) +
-                " in all; N: N x N; default: the recipe's own (256 mostly)",
+            "size in texels, 1 to " + std::to_string(kMaxPictureSide) + " per side, " +
+                std::to_string(kDefaultMaxPixels) + " in all; N: N x N; default: that of the relief, mostly 256",
             "Relief");
-    addText(*parser, "--seed", options->seed, "S", "of the random numbers, a whole number from 0; default 1", "Relief");
+    addText(*parser, "--seed", options->seed, "S", "seed of the random numbers, a whole number from 0; default 1",
+            "Relief");
     options->run.add(*parser, false);
     commands.push_back({parser, [options](Session& session) { return runMake(*options, session); }});
 }

@@ -148,24 +148,23 @@ void addMapCommand(CLI::App& program, Commands& commands) {
     for (const std::string& kind : pyramidMapKinds()) pyramids += (pyramids.empty() ? "" : " and ") + kind;
     CLI::App* parser = addCommand(
         program, "map", "build a distance map, a cone map or a pyramid and store it",
-        "Builds one of the maps that methods walk and writes it as a TIFF: all layers in one picture, the numbers as "
-        "they are, and what they mean in its description. It serves this height map with this surface, addressing and "
-        "depth, and is refused anywhere else. trace and render take it by --map. The kinds: " +
-            kinds + "; each has the options of its tracer (relief list KIND shows them). " + pyramids +
-            " are written for other programs, which read them as a picture with MIP levels: 32-bit floats in tiles, "
-            "level 0 the heights, each level's description says what its texels are.",
+        "Builds one of the maps that tracers use and writes it as a TIFF that holds all layers in one picture, with "
+        "its meaning in the picture's description. The map is valid only for this height map with this surface, "
+        "addressing and depth, and is refused with any other. trace and render read it with --map. The kinds: " +
+            kinds + "; each has the options of its tracer (relief list KIND). " + pyramids +
+            " are written for other programs, which read them as a picture with MIP levels: tiles of 32-bit floats, "
+            "with the heights as level 0; the description of each level defines its texels.",
         "  relief map refined:layers=16:precision=u8 heights.png -o refined.tif\n"
         "  relief trace heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
         "  relief map refined heights.png --at 10,20,0.6");
     addArgument(*parser, "KIND", options->kind,
-                "which map; with options as KIND:OPTION=VALUE, such as refined:layers=16");
+                "kind of map, with options as KIND:OPTION=VALUE, such as refined:layers=16");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::Heights);
-    addOutput(*parser, options->output, "the map: .tif");
-    addText(
-        *parser, "--at", options->at, "s,t,z",
-        "no map, but the distances at this point (texels and height): the Euclidean one, the one for rays from above "
-        "that come through the point unhindered, and the ray that decides it",
-        "Result");
+    addOutput(*parser, options->output, "file of the map: .tif");
+    addText(*parser, "--at", options->at, "s,t,z",
+            "write no map, but print the distances at this point (texels, texels, height): the Euclidean distance, the "
+            "refined distance for rays from above that reach the point, and the ray that determines it",
+            "Result");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runMap(*options, session); }});
 }

@@ -145,21 +145,22 @@ int runMerge(const MergeOptions& options, Session& session) {
 
 void addMergeCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<MergeOptions>();
-    CLI::App* parser = addCommand(
-        program, "merge", "put the parts of one run together",
-        "The files that bench, render and stress wrote with --part K/N, in any order, become what one process would "
-        "have written: the table, the picture, or the report of the stress test (to standard output; with -o also its "
-        "whole record), without the time that it took. What the files are is told by what is in them. Refused with "
-        "exit status 2: a part that is missing or given twice, or of another run (another commit, seed or option). "
-        "The exit status is 1 where a stress test's parts hold violations.",
-        "  relief merge city1.png city2.png -o city.png\n"
-        "  relief merge stress?.jsonl");
+    CLI::App* parser =
+        addCommand(program, "merge", "join the parts of one run",
+                   "Joins the files that bench, render or stress wrote with --part K/N, in any order, into the output "
+                   "of a single process: the table, the picture, or the report of the stress test (to standard output; "
+                   "with -o also its record), without its run time. The kind of the files is recognised from their "
+                   "contents. A part that is missing, given twice or of a different run (commit, seed or option) is "
+                   "refused with exit status 2. The exit status is 1 if the parts of a stress test contain violations.",
+                   "  relief merge city1.png city2.png -o city.png\n"
+                   "  relief merge stress?.jsonl");
     parser->add_option("FILE", options->files, "all parts of one run")
         ->type_name("")
         ->group("Arguments")
         ->option_text(kNeeded);
-    addOutput(*parser, options->output,
-              "table: .csv or .json; picture: as its parts are, .png, .tif or .exr; record: .jsonl, may be left out");
+    addOutput(
+        *parser, options->output,
+        "table: .csv or .json; picture: .png, .tif or .exr, like its parts; record of a stress test: .jsonl, optional");
     options->run.add(*parser, false);
     commands.push_back({parser, [options](Session& session) { return runMerge(*options, session); }});
 }

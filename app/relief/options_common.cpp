@@ -22,9 +22,14 @@ CLI::App* addCommand(CLI::App& program, const std::string& name, const std::stri
                      const std::string& paragraph, const std::string& examples) {
     CLI::App* parser = program.add_subcommand(name, summary + "\n" + paragraph);
     parser->group("Commands");
-    parser->set_help_flag("-h,--help", "this page")->group("General");
+    parser->set_help_flag("-h,--help", "show this page and exit")->group("General");
     parser->footer("Example:\n" + examples);
     return parser;
+}
+
+std::string rangeText(const OptionDescription& number) {
+    const std::string unit = number.unit.empty() || number.unit == "level" ? "" : " " + number.unit;
+    return numberText(number.low) + " to " + numberText(number.high) + unit;
 }
 
 CLI::Option* addText(CLI::App& parser, const std::string& names, OptionText& target, const std::string& kind,
@@ -136,13 +141,15 @@ std::vector<std::string> splitText(const std::string& text, char separator) {
 void RunOptions::add(CLI::App& parser, bool withThreads) {
     if (withThreads) {
         addText(parser, "--threads", threads_, "N",
-                "threads to work on, 0 to 1024; 0 (default): as many as there are. The result does not depend on it",
+                "number of threads, 0 to 1024; 0 (default): as many as the machine offers. The result does not depend "
+                "on it",
                 "General");
     }
     CLI::Option* const quiet =
-        addFlag(parser, "-q,--quiet", quiet_, "no messages and no progress bar (errors are still said)", "General");
+        addFlag(parser, "-q,--quiet", quiet_, "print no messages and no progress bar, only errors", "General");
     addFlag(parser, "-v,--verbose", verbose_,
-            "lines of progress for long work, also where standard error is no terminal, as in the log of a job",
+            "print progress lines during long work even if standard error is not a terminal, for example in the log of "
+            "a job",
             "General")
         ->excludes(quiet);
     addLanguage(parser);
@@ -155,9 +162,9 @@ void RunOptions::apply(Session& session, bool withoutOthers) const {
 }
 
 void RestartOptions::add(CLI::App& parser, const std::string& when, const std::string& group) {
-    addFlag(parser, "--resume", resume_, when + ": go on from the .part file of a run that was stopped or killed",
+    addFlag(parser, "--resume", resume_, when + ": continue from the .part file of a run that was stopped or killed",
             group);
-    addFlag(parser, "--anew", anew_, when + ": throw that .part file away and begin again", group);
+    addFlag(parser, "--anew", anew_, when + ": discard that .part file and start again", group);
 }
 
 EarlierRun RestartOptions::chosen() const {
@@ -177,17 +184,19 @@ void addLanguage(CLI::App& parser) {
 
 void ReadingOptions::add(CLI::App& parser, const char* group) {
     addText(parser, "--channel", channel_, "N|NAME",
-            "which channel holds the heights: a number from 0, or a name (R, G, B, A, Y); default: grey, else the "
-            "first. Alpha is taken as it stands, nothing is multiplied by it",
+            "channel that holds the heights: a number from 0, or a name (R, G, B, A, Y); default: grey, else the "
+            "first. Other channels are never multiplied by alpha",
             group);
-    addFlag(parser, "--invert", invert_, "for maps that store depths: 1 - h after scaling", group);
+    addFlag(parser, "--invert", invert_, "the map stores depths: use 1 - h after scaling", group);
     addText(parser, "--range", range_, "auto|full|LO,HI",
-            "how numbers become heights in [0, 1]. auto (default): integers by their full range, floats in [0, 1] as "
-            "they are, others stretched, with a message; full: never stretched; LO,HI: LO becomes 0, HI becomes 1, "
-            "clamped",
+            "scaling of the file's numbers to heights in [0, 1]. auto (default): integers by their full range, floats "
+            "in [0, 1] unchanged, other floats stretched, with a message; full: never stretched; LO,HI: LO becomes 0, "
+            "HI becomes 1, and numbers outside are clamped",
             group);
     addText(parser, "--max-pixels", maxPixels_, "N",
-            "refuse larger pictures before memory is taken; default " + std::to_string(kDefaultMaxPixels), group);
+            "largest number of pixels of a picture; larger ones are refused before memory is allocated. Default " +
+                std::to_string(kDefaultMaxPixels),
+            group);
 }
 
 void ReadingOptions::apply(HeightReadOptions& reading) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "journal.h"
+#include "relief/describe.h"
 #include "scenario/scenario.h"
 #include "session.h"
 
@@ -33,6 +34,10 @@ CLI::Option* addTexts(CLI::App& parser, const std::string& names, std::vector<st
 // Adds an option without a value.
 CLI::Option* addFlag(CLI::App& parser, const std::string& names, bool& target, const std::string& help,
                      const std::string& group);
+
+// Returns the range of a number with its unit: "1 to 64 texels". Leaves out the unit "level", which is clear from the
+// number's name.
+std::string rangeText(const OptionDescription& number);
 
 // Parses "X,Y,Z". Throws InputError naming the option.
 std::array<double, 3> parseThree(const std::string& text, const std::string& option);

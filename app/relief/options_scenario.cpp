@@ -17,12 +17,10 @@ namespace relief::app {
 
 namespace {
 
-// Returns "elevation, degrees, -90 to 90, default 35" from the shared description of the number.
+// Returns "elevation, -90 to 90 degrees, default 35" from the shared description of the number.
 std::string numberHelp(std::string_view name) {
     const ScenarioNumber& number = scenarioNumber(name);
-    const OptionDescription& d = number.description;
-    const std::string unit = d.unit.empty() ? "" : ", " + d.unit;
-    return d.help + unit + ", " + numberText(d.low) + " to " + numberText(d.high) + ", default " +
+    return number.description.help + ", " + rangeText(number.description) + ", default " +
            numberText(number.get(Scenario{}));
 }
 
@@ -124,8 +122,8 @@ void applyRecipe(Pictures& pictures, const std::string& text, const std::string&
 
 void ScenarioOptions::add(CLI::App& parser, OptionGroups groups) {
     addText(parser, "FILE", file_, "",
-            "a height map (PNG, JPEG, TIFF, EXR, HDR, ...), or a scenario (.json) as the window saves it or --report "
-            "holds it: pictures, method, camera, light. Every option overrides what a scenario says",
+            "a height map (PNG, JPEG, TIFF, EXR, HDR, ...), or a scenario (.json) as saved by the window or contained "
+            "in a report (--report): pictures, method, camera, light. Options override the scenario",
             "Arguments");
     addPictures(parser, groups);
     reading_.add(parser);
@@ -136,10 +134,10 @@ void ScenarioOptions::add(CLI::App& parser, OptionGroups groups) {
 void ScenarioOptions::addPictures(CLI::App& parser, OptionGroups groups) {
     const char* group = "Pictures";
     addText(parser, "--height", height_, "FILE", "height map: the same as FILE", group);
-    addText(parser, "--relief", recipe_, "NAME[:SIZE[:SEED]]",
-            "instead of a file, a procedural relief (relief list reliefs names them), such as bricks:512 or "
-            "bricks:512x256:7",
-            group);
+    addText(
+        parser, "--relief", recipe_, "NAME[:SIZE[:SEED]]",
+        "a procedural relief instead of a file, such as bricks:512 or bricks:512x256:7; relief list reliefs lists them",
+        group);
     if (groups != OptionGroups::All) return;
     addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
     addText(parser, "--normal", normal_, "FILE",
@@ -150,12 +148,13 @@ void ScenarioOptions::addMethod(CLI::App& parser, OptionGroups groups) {
     const char* group = groups == OptionGroups::HeightsOnly ? "Relief" : "Method";
     if (groups == OptionGroups::All || groups == OptionGroups::View || groups == OptionGroups::None) {
         addText(parser, "--tracer", tracer_, "NAME[:OPTION=VALUE...]",
-                "how rays meet the relief: " + namesOf(tracerList()) + "; default " + Scenario{}.method.name +
-                    "; with options such as layers:layers=64 (relief list NAME shows what there is)",
+                "method that finds where rays hit the relief: " + namesOf(tracerList()) + "; default " +
+                    Scenario{}.method.name +
+                    "; with options such as layers:layers=64 (relief list NAME lists a method's options)",
                 group);
         addText(parser, "--map", map_, "FILE.tif",
-                "a distance or cone map as relief map stores it, in place of the one that the tracer would build; its "
-                "options are the map's",
+                "distance or cone map stored by relief map, used instead of the map that the tracer would build. The "
+                "options of the tracer's map are then those of this map",
                 group);
     }
     if (groups != OptionGroups::HeightsOnly) {
@@ -164,58 +163,60 @@ void ScenarioOptions::addMethod(CLI::App& parser, OptionGroups groups) {
     }
     addText(parser, "--relief-depth", reliefDepth_, "D", numberHelp("relief-depth"), group);
     addText(parser, "--address", address_, "repeat|clamp|border",
-            "what lies outside the picture: itself again (default), its rim, nothing", group);
+            "relief outside the picture. repeat: the picture again (default); clamp: the heights of its rim; border: "
+            "no relief",
+            group);
     addText(parser, "--surface", surface_, "bilinear|columns",
-            "between texels: a smooth surface (default), or each texel a box", group);
+            "surface between texels: smooth (bilinear, default), or one box per texel (columns)", group);
     if (groups == OptionGroups::All) {
         addText(parser, "--filter", filter_, "NAME[:OPTION=VALUE...]",
-                "how colours are sampled: " + namesOf(filterList()) + "; default " + Scenario{}.filter.name +
+                "filter that samples the colours: " + namesOf(filterList()) + "; default " + Scenario{}.filter.name +
                     "; with options such as elliptical:weights=uniform:radius=0.6 or supersample:samples=4 (relief "
-                    "list NAME "
-                    "shows what there is)",
+                    "list NAME lists a filter's options)",
                 group);
         addTexts(parser, "--filter-set", filterSettings_, "NAME=VALUE",
                  "an option of the filter, such as anisotropy=32; may be repeated", group);
         addText(parser, "--supersample", supersample_, "N",
-                "the picture's truth: N x N rays a pixel, each traced, coloured and lit by itself, 1 to " +
-                    std::to_string(kMaxSamples) + "; the filter supersample, which alone means " +
+                "reference picture: N x N rays per pixel, each traced, coloured and lit by itself, 1 to " +
+                    std::to_string(kMaxSamples) + "; the same as --filter supersample, whose default is " +
                     std::to_string(FilterChoice{}.samples),
                 group);
-        addText(
-            parser, "--pixel-model", pixelModel_, "box|gaussian|lcd|crt",
-            "of --supersample, how samples are weighed: evenly in the pixel's square (default), by a bell of sigma " +
-                numberText(kGaussianSigma) +
-                " pixels that reaches into the neighbours, in a display's three stripes, or in a tube's three spots",
-            group);
+        addText(parser, "--pixel-model", pixelModel_, "box|gaussian|lcd|crt",
+                "weights of the samples of --supersample. box: uniform in the pixel's square (default); gaussian: a "
+                "Gaussian of sigma " +
+                    numberText(kGaussianSigma) +
+                    " pixels, which extends into neighbouring pixels; lcd: the three stripes of a display; crt: the "
+                    "three spots of a tube",
+                group);
     }
 }
 
 void ScenarioOptions::addView(CLI::App& parser, OptionGroups groups) {
     const char* group = "View";
     addText(parser, "--size", size_, "WxH|N", "size of the picture, pixels, default 800x600; N: N x N", group);
-    addText(parser, "--scene", scene_, "floor|wall|cube", "what carries the relief; default floor", group);
+    addText(parser, "--scene", scene_, "floor|wall|cube", "surface that carries the relief; default floor", group);
     addText(parser, "--camera", camera_, "elevation=..,...",
             "a camera that looks at the middle of the scene. elevation: " + numberHelp("elevation") + "; azimuth: " +
                 numberHelp("azimuth") + "; distance: " + numberHelp("distance") + "; fov: " + numberHelp("fov"),
             group);
-    addText(parser, "--eye", eye_, "X,Y,Z", "a free camera: where it is, texture widths, y up; with --target", group);
-    addText(parser, "--target", target_, "X,Y,Z", "what the free camera looks at", group);
+    addText(parser, "--eye", eye_, "X,Y,Z", "position of a free camera, texture widths, y up; needs --target", group);
+    addText(parser, "--target", target_, "X,Y,Z", "point at which the free camera looks, texture widths", group);
     addText(parser, "--fov", fov_, "DEGREES", numberHelp("fov"), group);
-    addText(parser, "--mapping", mapping_, "NAME",
-            "how texture coordinates are made along a row of pixels, as bench rows spells it: " +
-                commaList(mappingNames()) +
-                "; direct: in double; the others in float, such as incremental:anchor=0; default direct",
-            group);
+    addText(
+        parser, "--mapping", mapping_, "NAME",
+        "method that computes texture coordinates along a row of pixels, spelled as for bench rows: " +
+            commaList(mappingNames()) +
+            ". direct (default) computes in double, the others in float. Options are added as in incremental:anchor=0",
+        group);
     if (groups == OptionGroups::View) return;
     addFlag(parser, "--no-skip", noSkip_,
-            "do all the work that cannot change a bit as well: the same picture, slower (the report says what is "
-            "spared). What "
-            "stays: polygons that face away or lie off the screen are not drawn, and pyramid methods end a ray at once "
-            "that "
-            "starts at the highest point",
+            "also do the work that cannot change the picture, which makes it slower; the report lists the work that is "
+            "normally skipped. Polygons that face away or lie off the screen are still not drawn, and pyramid methods "
+            "still end a ray at once if it starts at the highest point",
             group);
     addText(parser, "--bounded", bounded_, "E", numberHelp("bounded"), group);
-    addFlag(parser, "--shadows", shadows_, "the relief casts shadows: from every hit a ray to the light", group);
+    addFlag(parser, "--shadows", shadows_, "the relief casts shadows: a ray to the light is traced from every hit",
+            group);
     addText(parser, "--light", light_, "azimuth=..,...",
             "azimuth: " + numberHelp("light-azimuth") + "; elevation: " + numberHelp("light-elevation") +
                 "; ambient: " + numberHelp("ambient") + "; intensity: " + numberHelp("intensity"),

@@ -103,25 +103,32 @@ InputError usageError(const CLI::App& program, const Commands& commands, const C
 
 void buildParser(CLI::App& program, Commands& commands) {
     setHelpFormatter(program);
-    program.set_help_flag("-h,--help", "this page")->group("General");
+    program.set_help_flag("-h,--help", "show this page and exit")->group("General");
     // After one command is chosen, the names of the others are ordinary arguments: a file may be called "list".
     program.require_subcommand(0, 1);
-    program.set_version_flag("--version", "relief " RELIEF_VERSION, "name and version")->group("General");
+    program.set_version_flag("--version", "relief " RELIEF_VERSION, "show name and version and exit")->group("General");
     addLanguage(program);
     program.footer(
-        "Examples:\n  relief make bricks -o bricks.png\n  relief render bricks.png --scene wall -o wall.png\n"
-        "  relief trace bricks.png --pixel 400,300\n\n"
-        "relief help COMMAND, or relief COMMAND --help, explains one command; relief list NAME one tracer, filter, map "
-        "or\nrelief.\n\n"
+        "Examples:\n"
+        "  relief make bricks -o bricks.png\n"
+        "  relief render bricks.png --scene wall -o wall.png\n"
+        "  relief trace bricks.png --pixel 400,300\n"
+        "\n"
+        "relief help COMMAND, or relief COMMAND --help, explains a command. relief list NAME describes a tracer, "
+        "filter, map\n"
+        "or relief.\n"
+        "\n"
         "Exit status:\n"
         "  0    done\n"
         "  1    the work failed, or a check has found a violation (certify, compare --max-flip, recommend --check,\n"
         "       stress, merge of stress tests)\n"
-        "  2    wrong usage, input that cannot be used, or more memory needed than is free\n"
+        "  2    wrong usage, unusable input, or not enough memory\n"
         "  3    not decided: certify could neither prove nor refute that the map is safe\n"
         "  129, 130, 143    ended by a hang-up, by Ctrl-C, by a request to terminate (128 + the signal's number);\n"
-        "       141 where the reader of standard output has gone away, as after | head\n"
-        "Statuses 1 (unless a check explains itself on standard output) and 2 come with one line that says why.");
+        "       141 if the reader of standard output has ended, as after | head\n"
+        "With status 2, and with 1 unless a check explains itself on standard output, one line on standard error gives "
+        "the\n"
+        "reason.");
     addHelpCommand(program, commands);
     addInfoCommand(program, commands);
     addMakeCommand(program, commands);
@@ -142,8 +149,9 @@ void buildParser(CLI::App& program, Commands& commands) {
 // failed: set to the exit status of a command whose work fails.
 int parseAndRun(int count, char** arguments, Session& session, int& failed) {
     CLI::App program{
-        "Relief texturing on height maps, every step shown.\nView rays are traced into a relief that lies under the "
-        "polygon's plane: render pictures, trace single rays and see each decision on their way, compare methods.",
+        "Relief texturing on height maps, with every step shown.\n"
+        "View rays are traced into a relief that lies below the polygon's plane. Render pictures, trace single rays "
+        "and see each decision on their way, compare methods.",
         "relief"};
     Commands commands;
     buildParser(program, commands);

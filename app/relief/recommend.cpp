@@ -121,29 +121,31 @@ int runRecommend(const RecommendOptions& given, Session& session) {
 }
 
 void addAsked(CLI::App& parser, RecommendOptions& options) {
-    const char* group = "What is asked";
+    const char* group = "Requirements";
     addText(parser, "--views", options.views, "LO,HI",
-            "from which elevations the relief is seen, degrees; one number: that alone; random: entry, azimuth and "
-            "elevation at random; default 10,80",
+            "range of elevations from which the relief is seen, degrees; a single number: only that elevation; random: "
+            "random entry, azimuth and elevation; default 10,80",
             group);
-    addText(parser, "--error", options.error, "E", "how far off a ray may end, texels, default 0.5", group);
+    addText(parser, "--error", options.error, "E", "largest allowed error of a hit, texels, default 0.5", group);
     addText(parser, "--outliers", options.outliers, "PERCENT",
-            "of the rays that may be further off, or hit where exact misses, or the other way round; default 0.01",
+            "percentage of the rays that may exceed this error, hit where exact misses, or miss where exact hits; "
+            "default 0.01",
             group);
-    addText(parser, "--memory", options.memory, "MB", "of maps beside the heights, default 256", group);
+    addText(parser, "--memory", options.memory, "MB", "largest memory of the maps besides the heights, MB, default 256",
+            group);
     addText(parser, "--form", options.form, "simd|scalar",
-            "simd: this library's own code, processor time on one thread; scalar: what a writer of shaders would "
-            "port, cost = reads + C x steps; default simd",
+            "simd (default): for use of this library; the cost is processor time on one thread. scalar: for porting to "
+            "a shader; the cost is height samples (reads) + C x steps",
             group);
     addText(parser, "--max-steps", options.maxSteps, "N",
-            "steps that a ray may take (those of relief trace --steps, the start included), but for the share of "
-            "--outliers: the budget of a shader's loop; default: any number",
+            "largest number of steps per ray (as in relief trace --steps, the start included), except for the share "
+            "--outliers; for example, the limit of a shader's loop. Default: no limit",
             group);
     addText(parser, "--step-cost", options.stepCost, "C",
-            "reads that the arithmetic of a step is worth (scalar), default 2", group);
+            "cost of the arithmetic of a step, in height samples (--form scalar), default 2", group);
     CLI::Option* const color = addText(parser, "--color", options.color, "FILE",
-                                       "colours that filters are tried on; default: coloured patches", group);
-    addFlag(parser, "--no-filter", options.noFilter, "no advice on filters", group)->excludes(color);
+                                       "colour picture for trying filters; default: coloured patches", group);
+    addFlag(parser, "--no-filter", options.noFilter, "recommend no filter", group)->excludes(color);
 }
 
 }  // namespace
@@ -151,28 +153,30 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
 void addRecommendCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<RecommendOptions>();
     CLI::App* parser = addCommand(
-        program, "recommend", "which method, filter and map for a height map, measured on it",
-        "Which method should trace this height map? All tracers, with those values of their options that are worth "
-        "trying, are measured on the same rays of the given views. A method that breaks the error bound, needs too "
-        "much memory, or whose map takes too long to build, is dropped; the others are timed in short rounds in turn, "
-        "and after each round those that are clearly slower are dropped. A method up to 3% slower is preferred if its "
-        "map is smaller. The answer gives the reasons: what the relief is like, steps, samples, bytes and build time; "
-        "it warns where building the map costs more than it saves. Filters are compared with a small supersampled "
-        "picture. With --form scalar the answer depends on counts alone: the same seed gives the same answer, if there "
-        "was time to build every map.",
+        program, "recommend", "recommend a method, filter and map for a height map, by measurement",
+        "Recommends the method that should trace this height map. All tracers, with promising values of their options, "
+        "are measured on the same rays of the given views. A method that exceeds the error bound, needs too much "
+        "memory, or whose map takes too long to build, is dropped; the others are timed in short alternating rounds, "
+        "after each of which clearly slower ones are dropped. A method up to 3% slower is preferred if its map is "
+        "smaller. The answer gives the reasons: properties of the relief, steps, samples, bytes and build time; it "
+        "warns if building the map costs more than it saves. Filters are compared with a small supersampled picture. "
+        "With --form scalar the answer depends on counts only: the same seed gives the same answer if the time "
+        "sufficed to build every map.",
         "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
         "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
     addAsked(*parser, *options);
-    addText(*parser, "--seconds", options->seconds, "S", "for all of it, 1 or more, default 20", "Run");
-    addText(*parser, "--seed", options->seed, "S", "of the rays, default 1", "Run");
-    CLI::Option* const check = addFlag(
-        *parser, "--check", options->check,
-        "hold the advice against the full table, every form measured to the end on other rays: the regret; without "
-        "a height map for every procedural relief, 128 x 128; exit status 1 where the error bound is broken there",
-        "Run");
-    addOutput(*parser, options->output, "text, or JSON where the name ends in .json; default standard output");
-    CLI::Option* const json = addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
+    addText(*parser, "--seconds", options->seconds, "S", "time for everything, seconds, 1 or more, default 20", "Run");
+    addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Run");
+    CLI::Option* const check =
+        addFlag(*parser, "--check", options->check,
+                "check the advice: measure all candidates to the end on other rays and print the regret, which is how "
+                "much more expensive the advised method is than the best one. Without a height map this is done for "
+                "every procedural relief, 128 x 128. Exit status 1 if the advised method exceeds the error bound there",
+                "Run");
+    addOutput(*parser, options->output,
+              "file for the text, or for JSON if the name ends in .json; default standard output");
+    CLI::Option* const json = addFlag(*parser, "--json", options->json, "write JSON instead of text", "Output");
     check->excludes(json, parser->get_option("--color"), parser->get_option("--no-filter"));
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runRecommend(*options, session); }});

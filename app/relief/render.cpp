@@ -342,28 +342,27 @@ int runRender(const RenderOptions& options, Session& session) {
 
 void addRenderCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* parser = addCommand(
-        program, "render", "render a picture of a relief",
-        "Renders what a camera sees of a floor, a wall or a cube that carries the relief of a height map. What is "
-        "looked at comes from a scenario, from the options, or from both (the options override). The same input gives "
-        "the same pixels on any number of threads. mpirun -n N relief render ... shares one picture (.png, .tif, .exr) "
-        "or many among N "
-        "processes.",
-        "  relief render heights.png --color color.jpg --scene wall \\\n"
-        "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
+    CLI::App* parser =
+        addCommand(program, "render", "render a picture of a relief",
+                   "Renders a floor, a wall or a cube that carries the relief of a height map, as seen by a camera. "
+                   "Scene, camera and methods come from a scenario, from options, or from both; options override the "
+                   "scenario. The same input gives the same pixels on any number of threads. mpirun -n N relief render "
+                   "... shares one picture (.png, .tif, .exr) or many among N processes.",
+                   "  relief render heights.png --color color.jpg --scene wall \\\n"
+                   "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
     options->many.add(*parser);
-    addOutput(*parser, options->output, "the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
+    addOutput(*parser, options->output, "file of the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
     addText(*parser, "--layers", options->layers, "NAME,...",
-            "write these planes into the .exr instead of the picture alone: " + commaList(layerNames()), "Output");
+            "layers to write into the .exr instead of only the picture: " + commaList(layerNames()), "Output");
     addText(*parser, "--part", options->part, "K/N",
-            "only part K, from 1, of N, for other processes to make the others: of one picture (.png, .tif, .exr) that "
-            "band of its rows, which relief merge puts together; of many pictures each N-th",
+            "render only part K, from 1, of N, so that other processes can render the other parts. One picture (.png, "
+            ".tif, .exr): a band of its rows; relief merge joins them. Many pictures: every N-th one",
             "Output");
-    addText(*parser, "--report", options->report, "FILE.json",
-            "what was done and what was skipped: the scenario, counters, maps built, seconds of every stage; - for "
-            "standard output",
-            "Output");
+    addText(
+        *parser, "--report", options->report, "FILE.json",
+        "report of the work done and skipped: scenario, counters, maps built, seconds per stage; - for standard output",
+        "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runRender(*options, session); }});
 }

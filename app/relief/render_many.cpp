@@ -137,14 +137,15 @@ void requirePictureMemory(const FrameRequest& request, const std::vector<std::st
 
 void ManyFrames::add(CLI::App& parser) {
     parser
-        .add_option("MORE", more, "further height maps or scenarios: -o is a folder then, a picture of each goes there")
+        .add_option("MORE", more,
+                    "further height maps or scenarios; -o then names a folder, which receives one picture of each")
         ->type_name("")
         ->group("Arguments");
     addText(parser, "--frames", frames, "N",
-            "a camera's path of N pictures, from --camera to --to; -o is a folder then. mpirun -n N relief render ... "
-            "shares the pictures among processes; rank 0 writes them",
+            "render N pictures along a camera path from --camera to --to; -o then names a folder. mpirun -n N relief "
+            "render ... shares the pictures among processes; rank 0 writes them",
             "Output");
-    addText(parser, "--to", to, "KEY=VALUE,...", "where the path ends: elevation, azimuth, distance, fov", "Output");
+    addText(parser, "--to", to, "KEY=VALUE,...", "end of the camera path: elevation, azimuth, distance, fov", "Output");
     restart.add(parser, "many pictures", "Output");
 }
 

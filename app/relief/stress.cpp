@@ -176,42 +176,40 @@ int reportStress(const StressReport& report, std::uint64_t seed, Session& sessio
 void addStressCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<StressCommandOptions>();
     CLI::App* parser = addCommand(
-        program, "stress", "look for rays, cameras and maps that break a promise",
-        "Runs every tracer, with its options at their ends, over maps and rays that are hard to get right (grazing to "
-        "the domain's limit and beyond, along and through cell borders, huge and denormal numbers, far starts, "
-        "plateaus at the ray's height, spikes, sizes from 1 x 1 to 65536 x 2) and holds each to what it promises: no "
-        "NaN, no more steps than stated, no miss where nothing can be missed, exact methods bit for bit, conservative "
+        program, "stress", "search for rays, cameras and maps that violate a guarantee",
+        "Runs every tracer, with extreme values of its options, over difficult maps and rays (grazing up to the "
+        "domain's limit and beyond, along and through cell borders, huge and denormal numbers, far starts, plateaus at "
+        "the ray's height, spikes, sizes from 1 x 1 to 65536 x 2) and checks its guarantees: no NaN, no more steps "
+        "than its bound, no miss if a hit is certain, hits of exact methods equal bit for bit, hits of conservative "
         "ones never too late, the same answer with and without a log. Any-hit queries must agree with the exact hits "
-        "of these rays. Small frames over the same maps, by extreme cameras (grazing, in a polygon's plane, very near, "
-        "very far, narrow and wide), with every filter and pixel model, with and without shadows and --bounded, must "
-        "be "
-        "finite and the same with and without --no-skip, and by one thread and by several; what --bounded spares may "
-        "move no hit farther than its bound. The homographies of such cameras must lead from pixel to "
-        "texel and back, and their derivatives agree with central differences; row methods must stay within their "
-        "error bounds. The cases depend on the seed alone; mpirun -n N relief stress --cases ... shares them among N "
-        "processes. Each violation is a line that ends with the command "
-        "that shows it; the exit status is then 1.",
+        "of these rays. Small frames of the same maps, with extreme cameras (grazing, in a polygon's plane, very near, "
+        "very far, narrow and wide), every filter and pixel model, with and without shadows and --bounded, must be "
+        "finite and the same with and without --no-skip and on any number of threads; --bounded may move no hit "
+        "farther than its bound. The homographies of such cameras must map pixels to texels and back, and their "
+        "derivatives must agree with central differences. Row methods must stay within their error bounds. The cases "
+        "depend only on the seed; mpirun -n N relief stress --cases ... shares them among N processes. Each violation "
+        "is a line that ends with the command that reproduces it; the exit status is then 1.",
         "  relief stress --seconds 60 --seed 7\n"
         "  relief stress --cases 1000 --part 2/3 --record part2.jsonl\n"
         "  relief merge part1.jsonl part2.jsonl part3.jsonl");
-    addText(*parser, "--seconds", options->seconds, "N", "how long, default 20", "Run");
-    addText(*parser, "--cases", options->cases, "N", "the first N cases, instead of --seconds", "Run");
-    addText(*parser, "--seed", options->seed, "S", "of maps and rays, default 1", "Run");
+    addText(*parser, "--seconds", options->seconds, "N", "run time, seconds, default 20", "Run");
+    addText(*parser, "--cases", options->cases, "N", "run the first N cases, instead of --seconds", "Run");
+    addText(*parser, "--seed", options->seed, "S", "seed of maps and rays, default 1", "Run");
     addText(*parser, "--tracers", options->tracers, "NAME,...",
-            "only these methods for view rays, and in frames where they apply (elsewhere the standard method); "
-            "any-hit queries and rows are always all; NAME:OPTION=VALUE for one form of a method; default: all in all "
-            "forms",
+            "use only these methods for view rays, and in frames where they apply (elsewhere the standard method); "
+            "any-hit queries and row methods are always tested completely; NAME:OPTION=VALUE tests one setting of a "
+            "method; default: all methods with all settings",
             "Run");
     addText(*parser, "--parts", options->parts, "NAME,...",
-            "only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");
-    addText(*parser, "--case", options->only, "N", "the case of this number alone, as a violation names it", "Run");
+            "run only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");
+    addText(*parser, "--case", options->only, "N", "run only the case of this number, which a violation names", "Run");
     addText(*parser, "-o,--output", options->folder, "FOLDER",
-            "where maps that no recipe makes are written if they break a tracer; default: here", "Output");
+            "folder for maps that violate a guarantee and are not procedural; default: the current folder", "Output");
     addText(*parser, "--record", options->record, "FILE.jsonl",
-            "what each case found, a line of JSON each; the first line tells which run it is", "Output");
+            "record of all cases, a line of JSON for each; the first line identifies the run", "Output");
     addText(*parser, "--part", options->part, "K/N",
-            "only part K, from 1, of N: each N-th of the cases (--cases), for other processes to do the others; "
-            "relief merge makes one report of their records (--record)",
+            "run only part K, from 1, of N, which is every N-th case (--cases), so that other processes can run the "
+            "others; relief merge joins their records (--record) into one report",
             "Run");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runStress(*options, session); }});

@@ -256,33 +256,35 @@ int runTrace(const TraceOptions& options, Session& session) {
 
 void addTraceCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<TraceOptions>();
-    CLI::App* parser = addCommand(
-        program, "trace", "trace single rays, with every step",
-        "Answers where rays meet the relief: one line a ray, in the order given, with the header "
-        "outcome,lambda,s,t,steps. The outcome is hit, miss or limit; lambda is the descent (0 the top plane, 1 the "
-        "bottom), s and t are texels. Rays come from a file with the header s0,t0,a,b (where the ray enters the top "
-        "plane, its run a unit of descent, texels), from the command line, or are those of pixels of a view.",
-        "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
+    CLI::App* parser =
+        addCommand(program, "trace", "trace single rays and log every step",
+                   "Prints where rays hit the relief: one line per ray, in the given order, with the header "
+                   "outcome,lambda,s,t,steps. The outcome is hit, miss or limit; lambda is the descent (0: the top "
+                   "plane, 1: the bottom); s and t are in texels. Rays come from a file with the header s0,t0,a,b (the "
+                   "point where the ray enters the top plane, and its horizontal displacement per unit of descent, "
+                   "texels), from the command line, or from pixels of a view.",
+                   "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::View);
-    addText(*parser, "--rays", options->rays, "FILE.csv", "rays, header s0,t0,a,b; - for standard input", "Rays");
+    addText(*parser, "--rays", options->rays, "FILE.csv",
+            "file of rays with the header s0,t0,a,b; - for standard input", "Rays");
     addTexts(*parser, "--ray", options->single, "S0,T0,A,B", "one ray; may be repeated", "Rays");
     addTexts(*parser, "--pixel", options->pixels, "X,Y",
              "the ray of this pixel of the view, 0,0 at the top left; may be repeated. A pixel that sees no polygon is "
              "a miss",
              "Rays");
-    addOutput(*parser, options->output, "the hits; default -: standard output");
-    addText(*parser, "--steps", options->steps, "FILE.csv|json",
-            "every decision of every ray: the ray's number from 0, the step's from 1, texel, heights, decision",
-            "Output");
-    addFlag(*parser, "--coefficients", options->coefficients,
-            "instead of hits the numbers behind the pixels: the nine coefficients A to I (texels), q, the derivatives, "
-            "M, N, O, P, the ellipse; needs --pixel",
-            "Output");
-    addFlag(
-        *parser, "--children", options->children,
-        "instead of hits how many children of a texel the rays enter at each level of a max pyramid: a table with a "
-        "histogram, or CSV into a file .csv; without rays, those of the whole view",
+    addOutput(*parser, options->output, "file of the hits; default -: standard output");
+    addText(
+        *parser, "--steps", options->steps, "FILE.csv|json",
+        "file of all steps of all rays: number of the ray from 0, number of the step from 1, texel, heights, decision",
         "Output");
+    addFlag(*parser, "--coefficients", options->coefficients,
+            "instead of hits, write the numbers of the mapping at each pixel: the nine coefficients A to I (texels), "
+            "q, the derivatives, M, N, O, P, the ellipse; needs --pixel",
+            "Output");
+    addFlag(*parser, "--children", options->children,
+            "instead of hits, write the number of children of a texel that the rays enter at each level of a max "
+            "pyramid: a table with a histogram, or CSV if the file is a .csv; without rays, for all pixels of the view",
+            "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runTrace(*options, session); }});
 }

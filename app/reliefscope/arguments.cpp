@@ -151,44 +151,48 @@ std::string helpText(const std::string& views) {
 
 Usage: reliefscope [SCENARIO.json | PICTURE] [options]
 
-  SCENARIO.json         what is looked at and how, as saved by the window
+  SCENARIO.json         pictures, view and settings, as saved by the window
   PICTURE               a height map: PNG, JPEG, TIFF, EXR, HDR, ...
-                        (none: what the last window showed; the first time the stone wall that comes with
-                        the program)
+                        (without either, the last session is opened; the first time, the stone wall that
+                        comes with the program)
 
-  --anew                as the first time
+Options, with defaults in parentheses
+  --anew                start as the first time, not with the last session
   --size WxH|N          size of the window, pixels; N: N x N
-  --screenshot FILE     open the window, save it as a PNG, and end
-  --export VIEW -o FILE one figure into an SVG, PDF or PNG file, without a window; needs no display
+  --screenshot FILE     open the window, save it as a PNG, and exit
+  --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
-  --pixel X,Y           the pixel whose ray is shown (the scenario's), at its last step
-  --pixels WxH|N        the size of the picture that is rendered; a PNG is as wide
-  --tracers A,B,...     the method, and those that it is compared with, as relief bench tracers takes them
-  --filters A,B,...     the same of filters (bilinear,trilinear,elliptical:radius=0.6,supersample:samples=16)
-  --mappings A,B,...    the same of coordinates along rows (direct,affine,incremental:anchor=0)
-  --layer NAME          of result, with its legend: color, steps, error, outcome, depth, normal, uv, footprint, hidden
-  --map KIND            of distance: euclidean, euclidean-conservative, refined-sampled, refined, cone, cone-dummer,
-                        relaxed-cone (the method's)
-  --minus KIND          the difference: this map is taken away
-  --axis x|y|z          slices at constant x, y or height (along the ray)
-  --slice N             which one, from 0 (the one at the scenario's step)
-  --variants LIST       of rows: up to four, as relief bench rows takes them
+  --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)
+  --pixels WxH|N        size of the rendered picture; a PNG figure is as wide
+  --tracers A,B,...     the method, and methods to compare it with, spelled as for relief bench tracers
+  --filters A,B,...     the filter, and filters to compare it with, such as
+                        bilinear,trilinear,elliptical:radius=0.6,supersample:samples=16
+  --mappings A,B,...    the method for coordinates along rows, and others to compare it with, such as
+                        direct,affine,incremental:anchor=0
+  --layer NAME          result: layer to show with its legend: color, steps, error, outcome, depth, normal, uv,
+                        footprint, hidden
+  --map KIND            distance: map to show: euclidean, euclidean-conservative, refined-sampled, refined, cone,
+                        cone-dummer, relaxed-cone (that of the method)
+  --minus KIND          distance: map to subtract, which shows where the two differ
+  --axis x|y|z          distance: slice at constant x, y or height (along the ray)
+  --slice N             distance: number of the slice, from 0 (the one at the scenario's step)
+  --variants LIST       rows: up to four methods, spelled as for relief bench rows
                         (affine,direct,incremental:anchor=0,streams:streams=4)
-  --row-width N         of rows: as if the picture were so many pixels wide
-  --relief NAME         of pareto, whose file is a table of relief bench tracers (JSON): this relief only
-  --elevation DEG       of pareto: this elevation only
-  --error MEASURE       of pareto and charts: mean, p95, p9999 or max (mean)
-  --width MM            of the figure (160)
-  --dpi N               pixels an inch of a PNG, and of the pictures in an SVG or PDF, up to )" +
+  --row-width N         rows: width of the row, pixels (that of the picture)
+  --relief NAME         pareto, whose file is a JSON table of relief bench tracers: show only this relief
+  --elevation DEG       pareto: show only this elevation
+  --error MEASURE       pareto, charts: mean, p95, p9999 or max (mean)
+  --width MM            width of the figure (160)
+  --dpi N               pixels per inch of a PNG, and of the pictures in an SVG or PDF, up to )" +
            std::to_string(reliefui::kMostRenderedPixels) + R"( in all (300)
-  --no-caption          without the line that names height map, method, filter, pixel and step
-  --dark                light on dark, as in the window
-  --check-display       only say whether a window can be opened: exit status 0, or 2
-  --log                 when the window is closed, say on stderr what held its thread longest
+  --no-caption          omit the line that names height map, method, filter, pixel and step
+  --dark                draw light on dark, as in the window
+  --check-display       only check whether a window can be opened: exit status 0, or 2 if not
+  --log                 when the window is closed, print the work that blocked it longest to stderr
   --version, --help
 
-Exit status: 0 done, 1 the work failed, 2 bad usage or input, or no display.
+Exit status: 0 done, 1 the work failed, 2 wrong usage or input, or no display.
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg

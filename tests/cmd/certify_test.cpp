@@ -22,8 +22,8 @@ TEST_P(CertifyTest, SafeMapsAreProven) {
     for (const char* tracer : {"distance-conservative", "distance-refined", "cone"}) {
         const std::string said =
             runFine({"certify", "--height", height, "--tracer", tracer, "--rays", "20000", "--seed", "7"});
-        expectPart(said, "none breaks it");
-        expectPart(said, "rays: 20000 against exact, seed 7");
+        expectPart(said, "violated bounds: none");
+        expectPart(said, "rays: 20000 compared with exact, seed 7");
         expectPart(said, "safe: proven by the values");
     }
 }
@@ -36,7 +36,7 @@ TEST_P(CertifyTest, WhatIsNeitherProvenNorRefutedIsUndecided) {
         EXPECT_EQ(result.status, 3) << result.err;
         EXPECT_EQ(result.err, "");
         expectPart(result.out, "none checked");
-        expectPart(result.out, "not decided: no ray speaks against it, which is evidence, no proof");
+        expectPart(result.out, "not decided: no ray contradicts safety, but rays are evidence, not a proof");
     }
     expectRefusal({"certify", height, "--tracer", "cone-dummer", "-o", path("no/w.json")}, 3, {path("no/w.json")});
     RunSetup full;
@@ -104,7 +104,7 @@ TEST_P(CertifyTest, DamagedMapsAreFound) {
         }
         const Result result = run({"certify", "--height", height, "--map", map, "--rays", "2000"});
         EXPECT_EQ(result.status, 1) << result.err;
-        expectPart(result.out, ": 1 break it");
+        expectPart(result.out, "violated bounds: 1");
         expectPart(result.out, "NOT SAFE\n  first value: ");
     }
 }

@@ -40,7 +40,7 @@ TEST_P(HelpTest, WrongCommandsAndOptions) {
     expectRefusal({"redner"}, 2, {"\"redner\"; did you mean \"render\"? Known: "});
     expectRefusal({"render", "--hieght", "x.png"}, 2, {"--hieght", "did you mean --height?", "relief render --help"});
     expectRefusal({"render", "--hieght=x.png"}, 2, {"did you mean --height?"});
-    expectRefusal({"render", "--abracadabra"}, 2, {"--abracadabra: is not understood here; relief render --help"});
+    expectRefusal({"render", "--abracadabra"}, 2, {"--abracadabra: unknown argument; see relief render --help"});
     expectRefusal({"render", "--quiet", "--verbose"}, 2, {"--verbose", "--quiet"});
     expectRefusal({"render", "--height"}, 2, {"--height", "needs a value"});
     expectRefusal({"render", "--height", "a.png", "--height", "b.png", "-o", path("x.png")}, 2,

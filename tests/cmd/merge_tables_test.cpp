@@ -151,12 +151,12 @@ TEST_F(MergeTablesTest, ColumnsThatAreAddedAreRefused) {
     for (const std::string header : {"a,b,c", "a", "b,a", "a,b "}) {
         const TextPart other = partOf(2, 2, "[[1,1]]", header + "\n1,2\n");
         EXPECT_EQ(refusal({one, other}),
-                  "2of2.csv: belongs to another run than 1of2.csv: line 2 is " + header + " here, a,b there");
+                  "2of2.csv: belongs to a different run from 1of2.csv: line 2 is " + header + " here but a,b there");
     }
     const std::string damaged = "2of2.csv: is damaged or cut short: line ";
-    EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,1]]", "a,b\n1,2,3\n")}), damaged + "3 is wrong");
-    EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,2]]", "a,b\n1,2\n1\n")}), damaged + "4 is wrong");
-    EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,1]]", "a,b\n1,\"2\n")}), damaged + "3 is wrong") << "a quote left open";
+    EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,1]]", "a,b\n1,2,3\n")}), damaged + "3 is invalid");
+    EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,2]]", "a,b\n1,2\n1\n")}), damaged + "4 is invalid");
+    EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,1]]", "a,b\n1,\"2\n")}), damaged + "3 is invalid") << "a quote left open";
 }
 
 TEST_F(MergeTablesTest, WhatIsCutShortIsRefused) {
@@ -165,17 +165,17 @@ TEST_F(MergeTablesTest, WhatIsCutShortIsRefused) {
     const auto with = [&](const std::string& rows, const std::string& table) {
         return refusal({one, partOf(2, 2, rows, table)});
     };
-    EXPECT_EQ(with("[[1,1]]", ""), damaged + "line 2 is wrong");
-    EXPECT_EQ(with("[[1,1]]", "\n"), damaged + "line 2 is wrong");
-    EXPECT_EQ(with("[[1,1]]", "a,b"), damaged + "line 2 is wrong");
-    EXPECT_EQ(with("[[1,1]]", "a,b\n1,2"), damaged + "line 3 is wrong");
-    EXPECT_EQ(with("[[1,2]]", "a,b\n1,2\n3"), damaged + "line 4 is wrong");
+    EXPECT_EQ(with("[[1,1]]", ""), damaged + "line 2 is invalid");
+    EXPECT_EQ(with("[[1,1]]", "\n"), damaged + "line 2 is invalid");
+    EXPECT_EQ(with("[[1,1]]", "a,b"), damaged + "line 2 is invalid");
+    EXPECT_EQ(with("[[1,1]]", "a,b\n1,2"), damaged + "line 3 is invalid");
+    EXPECT_EQ(with("[[1,2]]", "a,b\n1,2\n3"), damaged + "line 4 is invalid");
     EXPECT_EQ(with("[[1,2]]", "a,b\n1,2\n"), damaged + "the first line announces 2 rows, the file has 1");
     EXPECT_EQ(with("[[1,1]]", "a,b\n1,2\n3,4\n"), damaged + "the first line announces 1 rows, the file has 2");
     EXPECT_EQ(with("[[1,1],[3,1]]", "a,b\n1,2\n"), damaged + "the first line announces 2 rows, the file has 1");
     for (const std::string rows :
          {"7", "null", "{}", "[1]", "[[1]]", "[[1,1,1]]", "[[1,-1]]", "[[-1,1]]", "[[1.5,1]]", "[[1,\"1\"]]"}) {
-        EXPECT_EQ(with(rows, "a,b\n1,2\n"), damaged + "line 1 is wrong") << rows;
+        EXPECT_EQ(with(rows, "a,b\n1,2\n"), damaged + "line 1 is invalid") << rows;
     }
     // The sum of the row counts overflows.
     EXPECT_EQ(with("[[1,1],[3,18446744073709551615]]", "a,b\n1,2\n").substr(0, damaged.size()), damaged);
@@ -183,7 +183,7 @@ TEST_F(MergeTablesTest, WhatIsCutShortIsRefused) {
 
 TEST_F(MergeTablesTest, EveryCellIsThereOnce) {
     const TextPart one = partOf(1, 2, "[[0,1],[2,1]]", "a\n1\n3\n");
-    const auto wrong = [](const std::string& path) { return path + ": is damaged or cut short: line 1 is wrong"; };
+    const auto wrong = [](const std::string& path) { return path + ": is damaged or cut short: line 1 is invalid"; };
     EXPECT_EQ(refusal({one, partOf(2, 2, "[]", "a\n")}), wrong("2of2.csv")) << "cell 1 is missing";
     EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,1],[1,1]]", "a\n2\n2\n")}), wrong("2of2.csv")) << "twice";
     EXPECT_EQ(refusal({one, partOf(2, 2, "[[1,1],[2,1]]", "a\n2\n3\n")}), wrong("2of2.csv")) << "another part's";
@@ -215,7 +215,7 @@ TEST(MergeParts, AllPartsOfOneRunOnceEach) {
     again.path = "again.csv";
     EXPECT_EQ(wholeRunFault({fileOf(1, 3), fileOf(2, 3), again}), "again.csv: is part 2 of 3, and so is 2of3.csv");
     EXPECT_EQ(wholeRunFault({fileOf(1, 2), fileOf(2, 3)}),
-              "2of3.csv: belongs to another run than 1of2.csv: --part is 2/3 here, 1/2 there");
+              "2of3.csv: belongs to a different run from 1of2.csv: --part is 2/3 here but 1/2 there");
     // The message lists twenty.
     std::string twenty;
     for (int n = 2; n <= 21; ++n) twenty += std::to_string(n) + ", ";
@@ -226,10 +226,10 @@ TEST(MergeParts, AllPartsOfOneRunOnceEach) {
 
 TEST(MergeParts, PartsOfOtherRunsAreNamedByWhatDiffers) {
     const auto fault = [](const Json& run) { return wholeRunFault({fileOf(1, 2), fileOf(2, 2, run)}); };
-    const std::string other = "2of2.csv: belongs to another run than 1of2.csv: ";
+    const std::string other = "2of2.csv: belongs to a different run from 1of2.csv: ";
     EXPECT_EQ(fault(runOf()), "");
     EXPECT_EQ(fault(runOf("rows")),
-              "2of2.csv: is a part of another kind than 1of2.csv: only parts of one run can be merged");
+              "2of2.csv: is a part of a different kind from 1of2.csv; only parts of one run can be merged");
     EXPECT_EQ(fault(runOf("tracers", "ba9876543210")),
               other + "commit is \"ba9876543210\" here, \"0123456789ab\" there");
     const auto with = [&](const Json& options) { return fault(runOf("tracers", "0123456789ab", options)); };

@@ -91,7 +91,7 @@ TEST_P(SpellingTest, OptionsStandBesideAName) {
     refuse("--tracer", "layers:layer=7", {"--tracer", "\"layer\"; did you mean \"layers\"?"});
     refuse("--tracer", "layers:layers=x", {"--tracer: \"layers=x\" is not a number"});
     refuse("--tracer", "layers:7", {"--tracer", "NAME:OPTION=VALUE"});
-    refuse("--tracer", "exact:layers=7", {"--tracer: there is no option of exact \"layers\", nor any other"});
+    refuse("--tracer", "exact:layers=7", {"--tracer: there is no option of exact \"layers\"; none exist"});
     refuse("--filter", "elliptcal", {"--filter", "did you mean \"elliptical\"?"});
     refuse("--filter", "elliptical:sigma=9", {"--filter: sigma is 9"});
     refuse("--filter", "supersample:samples=65", {"--filter: samples is 65"});
@@ -179,7 +179,7 @@ TEST_P(SpellingTest, ScenarioFaultsNameFileAndLine) {
     expectRefusal({"render", write("s.json", empty.dump()), "-o", path("x.png")}, 2,
                   {path("s.json") + ": there is no height map"});
     expectRefusal({"render", write("n.json", "[1]"), "-o", path("x.png")}, 2,
-                  {"n.json: line 1: a JSON object is needed"});
+                  {"n.json: line 1: a JSON object is expected"});
     expectRefusal({"render", write("n.json", "{\"a\": 1}"), "-o", path("x.png")}, 2,
                   {"n.json: is not a scenario: \"reliefscope\" is missing"});
     // A file whose content begins like a scenario is one, whatever its name.
@@ -209,8 +209,7 @@ TEST_P(SpellingTest, ComparisonsForPrograms) {
     runFine({"render", a, "--size", "8", "--layers", "color,depth", "-o", path("l.exr")});
     const Result layers = run({"compare", path("l.exr"), path("l.exr")});
     EXPECT_EQ(layers.status, 0);
-    EXPECT_NE(layers.err.find("l.exr: R, G and B are compared; the file holds more channels: depth.Z"),
-              std::string::npos)
+    EXPECT_NE(layers.err.find("l.exr: only R, G and B are compared; channels left out: depth.Z"), std::string::npos)
         << layers.err;
 }
 

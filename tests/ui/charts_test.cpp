@@ -85,7 +85,7 @@ TEST(ChartsDrawing, LongTitlesStandInTwoLines) {
     const HistogramPicture narrow = stepsHistogram(data, 0, {0, 0, 200, 200});
     const std::vector<Label> two = titles(narrow);
     ASSERT_EQ(two.size(), 2U);
-    EXPECT_EQ(labelText(two[0], relief::Language::English), "steps a ray");
+    EXPECT_EQ(labelText(two[0], relief::Language::English), "steps per ray");
     EXPECT_EQ(labelText(two[1], relief::Language::English).find("mean"), 0U);
     for (const Label& label : two) EXPECT_GT(label.size, 0.55);
     EXPECT_GT(narrow.plot.y0, wide.plot.y0 + 5) << "room for the second line";

@@ -78,7 +78,7 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
         }
     }
     EXPECT_NE(text.find("3.000"), std::string::npos) << text;
-    EXPECT_NE(text.find("4.000 texels; V2, the ray 4.000,4.500,0.000,0.000, decides it"), std::string::npos) << text;
+    EXPECT_NE(text.find("4.000 texels; decided by V2, the ray 4.000,4.500,0.000,0.000"), std::string::npos) << text;
 }
 
 TEST_F(DistanceTest, CtrlClickChoosesAPointAndASecondOneRemovesIt) {

@@ -35,8 +35,8 @@ std::vector<Lesson> lessons() {
                          "again. The keys “,” and “.” go from step to step."),
                "profile"),
         lesson("missed_spike", Texts::tr("Missed spike: layers against the maximum pyramid"),
-               Texts::tr("With sixteen layers the surface is read at sixteen points of the ray only: a spike between "
-                         "two of them goes unnoticed. The maximum pyramid misses no hit."),
+               Texts::tr("With sixteen layers the surface is sampled at only sixteen points of the ray, so a spike "
+                         "between two of them goes unnoticed. The maximum pyramid misses no hit."),
                kDuel, Departure::MissedSpike),
         lesson("not_refined", Texts::tr("Not refined: the last layer is the answer"),
                Texts::tr("The hit lies between two layers. The method of layers answers with the second of them; "
@@ -50,34 +50,36 @@ std::vector<Lesson> lessons() {
                Texts::tr("The offset is computed from one height; where the relief changes, the ray is still above the "
                          "surface at the point that is found."),
                kDuel, Departure::StoppedEarly),
-        lesson("unsafe_map", Texts::tr("Unsafe map: relaxed cones"),
-               Texts::tr("In a relaxed cone the ray may enter the relief once, so steps are longer; at a narrow ledge "
-                         "it has already come out behind it, and the hit is lost. A plain cone is always empty."),
-               kDuel, Departure::UnsafeMap),
+        lesson(
+            "unsafe_map", Texts::tr("Unsafe map: relaxed cones"),
+            Texts::tr("In a relaxed cone the ray may enter the relief once, so steps are longer. Behind a narrow ledge "
+                      "it has already left the relief again, and the hit is lost. A plain cone is always empty."),
+            kDuel, Departure::UnsafeMap),
         lesson("unsafe_distance", Texts::tr("Unsafe map: interpolated distances"),
                Texts::tr("Distances are stored for the centres of voxels and interpolated between them; near a wall "
                          "the interpolated distance is larger than the true one. The conservative map holds for the "
                          "whole volume of a voxel."),
                kDuel, Departure::UnsafeMap),
         lesson("grazing_rays", Texts::tr("Grazing rays: more steps, and layers become visible ([DIST17])"),
-               Texts::tr("At six degrees to the ground neighbouring layers meet the ray many texels apart. Compare the "
-                         "methods, and look at the number of steps (choose “Steps” in the result)."),
+               Texts::tr("At six degrees to the ground the ray meets neighbouring layers many texels apart. Compare "
+                         "the methods and their numbers of steps (choose “Steps” in the result)."),
                "compare", Departure::MissedSpike),
         lesson("hidden_texels", Texts::tr("Footprint: texels that the relief hides"),
-               Texts::tr(
-                   "The ellipse, the projection of the pixel on the slanted relief, covers texels that cannot be seen "
-                   "as well; the filter elliptical-visible finds them by tracing back and leaves them out ([TEX])."),
+               Texts::tr("The ellipse, which is the projection of the pixel on the slanted relief, also covers texels "
+                         "that cannot be seen; the filter elliptical-visible finds them by back-tracing and leaves "
+                         "them out ([TEX])."),
                "footprint"),
-        lesson(
-            "paper_march", Texts::tr("Distance map: each step is as long as the stored distance"),
-            Texts::tr("The slice shows how far each voxel is from the surface. At every stop the ray goes on by that "
-                      "distance: five steps to the floor, and with the refined map of the next lesson four. The last "
-                      "circle reaches below the floor: between the centres of voxels distances are interpolated."),
-            "distance"),
+        lesson("paper_march", Texts::tr("Distance map: each step is as long as the stored distance"),
+               Texts::tr("The slice shows the distance of each voxel from the surface. At every step the ray advances "
+                         "by that distance: it takes five steps to the floor, and four with the refined map of the "
+                         "next lesson. The last circle reaches below the floor, because distances are interpolated "
+                         "between the centres of voxels."),
+               "distance"),
         lesson("paper_walls", Texts::tr("Refined distance: 3 texels or 4"),
-               Texts::tr("Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 "
-                         "texels of C hit the right wall before they reach C; the nearest hit of all others is on the "
-                         "floor, 4 texels below: the refined distance. Ctrl+click asks about another point."),
+               Texts::tr(
+                   "Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels "
+                   "of C hit the right wall before they reach C. The nearest hit of all other rays is on the floor, 4 "
+                   "texels below; this is the refined distance. Ctrl+click shows the distances at another point."),
                "distance"),
     };
 }

@@ -66,7 +66,7 @@ QString withUnit(const RangedValues& values, double value) {
 QString rangeText(const RangedValues& values) {
     const ColorRange& range = values.range;
     QString text;
-    if (range.ends == RangeEnds::Own) text = RangeText::tr("own range");
+    if (range.ends == RangeEnds::Own) text = RangeText::tr("custom range");
     if (range.ends == RangeEnds::Percentile) {
         const bool low = range.low > 0 && !values.scale.twoSided;
         text = low ? RangeText::tr("percentiles %1 to %2").arg(number(range.low)).arg(range.high, 0, 'g', 5)

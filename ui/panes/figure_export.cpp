@@ -35,7 +35,7 @@ bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFil
     width->setDecimals(0);
     width->setRange(kLeastFigureMm, kMostFigureMm);
     width->setValue(settings.value(settingOf("mm"), file.widthMm).toDouble());
-    width->setToolTip(FigureView::tr("On paper; letters and lines are as large on any width"));
+    width->setToolTip(FigureView::tr("Width on paper; letters and lines have the same size at any width"));
     form->addRow(FigureView::tr("Width, mm:"), width);
     auto* const pixels = new QSpinBox(&dialog);
     pixels->setObjectName(QStringLiteral("figure-pixels"));
@@ -94,7 +94,7 @@ std::function<void()> saveFigureFile(const Figure& figure, FigurePage page, cons
         return saved;
     } catch (const relief::Cancelled&) {
         return [workspace, path = file.path] {
-            Q_EMIT workspace->notice(FigureView::tr("Cancelled: %1 is not written.").arg(path));
+            Q_EMIT workspace->notice(FigureView::tr("Cancelled: %1 was not written.").arg(path));
         };
     } catch (const relief::InputError& error) {
         problem = QString::fromStdString(error.text(page.style.language));

@@ -99,14 +99,14 @@ void FigureView::addPointToMenu(QMenu& menu, const QPoint& at) {
     const std::optional<QueryPoint> point = pointAt(at);
     QAction* const ask = menu.addAction(tr("Distances at this point"), this, [this, point] { setPoint(point); });
     ask->setEnabled(point.has_value());
-    QAction* const forget = menu.addAction(tr("Forget the point"), this, [this] { setPoint(std::nullopt); });
+    QAction* const forget = menu.addAction(tr("Remove the point"), this, [this] { setPoint(std::nullopt); });
     forget->setEnabled(stateOf<PointState>(workspace_->scenario()).point.has_value());
     menu.addSeparator();
 }
 
 void FigureView::setPoint(const std::optional<QueryPoint>& point) {
     workspace_->change(withState(workspace_->scenario(), PointState{point}), changeName([hasPoint = point.has_value()] {
-                           return hasPoint ? tr("Distances at a point") : tr("Forget the point");
+                           return hasPoint ? tr("Distances at a point") : tr("Remove the point");
                        }));
 }
 

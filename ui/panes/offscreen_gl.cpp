@@ -23,8 +23,8 @@ struct Texts {
 };
 
 [[noreturn]] void fail() {
-    throw relief::WorkError("trace",
-                            plainText(Texts::tr("no OpenGL on this machine draws without a window").toStdString()));
+    throw relief::WorkError(
+        "trace", plainText(Texts::tr("this machine has no OpenGL that draws without a window").toStdString()));
 }
 
 }  // namespace

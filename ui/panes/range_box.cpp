@@ -53,12 +53,12 @@ void RangeBox::makeControls() {
         box->addItems(names);
         return box;
     };
-    scale_ = chooser("range-scale", tr("How values become colours"), {tr("linear"), tr("logarithmic")});
-    ends_ = chooser("range-ends", tr("Where the colours begin and end"),
-                    {tr("all values"), tr("percentiles"), tr("own ends")});
-    low_ = addNumber("range-low", tr("Where the colours begin"), &ColorRange::low);
-    high_ = addNumber("range-high", tr("Where the colours end"), &ColorRange::high);
-    thresholdOn_ = new QCheckBox(tr("only what is more than"), this);
+    scale_ = chooser("range-scale", tr("Mapping of values to colours"), {tr("linear"), tr("logarithmic")});
+    ends_ =
+        chooser("range-ends", tr("Ends of the colour range"), {tr("all values"), tr("percentiles"), tr("custom ends")});
+    low_ = addNumber("range-low", tr("Lower end of the colour range"), &ColorRange::low);
+    high_ = addNumber("range-high", tr("Upper end of the colour range"), &ColorRange::high);
+    thresholdOn_ = new QCheckBox(tr("only values above"), this);
     thresholdOn_->setObjectName(QStringLiteral("range-threshold-on"));
     thresholdOn_->setToolTip(tr("Values up to it share one colour; the legend counts those above it"));
     threshold_ = new QDoubleSpinBox(this);
@@ -67,7 +67,7 @@ void RangeBox::makeControls() {
     threshold_->setKeyboardTracking(false);
     auto* const standard = new QPushButton(tr("Standard"), this);
     standard->setObjectName(QStringLiteral("range-standard"));
-    standard->setToolTip(tr("The range with which this picture begins"));
+    standard->setToolTip(tr("Reset to the default range of this picture"));
     lowName_ = new QLabel(tr("from"), this);
 
     auto* const grid = new QGridLayout(this);

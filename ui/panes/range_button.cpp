@@ -34,8 +34,8 @@ QIcon barIcon() {
 RangeButton::RangeButton(Workspace* workspace, Shown shown, QWidget* parent)
     : QToolButton(parent), workspace_(workspace), shown_(std::move(shown)) {
     const QString help =
-        tr("Range of the colours: linear, logarithmic, percentiles, own ends, a threshold; a click on "
-           "the bar of colours opens it as well");
+        tr("Range of the colours: linear, logarithmic, percentiles, custom ends, a threshold; a click on the colour "
+           "bar also opens it");
     setObjectName(QStringLiteral("color-range"));
     setIcon(barIcon());
     setToolTip(help);

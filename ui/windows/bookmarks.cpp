@@ -80,7 +80,7 @@ BookmarkDialog::BookmarkDialog(Workspace* workspace, QWidget* parent)
     : QDialog(parent), workspace_(workspace), list_(new QListWidget(this)) {
     setWindowTitle(tr("Bookmarks"));
     list_->setAccessibleName(tr("Bookmarks"));
-    list_->setToolTip(tr("Enter goes there, F2 gives another name"));
+    list_->setToolTip(tr("Enter goes to the bookmark, F2 renames it"));
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
     auto* const column = new QVBoxLayout(this);
     column->addWidget(list_);

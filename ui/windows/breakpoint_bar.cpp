@@ -30,7 +30,7 @@ BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
     row_->addWidget(new QLabel(tr("stop when"), this));
     kind_->setObjectName(QStringLiteral("breakpoint-kind"));
     kind_->setAccessibleName(tr("Where stepping stops"));
-    kind_->setToolTip(tr("Playing and running stop at the step at which this begins to hold"));
+    kind_->setToolTip(tr("Playing and running stop at the first step that meets this condition"));
     kind_->addItems({tr("level below"), tr("texel"), tr("ray below"), tr("overshoot"), tr("disagreement with exact")});
     row_->addWidget(kind_);
     level_ =
@@ -139,7 +139,7 @@ void BreakpointBar::remove(std::size_t number) {
 void BreakpointBar::setOn(std::size_t number, bool on) {
     std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
     all[number].on = on;
-    workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Set breakpoint on or off"); }));
+    workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Turn breakpoint on or off"); }));
 }
 
 void BreakpointBar::refresh() {
@@ -170,7 +170,7 @@ void BreakpointBar::addChip(std::size_t number, const relief::Breakpoint& breakp
     // The filled or empty dot shows the state, so that colour is not the only cue.
     chip->setText((breakpoint.on ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
     chip->setAccessibleName(text);
-    chip->setToolTip(breakpoint.on ? tr("Stops here; press to set it off") : tr("Is off; press to set it on"));
+    chip->setToolTip(breakpoint.on ? tr("Stops here; press to turn it off") : tr("Is off; press to turn it on"));
     connect(chip, &QToolButton::toggled, this, [this, number](bool on) { setOn(number, on); });
     chips_->layout()->addWidget(chip);
     auto* const cross = new QToolButton(chips_);

@@ -42,7 +42,7 @@ QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     auto* const box = new QComboBox(parent);
     box->setObjectName(QStringLiteral("layer"));
     box->setAccessibleName(MainWindow::tr("Layer of the result"));
-    box->setToolTip(MainWindow::tr("What the result shows of each pixel"));
+    box->setToolTip(MainWindow::tr("Property of the pixels that the result shows"));
     for (int i = 0; i < kLayers; ++i) box->addItem(layerTitle(static_cast<Layer>(i)));
     QObject::connect(box, qOverload<int>(&QComboBox::currentIndexChanged), workspace,
                      [workspace](int i) { workspace->setLayer(static_cast<Layer>(i)); });

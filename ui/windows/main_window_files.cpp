@@ -61,7 +61,7 @@ QString whyNoFigure(const relief::InputError& error) {
                     "Nothing to export: the ray of the chosen pixel meets no relief. Click another pixel.");
             case MessageId::ExportNoMethods:
             case MessageId::ExportNoOthers:
-                return MainWindow::tr("Nothing to export: one picture alone. Press + in the compare pane.");
+                return MainWindow::tr("Nothing to export: there is only one picture. Press + in the compare pane.");
             default:
                 return QString::fromStdString(relief::sentence(error.message(), uiLanguage()));
         }
@@ -234,9 +234,9 @@ void MainWindow::showManual() {
     const QString page = manualPage(QApplication::applicationDirPath());
     if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
     report(page.isEmpty()
-               ? tr("The manual is not here: %1 makes it, in %2.")
+               ? tr("The manual has not been built; %1 builds it in %2.")
                      .arg(QStringLiteral("cmake --build build --target manual"), QStringLiteral("build/manual/html"))
-               : tr("No browser could be started; the manual is %1").arg(page),
+               : tr("The browser could not be started; the manual is %1").arg(page),
            false);
 }
 

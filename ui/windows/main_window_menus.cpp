@@ -78,7 +78,7 @@ void MainWindow::makeFileMenu() {
     connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     menu->addSeparator();
     auto* const save = addAction(menu, tr("&Save scenario…"), QKeySequence::Save,
-                                 tr("Save what is looked at and how, to open it again"));
+                                 tr("Save pictures, view and settings, to open them again"));
     connect(save, &QAction::triggered, this, &MainWindow::askSaveScenario);
     auto* const other = addAction(menu, tr("Open another &tracer's steps…"), QKeySequence(QStringLiteral("Ctrl+T")),
                                   tr("Open a file of rays and a file of the steps that another tracer took on them"));
@@ -87,7 +87,7 @@ void MainWindow::makeFileMenu() {
                                     tr("Save the picture of the result"));
     connect(picture, &QAction::triggered, this, [this] { askSavePicture(); });
     auto* const figure = addAction(menu, tr("&Export the pane…"), QKeySequence(QStringLiteral("Ctrl+E")),
-                                   tr("Export the pane with the keyboard as SVG, PDF or PNG"));
+                                   tr("Export the pane that has the keyboard focus as SVG, PDF or PNG"));
     connect(figure, &QAction::triggered, this, &MainWindow::exportFocused);
     menu->addSeparator();
     auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
@@ -97,7 +97,8 @@ void MainWindow::makeFileMenu() {
 void MainWindow::makeEditMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Edit"));
     undo_ = addAction(menu, tr("&Undo"), QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo the last change"));
-    redo_ = addAction(menu, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo what was undone"));
+    redo_ =
+        addAction(menu, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo the last undone change"));
     undo_->setIconText(QStringLiteral("↶"));
     redo_->setIconText(QStringLiteral("↷"));
     connect(undo_, &QAction::triggered, workspace_, &Workspace::undo);
@@ -112,7 +113,7 @@ void MainWindow::makeEditMenu() {
         if (const auto snapshot = workspace_->snapshot()) QApplication::clipboard()->setImage(snapshot->layer.image);
     });
     menu->addSeparator();
-    auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel what is running"));
+    auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel the running work"));
     connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
     for (FigureView* const view : findChildren<FigureView*>()) {
         connect(cancel, &QAction::triggered, view, &FigureView::cancel);
@@ -131,20 +132,21 @@ void MainWindow::makeViewMenu() {
         if (pane.dock != nullptr) shown->addAction(pane.dock->toggleViewAction());
     }
     teach_ = addAction(menu, tr("T&each"), QKeySequence(Qt::Key_T),
-                       tr("One pane large, the picture in a corner, the step in words"));
+                       tr("Show one pane large, the picture in a corner and the step in words"));
     teach_->setCheckable(true);
     connect(teach_, &QAction::toggled, this, &MainWindow::setTeaching);
-    auto* const reset = addAction(menu, tr("Reset &layout"), {}, tr("Put the panes where they were at first"));
+    auto* const reset = addAction(menu, tr("Reset &layout"), {}, tr("Restore the original layout of the panes"));
     connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
     QMenu* const own = menu->addMenu(tr("Layo&uts of your own"));
-    auto* const save = addAction(own, tr("&Save this layout…"), {}, tr("Keep where the panes are, under a name"));
+    auto* const save = addAction(own, tr("&Save this layout…"), {}, tr("Save the layout of the panes under a name"));
     auto* const layouts = new LayoutMenu(this, own);
     connect(save, &QAction::triggered, layouts, &LayoutMenu::askName);
     menu->addSeparator();
     auto* const first = addAction(menu, tr("&First view"), QKeySequence(Qt::Key_H),
                                   tr("The camera as it was when the scene was opened"));
     connect(first, &QAction::triggered, home_, &HomeView::go);
-    auto* const whole = addAction(menu, tr("Show the &whole picture"), {}, tr("No zoom in the result (R there)"));
+    auto* const whole =
+        addAction(menu, tr("Show the &whole picture"), {}, tr("Reset the zoom of the result (R in the result)"));
     connect(whole, &QAction::triggered, result_, &ResultView::resetZoom);
     menu->addSeparator();
     makeLanguageMenu(menu->addMenu(tr("La&nguage")));
@@ -172,7 +174,7 @@ void MainWindow::makeLanguageMenu(QMenu* menu) {
             action, &QAction::triggered, this, [this, language] { Q_EMIT languageChosen(language); },
             Qt::QueuedConnection);
     };
-    add(tr("As the system"), {});
+    add(tr("As in the system"), {});
     add(QStringLiteral("English"), QStringLiteral("en"));
     add(QStringLiteral("Українська"), QStringLiteral("uk"));
 }
@@ -182,30 +184,31 @@ void MainWindow::makeRayMenu() {
     const auto add = [&](const QString& text, const QKeySequence& keys, const QString& help, void (StepBar::*slot)()) {
         connect(addAction(menu, text, keys, help), &QAction::triggered, time_->bar(), slot);
     };
-    add(tr("&First step"), QKeySequence(Qt::Key_Home), tr("To the first step of the ray"), &StepBar::first);
-    add(tr("&Previous step"), QKeySequence(Qt::Key_Comma), tr("One step back"), &StepBar::previous);
-    add(tr("&Next step"), QKeySequence(Qt::Key_Period), tr("One step on"), &StepBar::next);
-    add(tr("&Last step"), QKeySequence(Qt::Key_End), tr("To the last step of the ray"), &StepBar::last);
+    add(tr("&First step"), QKeySequence(Qt::Key_Home), tr("Go to the first step of the ray"), &StepBar::first);
+    add(tr("&Previous step"), QKeySequence(Qt::Key_Comma), tr("Go one step back"), &StepBar::previous);
+    add(tr("&Next step"), QKeySequence(Qt::Key_Period), tr("Go one step forward"), &StepBar::next);
+    add(tr("&Last step"), QKeySequence(Qt::Key_End), tr("Go to the last step of the ray"), &StepBar::last);
     add(tr("Pla&y"), QKeySequence(Qt::Key_Space), tr("Play the steps until a breakpoint"), &StepBar::togglePlay);
-    add(tr("Play fas&ter"), QKeySequence(Qt::Key_BracketRight), tr("More steps a second"), &StepBar::faster);
-    add(tr("Play slo&wer"), QKeySequence(Qt::Key_BracketLeft), tr("Fewer steps a second"), &StepBar::slower);
-    add(tr("Step &over a level"), QKeySequence(Qt::Key_F10), tr("Over what lies on finer levels"), &StepBar::over);
+    add(tr("Play fas&ter"), QKeySequence(Qt::Key_BracketRight), tr("More steps per second"), &StepBar::faster);
+    add(tr("Play slo&wer"), QKeySequence(Qt::Key_BracketLeft), tr("Fewer steps per second"), &StepBar::slower);
+    add(tr("Step &over a level"), QKeySequence(Qt::Key_F10), tr("Go forward, skipping steps on finer levels"),
+        &StepBar::over);
     add(tr("Step &back over a level"), QKeySequence(QStringLiteral("Shift+F10")),
-        tr("Back over what lies on finer levels"), &StepBar::overBack);
+        tr("Go back, skipping steps on finer levels"), &StepBar::overBack);
     menu->addSeparator();
     add(tr("&Run to the next breakpoint"), QKeySequence(Qt::Key_F5),
-        tr("On to the step at which a condition begins to hold"), &StepBar::run);
-    add(tr("Run bac&k to a breakpoint"), QKeySequence(QStringLiteral("Shift+F5")), tr("Back to the breakpoint before"),
-        &StepBar::runBack);
+        tr("Go to the next step that meets a breakpoint condition"), &StepBar::run);
+    add(tr("Run bac&k to a breakpoint"), QKeySequence(QStringLiteral("Shift+F5")),
+        tr("Go back to the previous breakpoint"), &StepBar::runBack);
     connect(addAction(menu, tr("&Stop at this texel"), QKeySequence(Qt::Key_F9),
-                      tr("Set a breakpoint at the texel of the chosen step, or take it away")),
+                      tr("Set a breakpoint at the texel of the chosen step, or remove it")),
             &QAction::triggered, time_->breakpoints(), &BreakpointBar::toggleHere);
     menu->addSeparator();
     makeWorthMenu(menu);
     makeDuelMenu(menu);
     makeBookmarkMenu(menu);
     auto* const end = addAction(menu, tr("Show rays from the&ir end"), {},
-                                tr("A pixel that is chosen shows the last step of its ray, not the first"));
+                                tr("Show the last step of the ray instead of the first when a pixel is chosen"));
     end->setCheckable(true);
     connect(end, &QAction::toggled, workspace_, &Workspace::setRaysFromEnd);
     end->setChecked(QSettings().value(raysFromEndKey()).toBool());
@@ -223,14 +226,15 @@ void MainWindow::makeRayMenu() {
 
 void MainWindow::makeHelpMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Help"));
-    auto* const keys = addAction(menu, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
+    auto* const keys =
+        addAction(menu, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), tr("List the mouse actions and keys"));
     connect(keys, &QAction::triggered, this, &MainWindow::showShortcuts);
     auto* const manual =
         addAction(menu, tr("Man&ual"), {}, tr("The guide, the methods and the commands, in the browser"));
     connect(manual, &QAction::triggered, this, &MainWindow::showManual);
-    auto* const pauses = addAction(menu, tr("&Longest pauses…"), {}, tr("What held the window's thread longest"));
+    auto* const pauses = addAction(menu, tr("&Longest pauses…"), {}, tr("Work that blocked the window longest"));
     connect(pauses, &QAction::triggered, this, &MainWindow::showPauses);
-    auto* const about = addAction(menu, tr("&About Reliefscope"), {}, tr("What this is"));
+    auto* const about = addAction(menu, tr("&About Reliefscope"), {}, tr("About this program"));
     connect(about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
@@ -312,7 +316,7 @@ void MainWindow::showShortcuts() {
         {tr("Wheel in the result"), tr("change the camera's distance")},
         {tr("Ctrl + drag, Ctrl + wheel"), tr("pan and zoom the picture")},
         {QStringLiteral("R"), tr("the whole picture again")},
-        {QStringLiteral("H"), tr("the camera's first view")},
+        {QStringLiteral("H"), tr("first view of the camera")},
         {tr("Arrows in the result (with Shift: ten)"), tr("move the pixel")},
         {QStringLiteral(",   ."), tr("previous and next step")},
         {tr("Home   End"), tr("first and last step")},
@@ -326,19 +330,20 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("Ctrl+D"), tr("first divergence of the duel")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
-        {tr("Ctrl + click in the profile or the distance map"), tr("distances at that point; there again: forget it")},
+        {tr("Ctrl + click in the profile or the distance map"),
+         tr("show the distances at that point; again: remove the point")},
         {QStringLiteral("1 – 9, 0, Alt+1 – %1").arg(paneKey(panes_.size() - 1)), tr("go to a pane")},
         {tr("Double click on a title"), tr("fill the window with the pane, and back")},
         {tr("Arrows in the trace (with Shift: move), + −"), tr("turn the trace, zoom")},
         {tr("Alt + arrows in the comparison"), tr("move the divider, take the next one")},
         {tr("Digits in the relief by hand"), tr("type the height of the chosen texel")},
-        {tr("Tab, arrows"), tr("go to a control, change it; Enter in a number: back to the view")},
+        {tr("Tab, arrows"), tr("go to a control and change it; Enter in a number field: back to the view")},
         {QStringLiteral("Ctrl+E"), tr("export the pane as SVG, PDF or PNG")},
         {QStringLiteral("Ctrl+Z   Ctrl+Shift+Z"), tr("undo and redo")},
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},
         {QStringLiteral("T"), tr("teach: one pane large, the picture in a corner")},
         {QStringLiteral("F11"), tr("projector")},
-        {QStringLiteral("Esc"), tr("cancel what is running")},
+        {QStringLiteral("Esc"), tr("cancel the running work")},
     };
     QString html = QStringLiteral("<table cellpadding=4>");
     for (const auto& [keys, what] : rows) {

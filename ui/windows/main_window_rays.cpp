@@ -44,7 +44,7 @@ void MainWindow::makeWorthMenu(QMenu* menu) {
 
 void MainWindow::makeDuelMenu(QMenu* menu) {
     auto* const action = addAction(menu, tr("First di&vergence of the duel"), QKeySequence(QStringLiteral("Ctrl+D")),
-                                   tr("To the first step that the exact answer contradicts"));
+                                   tr("Go to the first step that contradicts the exact answer"));
     connect(action, &QAction::triggered, this, [this] {
         // Brings the pane to the front first.
         focusPane(QStringLiteral("duel"));
@@ -105,7 +105,7 @@ void MainWindow::makeBookmarkMenu(QMenu* menu) {
                                  tr("Keep this pixel, the camera and the step"));
     auto* const next = addAction(marks, tr("&Next bookmark"), QKeySequence(QStringLiteral("Ctrl+Shift+B")),
                                  tr("Go to the next bookmark"));
-    auto* const all = addAction(marks, tr("Na&mes…"), {}, tr("Name bookmarks, remove them"));
+    auto* const all = addAction(marks, tr("Na&mes…"), {}, tr("Rename and remove bookmarks"));
     bookmarks_ = new BookmarkMenu(workspace_, marks, this);
     connect(here, &QAction::triggered, bookmarks_, &BookmarkMenu::addHere);
     connect(next, &QAction::triggered, bookmarks_, &BookmarkMenu::next);

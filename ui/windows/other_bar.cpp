@@ -26,12 +26,12 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
     ray_->setObjectName(QStringLiteral("other-ray"));
     ray_->setPrefix(tr("ray "));
     ray_->setAccessibleName(tr("Ray of the file"));
-    ray_->setToolTip(tr("Which ray of the file is looked at, counted from 0"));
+    ray_->setToolTip(tr("Ray of the file to show, numbered from 0"));
     row->addWidget(ray_);
     row->addWidget(count_);
     stepsOf_->setObjectName(QStringLiteral("other-shown"));
-    stepsOf_->setAccessibleName(tr("Whose steps are shown"));
-    stepsOf_->setToolTip(tr("Whose steps all panes show; the duel sets both side by side"));
+    stepsOf_->setAccessibleName(tr("Tracer whose steps are shown"));
+    stepsOf_->setToolTip(tr("Tracer whose steps all panes show; the duel shows both"));
     row->addWidget(stepsOf_);
     auto* const closer = new QToolButton(this);
     closer->setObjectName(QStringLiteral("other-close"));
@@ -50,7 +50,7 @@ OtherBar::OtherBar(Workspace* workspace, QWidget* parent)
     connect(stepsOf_, qOverload<int>(&QComboBox::activated), this, [this](int item) {
         relief::OtherTracer other = workspace_->scenario().other;
         other.shown = item == 0;
-        change(other, changeName([] { return tr("Whose steps are shown"); }));
+        change(other, changeName([] { return tr("Tracer whose steps are shown"); }));
     });
     connect(workspace_, &Workspace::scenarioChanged, this, &OtherBar::refresh);
     connect(workspace_, &Workspace::snapshotChanged, this, &OtherBar::refresh);

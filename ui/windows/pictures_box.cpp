@@ -74,7 +74,7 @@ void PicturesBox::addRow(QVBoxLayout* column, const char* source, std::string re
         row.clear = new QToolButton(this);
         row.clear->setText(tr("None"));
         row.clear->setAccessibleName(tr("No %1").arg(title));
-        row.clear->setToolTip(tr("Do without this picture"));
+        row.clear->setToolTip(tr("Use no picture here"));
         line->addWidget(row.clear);
     }
     column->addLayout(line);
@@ -116,7 +116,7 @@ void PicturesBox::addRecipe(QVBoxLayout* column) {
     size_->setValue(256);
     seed_ = new QSpinBox(this);
     seed_->setAccessibleName(tr("Seed of the procedural relief"));
-    seed_->setToolTip(tr("Seed: another number, another relief"));
+    seed_->setToolTip(tr("Seed: each number gives another relief"));
     seed_->setRange(0, 9999);
     seed_->setValue(1);
     line->addWidget(recipe_, 1);

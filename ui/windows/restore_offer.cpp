@@ -20,8 +20,8 @@ RestoreOffer::RestoreOffer(MainWindow* window, Workspace* workspace, StateKeeper
                            std::vector<SessionFiles> left)
     : QObject(window), window_(window), workspace_(workspace), keeper_(keeper), left_(std::move(left)) {
     QPushButton* const yes = window_->question()->addAnswer(
-        tr("Restore"), tr("Open what was open then, with its bookmarks and panes; can be undone"));
-    QPushButton* const no = window_->question()->addAnswer(tr("Discard"), tr("Delete what was saved of it"));
+        tr("Restore"), tr("Open that session again, with its bookmarks and panes; can be undone"));
+    QPushButton* const no = window_->question()->addAnswer(tr("Discard"), tr("Delete the saved session"));
     yes->setObjectName(QStringLiteral("restore"));
     no->setObjectName(QStringLiteral("discard"));
     connect(yes, &QPushButton::clicked, this, &RestoreOffer::restore);
@@ -48,9 +48,9 @@ void RestoreOffer::offer() {
         const QString when = left_.front().savedAt().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
         window_->question()->showNotice(
             left_.front().failedToStart()
-                ? tr("The last start ended before its picture was there. What it was to open was not tried again; "
-                     "it can be restored.")
-                : tr("Reliefscope ended unexpectedly; what was open can be restored as it was on %1.").arg(when));
+                ? tr("The last start ended before its first picture was drawn. Its session was not opened again; it "
+                     "can be restored.")
+                : tr("Reliefscope ended unexpectedly; the session can be restored as it was on %1.").arg(when));
     }
     window_->showMessages();
 }

@@ -155,10 +155,11 @@ QComboBox* ScenePanel::addChoice(QFormLayout* form, const QString& title, const 
 void ScenePanel::addSurface(QFormLayout* form) {
     addNumbers(form, {"relief-depth"});
     surface_ = addChoice(form, tr("Surface"), QStringLiteral("surface"),
-                         tr("How heights are read between texels: a smooth patch, or a box a texel"), surfaces());
+                         tr("Surface between texels: a smooth patch, or one box per texel"), surfaces());
     address_ = addChoice(form, tr("Outside"), QStringLiteral("address"),
-                         tr("What lies beyond the picture's rim: the picture again, its rim, or nothing"), addresses());
-    scene_ = addChoice(form, tr("Scene"), QStringLiteral("scene"), tr("What the relief is laid on"), scenes());
+                         tr("Relief beyond the picture's rim: the picture again, the heights of its rim, or none"),
+                         addresses());
+    scene_ = addChoice(form, tr("Scene"), QStringLiteral("scene"), tr("Surface that carries the relief"), scenes());
     connect(surface_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
         scenario.surface = relief::parseSurface(surface_->currentData().toString().toStdString());
@@ -178,7 +179,7 @@ void ScenePanel::addSurface(QFormLayout* form) {
 
 void ScenePanel::addViews(QFormLayout* form) {
     auto* const box = addChoice(form, tr("View"), QStringLiteral("view-preset"),
-                                tr("Views that are asked for often; dragging in the picture gives any other"), {});
+                                tr("Common views; drag in the picture for any other"), {});
     box->addItem(tr("presets…"));
     for (const ViewPreset& preset : viewPresets()) box->addItem(tr(preset.name));
     connect(box, qOverload<int>(&QComboBox::activated), this, [this, box](int item) {
@@ -196,7 +197,7 @@ void ScenePanel::addDefaults(QFormLayout* form) {
     defaults_ = new QToolButton(this);
     defaults_->setObjectName(QStringLiteral("method-defaults"));
     defaults_->setText(tr("defaults"));
-    defaults_->setToolTip(tr("All options of the method as it has them by itself"));
+    defaults_->setToolTip(tr("Set all options of the method to their defaults"));
     defaults_->setAccessibleName(defaults_->toolTip());
     defaults_->setAutoRaise(true);
     form->addRow(defaults_);
@@ -210,7 +211,7 @@ void ScenePanel::addDefaults(QFormLayout* form) {
 void ScenePanel::addShadows(QFormLayout* form) {
     shadows_ = new QCheckBox(tr("Shadows"), this);
     shadows_->setObjectName(QStringLiteral("shadows"));
-    shadows_->setToolTip(tr("The relief keeps the light off itself"));
+    shadows_->setToolTip(tr("The relief casts shadows on itself"));
     form->addRow(shadows_);
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
         relief::Scenario scenario = workspace_->scenario();
@@ -221,8 +222,8 @@ void ScenePanel::addShadows(QFormLayout* form) {
 
 void ScenePanel::addMapping(QFormLayout* form) {
     mapping_ = addChoice(form, tr("Coordinates"), QStringLiteral("mapping"),
-                         tr("How texture coordinates are made along a row of pixels: direct is exact; affine bends "
-                            "walls, subspan bends them between its divisions"),
+                         tr("Method for texture coordinates along a row of pixels: direct is exact; affine bends "
+                            "walls; subspan bends them between its divisions"),
                          {});
     for (const std::string& name : relief::mappingNames()) offerMapping(mapping_, name);
     offerMapping(mapping_, "incremental:anchor=0");
@@ -297,8 +298,8 @@ void ScenePanel::refreshMethod() {
     }
     guarantee_->setText(QStringLiteral("<small>%1</small>").arg(text));
     guarantee_->setToolTip(
-        tr("What the method promises with these options, the surfaces it can work on, and the "
-           "memory of its maps beside the heights"));
+        tr("Guarantee of the method with these options, the surfaces that it supports, and the memory of its maps "
+           "besides the heights"));
 }
 
 // The pane has more controls than fit, so it scrolls.

@@ -43,7 +43,7 @@ QString inWords(relief::MessageId what) {
 
 // Lists the frame's stages with their times, and the work that was skipped.
 QString ledger(const relief::Frame& frame) {
-    QString text = StatusLine::tr("Click: what was skipped, and why") + QLatin1Char('\n') +
+    QString text = StatusLine::tr("Click to see what was skipped, and why") + QLatin1Char('\n') +
                    StatusLine::tr("Stages of this frame (seconds of all threads together):");
     for (std::size_t s = 0; s < relief::kStages; ++s) {
         const relief::StageReport& stage = frame.stages[s];
@@ -86,8 +86,8 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     bar_->setTextVisible(false);
     bar_->setAccessibleName(tr("Progress"));
     cancel_->setText(tr("Cancel"));
-    cancel_->setToolTip(tr("Cancel what is running (Esc)"));
-    cancel_->setAccessibleName(tr("Cancel what is running"));
+    cancel_->setToolTip(tr("Cancel the running work (Esc)"));
+    cancel_->setAccessibleName(tr("Cancel the running work"));
     addWidget(pixel_, 1);
     addPermanentWidget(what_);
     addPermanentWidget(bar_);
@@ -213,7 +213,7 @@ QString StatusLine::pixelText() const {
         text = tr("ray %1 of the file").arg(snapshot->scenario.other.ray) + QStringLiteral("     ");
     }
     if (!trace.onRelief) return text + tr("sky: no polygon here");
-    if (trace.hidden) return text + tr("hidden until somebody has guessed");
+    if (trace.hidden) return text + tr("hidden until you guess");
     if (trace.hit.outcome == relief::Outcome::Hit) {
         text += tr("hit at texel (%1, %2), λ %3")
                     .arg(trace.hit.s, 0, 'f', 2)

@@ -52,14 +52,14 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     button(QStringLiteral("◀"), tr("Previous step"), QStringLiteral(","), &StepBar::previous);
     button(QStringLiteral("▶"), tr("Next step"), QStringLiteral("."), &StepBar::next);
     button(QStringLiteral("▶|"), tr("Last step"), tr("End"), &StepBar::last);
-    button(QStringLiteral("↷"), tr("Step over what lies on finer levels"), QStringLiteral("F10"), &StepBar::over);
+    button(QStringLiteral("↷"), tr("Step over the steps on finer levels"), QStringLiteral("F10"), &StepBar::over);
     button(QStringLiteral("▶●"), tr("Run to the next breakpoint"), QStringLiteral("F5"), &StepBar::run);
     play_ = button(tr("Play"), tr("Play the steps"), tr("Space"), &StepBar::togglePlay);
     play_->setCheckable(true);
     makeSpeed();
     row->addWidget(speed_);
     slider_->setAccessibleName(tr("Step of the ray"));
-    slider_->setToolTip(tr("Step of the ray: , and . go back and on"));
+    slider_->setToolTip(tr("Step of the ray; , and . go back and forward"));
     slider_->setObjectName(QStringLiteral("step-slider"));
     row->addWidget(slider_, 1);
     row->addWidget(label_);
@@ -75,7 +75,7 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
 void StepBar::makeSpeed() {
     speed_->setObjectName(QStringLiteral("play-speed"));
     speed_->setAccessibleName(tr("Speed of playing"));
-    speed_->setToolTip(tr("Steps a second while playing; ] faster, [ slower"));
+    speed_->setToolTip(tr("Steps per second while playing; ] faster, [ slower"));
     speed_->setRange(kSpeeds.front(), kSpeeds.back());
     speed_->setLocale(QLocale::c());  // as for all numbers of the window
     speed_->setDecimals(1);
@@ -192,7 +192,7 @@ void StepBar::refresh() {
     slider_->setRange(0, std::max(0, count() - 1));
     slider_->setValue(step());
     if (count() == 0) {
-        label_->setText(workspace_->guessing() ? tr("hidden until somebody has guessed") : tr("no ray"));
+        label_->setText(workspace_->guessing() ? tr("hidden until you guess") : tr("no ray"));
         return;
     }
     const QString stops = stopsHere();

@@ -60,7 +60,7 @@ void TopBar::makeMethod() {
 void TopBar::makeFilter() {
     filter_->setObjectName(QStringLiteral("filter"));
     filter_->setAccessibleName(tr("Filter"));
-    filter_->setToolTip(tr("How the colour is read at the hit"));
+    filter_->setToolTip(tr("How the colour is sampled at the hit"));
     filter_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (const relief::FilterDescription& filter : relief::filterList()) {
         const QString name = QString::fromStdString(filter.name);

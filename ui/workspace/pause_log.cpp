@@ -113,7 +113,7 @@ std::vector<PauseLog::Pause> PauseLog::worst(std::size_t most) const {
 
 QString PauseLog::text(std::size_t most) const {
     const auto line = [](const Pause& pause) {
-        return tr("%1 ms, of them %2 ms of painting: %3")
+        return tr("%1 ms, of which %2 ms of painting: %3")
             .arg(number(pause.ms), number(pause.drawing), translated(pause.what));
     };
     QString text = tr("longest pause of the window: ") + line(longestGap());

@@ -76,7 +76,7 @@ void PixelFinder::next(relief::Worth worth, const relief::MethodChoice& rival) {
         next_ = 0;
         choose();
     };
-    Q_EMIT reported(tr("Looking for pixels …"));
+    Q_EMIT reported(tr("Searching for pixels …"));
     job_->start({work, done});
 }
 
@@ -104,7 +104,7 @@ void PixelFinder::choose() {
 QString PixelFinder::textOf(const relief::PixelWorth& pixel) const {
     if (worth_ == relief::Worth::Steps) return tr("steps: %1").arg(pixel.value);
     if (std::isinf(pixel.value)) {
-        return worth_ == relief::Worth::Disagreement ? tr("another outcome than %1").arg(nameOf(rival_))
+        return worth_ == relief::Worth::Disagreement ? tr("outcome differs from that of %1").arg(nameOf(rival_))
                                                      : tr("another outcome");
     }
     const QString texels = QString::fromStdString(relief::numberText(pixel.value, 3));

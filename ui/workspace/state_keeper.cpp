@@ -91,8 +91,7 @@ void StateKeeper::write(State state) {
 void StateKeeper::written(const State& state, const QString& fault) {
     writing_ = false;
     if (!fault.isEmpty()) {
-        if (!std::exchange(reported_, true))
-            Q_EMIT problem(tr("What you do is not saved while you work: %1").arg(fault));
+        if (!std::exchange(reported_, true)) Q_EMIT problem(tr("Your work is not saved automatically: %1").arg(fault));
         return;
     }
     saved_ = state.scenario;

@@ -12,7 +12,7 @@ class BilinearFilter final : public PointFilter<BilinearFilter> {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "bilinear";
-        filter.help = "the four texels around the point, weighted by closeness";
+        filter.help = "the four texels around the point, interpolated bilinearly";
         return filter;
     }
     static constexpr int kTexels = 4;

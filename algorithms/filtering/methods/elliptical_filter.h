@@ -34,8 +34,8 @@ struct EllipticalFilterOptions : EllipticalOptions {
                         1,
                         1,
                         {"direct", "iterative", "cached"},
-                        "how footprints are computed: each pixel's derivatives in double; or along rows in float "
-                        "([TEX]), by differences or by cached squares; slower"},
+                        "computation of footprints. direct: from the derivatives of each pixel, in double; iterative, "
+                        "cached: along rows in float ([TEX]), by differences or by cached squares; slower"},
                        &EllipticalFilterOptions::ellipse});
         return all;
     }
@@ -57,7 +57,7 @@ class EllipticalFilter final : public TextureFilter {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "elliptical";
-        filter.help = "all texels in the ellipse of the pixel, weighted by the pixel's own shape";
+        filter.help = "all texels in the elliptical footprint of the pixel, weighted by the pixel model";
         filter.source = "Heckbert 1989; [TEX]";
         filter.footprint = filter.ellipse = true;
         return filter;

@@ -12,7 +12,7 @@ struct SupersampleFilter {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = kSupersample;
-        filter.help = "many rays a pixel, traced and lit one by one: the picture's truth, slow";
+        filter.help = "many rays per pixel, each traced and lit by itself; the reference for pictures, slow";
         return filter;
     }
     // Not measured, because the other filters are compared with it.

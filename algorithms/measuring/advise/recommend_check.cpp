@@ -86,7 +86,7 @@ bool keepsBounds(std::span<const CheckedRelief> reliefs) {
 std::string regretText(std::span<const CheckedRelief> reliefs) {
     constexpr int kDigits = 3;
     const auto percent = [](double share) { return readable(100 * share, kDigits); };
-    std::vector<TableRow> rows{{"", "regret %", "beyond %", "chosen", "the full table's best"}};
+    std::vector<TableRow> rows{{"", "regret %", "beyond %", "chosen", "best in the full table"}};
     std::vector<double> regrets;
     double advised = 0;
     double measured = 0;
@@ -97,7 +97,7 @@ std::string regretText(std::span<const CheckedRelief> reliefs) {
         measured += advice.tableSeconds;
         rows.push_back({name, valid ? percent(advice.regret()) : "-",
                         percent(advice.chosenBeyond) + (advice.keepsBound ? "" : "!"), methodText(advice.chosen),
-                        valid ? methodText(advice.best) : "none keeps all bounds"});
+                        valid ? methodText(advice.best) : "no method stays within all bounds"});
     }
     const auto summary = [&](double share) {
         return regrets.empty() ? std::string("-") : percent(quantile(regrets, share)) + "%";

@@ -11,7 +11,7 @@ namespace relief {
 
 namespace {
 
-constexpr const char* kProgressName = "looking for pixels";
+constexpr const char* kProgressName = "searching for pixels";
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 float distance(const Hit& a, const Hit& b, const ViewRay& ray) {

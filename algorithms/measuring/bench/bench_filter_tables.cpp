@@ -131,9 +131,10 @@ std::string filterBenchText(std::span<const FilterBenchRow> rows) {
         first = last;
     }
     if (rows.empty()) return out;
-    return out + "\nMpixels/s: millions of pixels a second, " + std::to_string(rows.front().threads) +
-           " threads, median, +-: (p75 - p25) / median. rmse (linear light) and flip: times 1000,\nagainst the "
-           "supersampled picture of that pixel model. texels: read a pixel; tested, hidden, skipped: of a pixel. " +
+    return out + "\nMpixels/s: millions of pixels per second on " + std::to_string(rows.front().threads) +
+           " threads, median of the rounds; +-%: (p75 - p25) / median.\nrmse (linear light), flip: difference from the "
+           "supersampled picture of that pixel model, times 1000.\ntexels: texels sampled per pixel; tested, hidden, "
+           "skipped: of these traced back, hidden, not traced back. " +
            cpuText() + ", " + compilerText() + ", " + commitText() + "\n";
 }
 

@@ -69,11 +69,12 @@ std::string fewRowsText(std::span<const RowBenchRow> rows) {
         }
         if (!fewest || many == nullptr) continue;
         out += "Rows in parallel on " + std::to_string(few.threads) + " threads, " + std::to_string(few.width) +
-               " pixels a row, " + std::string(precisionName(few.precision)) + ": " + std::to_string(few.rows) +
+               " pixels per row, " + std::string(precisionName(few.precision)) + ": " + std::to_string(few.rows) +
                (few.rows == 1 ? " row " : " rows ") + readable(few.rate / 1e6, kDigits) + ", " +
                std::to_string(many->rows) + " rows " + readable(many->rate / 1e6, kDigits) + " Mpixels/s, " +
-               readable(many->rate / few.rate, kDigits) + " times as many: a row is one thread's, so fewer rows than " +
-               "threads leave threads idle.\n";
+               readable(many->rate / few.rate, kDigits) +
+               " times the rate. One thread computes each row, so with fewer rows than " +
+               "threads some threads are idle.\n";
     }
     return out.empty() ? out : "\n" + out;
 }
@@ -123,7 +124,7 @@ std::string rowBenchText(std::span<const RowBenchRow> rows) {
         std::vector<TableRow> block{
             {"", "paper", "streams", "span", "anchor", "threads", "mul", "add", "div", "Mpixels/s", "+-%", "error"}};
         for (; last < rows.size() && sameBlock(rows[first], rows[last]); ++last) block.push_back(tableRow(rows[last]));
-        out += (first == 0 ? "" : "\n") + std::to_string(rows[first].width) + " pixels a row, elevation " +
+        out += (first == 0 ? "" : "\n") + std::to_string(rows[first].width) + " pixels per row, elevation " +
                numberText(rows[first].elevation) + " degrees, " + std::string(precisionName(rows[first].precision)) +
                ", blocks of " + std::to_string(rows[first].rows) + (rows[first].rows == 1 ? " row" : " rows") + "\n" +
                textTable(block);
@@ -131,12 +132,11 @@ std::string rowBenchText(std::span<const RowBenchRow> rows) {
     }
     if (rows.empty()) return out;
     return out + fewRowsText(rows) +
-           "\npaper: mul/add/div of a pixel as [PERSP] counts u and v, mul/add/div/sub as [TEX] counts the four "
-           "derivatives.\nmul, add, div: of a pixel, u and v together, restarts in them; derivatives: of its ellipse. "
-           "Mpixels/s: "
-           "millions of pixels\na second, median; +-: (p75 - p25) / median. error: the largest, texels; of "
-           "derivatives, "
-           "in the ellipse's half extents.\n" +
+           "\npaper: mul/add/div per pixel for u and v as counted in [PERSP], mul/add/div/sub for the four "
+           "derivatives as counted in [TEX].\nmul, add, div: operations per pixel for u and v together, with restarts, "
+           "or for the footprint's ellipse.\nMpixels/s: millions of pixels per second, median; +-%: (p75 - p25) / "
+           "median.\n"
+           "error: the largest, texels; for derivatives, of the ellipse's half extents.\n" +
            cpuText() + ", " + compilerText() + ", " + commitText() + "\n";
 }
 

@@ -111,10 +111,9 @@ std::string benchText(std::span<const BenchRow> rows) {
         first = last;
     }
     if (rows.empty()) return out;
-    return out + "\nMrays/s: millions of rays a second, " + std::to_string(rows.front().threads) +
-           " threads, median, +-: (p75 - p25) / median. Errors in texels: mean and percentiles.\nwrong, overshot: "
-           "rays; "
-           "steps, reads: mean of a ray. " +
+    return out + "\nMrays/s: millions of rays per second on " + std::to_string(rows.front().threads) +
+           " threads, median of the rounds; +-%: (p75 - p25) / median.\nerror, 95%, 99.99%, max: mean, percentiles "
+           "and maximum, texels; wrong, overshot: number of rays;\nsteps, reads: mean per ray. " +
            rows.front().cpu + ", " + rows.front().compiler + ", " + rows.front().commit + "\n";
 }
 

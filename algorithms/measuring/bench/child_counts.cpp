@@ -119,8 +119,8 @@ std::string childrenText(const ChildrenByLevel& counts) {
         out += std::string(kNames[n - 1]) + " " + readable(100 * share, 3) + "% " + bar + "\n";
     }
     return out +
-           "\nChildren entered in a texel descended into that confirmed nothing; ended: descents in which the ray "
-           "ended.\n[MIP18] says at most two.\n";
+           "\nNumber of children entered per texel that the search descended into without a hit; ended: descents in "
+           "which the ray ended.\n[MIP18] states at most two.\n";
 }
 
 }  // namespace relief

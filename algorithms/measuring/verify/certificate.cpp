@@ -96,7 +96,7 @@ class Certifier {
     }
 
     void overRays() {
-        work_.progress().begin("rays against exact", static_cast<std::int64_t>(options_.rays));
+        work_.progress().begin("comparing rays with exact", static_cast<std::int64_t>(options_.rays));
         for (std::uint64_t done = 0; done < options_.rays; done += kBlock) {
             work_.throwIfStopped();
             const auto count = static_cast<std::size_t>(std::min(kBlock, options_.rays - done));
@@ -224,7 +224,8 @@ Certifier::Tried Certifier::raysThrough(const BrokenBound& broken) const {
 }
 
 void Certifier::witness() {
-    work_.progress().begin("rays through broken values", static_cast<std::int64_t>(result_.bounds->first.size()));
+    work_.progress().begin("tracing rays through violating values",
+                           static_cast<std::int64_t>(result_.bounds->first.size()));
     for (std::size_t n = 0; n < result_.bounds->first.size(); ++n) {
         work_.throwIfStopped();
         const BrokenBound& broken = result_.bounds->first[n];

@@ -224,13 +224,13 @@ class ConeCheck {
 BoundCheck checkDistanceBounds(const DistanceMap& map, const HeightField& field, Work& work) {
     assert(ofBoxes(map.kind) && map.fieldWidth == field.width() && map.fieldHeight == field.height());
     const DistanceCheck check(map, field, work);
-    return overRows("every voxel", map.ny(), work, [&](int by, BoundCheck& part) { check.row(by, part); });
+    return overRows("checking voxels", map.ny(), work, [&](int by, BoundCheck& part) { check.row(by, part); });
 }
 
 BoundCheck checkConeBounds(const ConeMap& map, const HeightField& field, Work& work) {
     assert(map.kind == ConeKind::Conservative && map.fieldWidth == field.width() && map.fieldHeight == field.height());
     const ConeCheck check(map, field, work);
-    return overRows("every cone", map.ny(), work, [&](int y, BoundCheck& part) { check.row(y, part); });
+    return overRows("checking cones", map.ny(), work, [&](int y, BoundCheck& part) { check.row(y, part); });
 }
 
 std::string brokenBoundText(const BrokenBound& broken, const HeightField& field) {
@@ -245,14 +245,16 @@ std::string brokenBoundText(const BrokenBound& broken, const HeightField& field)
     const std::string voxel = "voxel (" + std::to_string(broken.i) + ", " + std::to_string(broken.j) + ", " +
                               std::to_string(broken.k) + ")" + sector;
     const std::string place = cone ? cell(broken.i, broken.j) + sector : voxel;
-    const std::string numbers = numberText(broken.stored, kDigits) + " stored, at " + (cone ? "least " : "most ") +
-                                numberText(broken.bound, kDigits) + " by " + cell(broken.cellX, broken.cellY);
+    const std::string numbers = numberText(broken.stored, kDigits) + " is stored, but must be at " +
+                                (cone ? "least " : "most ") + numberText(broken.bound, kDigits) + " because of " +
+                                cell(broken.cellX, broken.cellY);
     switch (broken.what) {
         case What::Free:
-            return place + "walked as free, but the surface is in it";
+            return place + "marked as free, but contains a part of the surface";
         case What::NotANumber:
             return "value (" + std::to_string(broken.i) + ", " + std::to_string(broken.j) + ", " +
-                   std::to_string(broken.k) + ")" + sector + numberText(broken.stored) + " stored, which is none";
+                   std::to_string(broken.k) + ")" + sector + numberText(broken.stored) +
+                   " is stored, which is not a valid value";
         case What::Distance:
             return place + "distance " + numbers;
         case What::Apex:

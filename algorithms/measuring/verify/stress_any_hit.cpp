@@ -59,8 +59,8 @@ std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& 
                                        const Hit& reference) {
     const double bound = query.stepBound(wholeSegment(ray));
     if (!(answer.steps <= bound)) {
-        return StressFault{
-            "steps", std::to_string(answer.steps) + " steps, at most " + numberText(bound) + "; " + rayNumbers(ray)};
+        return StressFault{"steps", std::to_string(answer.steps) + " steps, but at most " + numberText(bound) + "; " +
+                                        rayNumbers(ray)};
     }
     const bool inDomain = GridRay(CellGrid(query.field()), ray).inDomain();
     if (!inDomain || reference.outcome == Outcome::Limit) return std::nullopt;
@@ -68,7 +68,7 @@ std::optional<StressFault> anyHitFault(const AnyHitQuery& query, const ViewRay& 
     const bool hit = reference.outcome == Outcome::Hit;
     if (answer.visibility == Visibility::Blocked) {
         if (!hit && startsOutside(query.field(), ray)) return std::nullopt;
-        if (!hit) return StressFault{"any-hit", "blocked, exact: a miss; " + rayNumbers(ray)};
+        if (!hit) return StressFault{"any-hit", "blocked, but exact misses; " + rayNumbers(ray)};
         if (answer.log.steps.empty() || answer.log.steps.back().lambdaOut >= reference.lambda - kLambdaRounding) {
             return std::nullopt;
         }
@@ -124,7 +124,7 @@ class QueryTurn {
             run_.result.report({fault, StressPart::AnyHit, choice_, family, ray, nullptr});
         };
         if (plain.visibility[0] != answer.visibility)
-            report({"sinks", "counting changes the answer; " + rayNumbers(ray)});
+            report({"sinks", "the answer changes when reads are counted; " + rayNumbers(ray)});
         if (const auto fault = anyHitFault(query_, ray, answer, truth)) report(*fault);
         const double share = answer.steps / query_.stepBound(wholeSegment(ray));
         if (share > coverage_.worstBound) {

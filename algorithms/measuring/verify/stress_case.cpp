@@ -86,8 +86,8 @@ class Turn {
         NullSink null;
         const Hit plain = traced(familyRays_->rays[r], null)[0];
         if (!sameHit(answer.hit, plain)) {
-            report({"sinks", "counting changes the answer: lambda " + numberText(plain.lambda) + " without, " +
-                                 numberText(answer.hit.lambda) + " with"},
+            report({"sinks", "the answer changes when reads are counted: lambda " + numberText(plain.lambda) +
+                                 " without, " + numberText(answer.hit.lambda) + " with"},
                    r);
         }
         if (answer.steps > kLoggedSteps) {

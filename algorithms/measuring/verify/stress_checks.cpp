@@ -64,7 +64,7 @@ std::optional<StressFault> answerFault(const Tracer& tracer, const ViewRay& ray,
     if (auto fault = promiseFault(tracer.guarantee(), inDomain, answer.hit, reference)) return fault;
     const double bound = tracer.stepBound(ray);
     if (!(answer.steps <= bound)) {
-        return StressFault{"steps", std::to_string(answer.steps) + " steps, at most " + numberText(bound)};
+        return StressFault{"steps", std::to_string(answer.steps) + " steps, but at most " + numberText(bound)};
     }
     return std::nullopt;
 }

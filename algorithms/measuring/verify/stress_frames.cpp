@@ -179,7 +179,7 @@ class FrameTry {
             }
             run_.watched.begin({&run_.of, StressPart::Frames, &scenario_.method, family_, ViewRay{}, &scenario_});
             compare();
-            if (camera.refused) report({"accepted", "a camera in one place with what it looks at"});
+            if (camera.refused) report({"accepted", "a camera at its own target was accepted"});
         } catch (const WorkError& error) {
             report({"exception", error.what()});
         } catch (const InputError& error) {
@@ -254,7 +254,7 @@ class FrameTry {
         const auto alone = rendered(false, 1);
         if (const auto fault = differenceFault(*frame, *alone, "no-skip", "with --no-skip")) return report(*fault);
         const auto fault = differenceFault(*alone, *plain, "threads", "by several threads");
-        report(fault.value_or(StressFault{"threads", "the same frame differs from one time to the next"}));
+        report(fault.value_or(StressFault{"threads", "the same frame differs between two renderings"}));
     }
 
     void report(const StressFault& fault) {

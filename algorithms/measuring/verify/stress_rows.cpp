@@ -111,7 +111,7 @@ std::optional<StressFault> rowFault(const StressRow<T>& row) {
         const T u = row.u[n];
         const T v = row.v[n];
         if (!(qAt(*row.map, row.y, i) > 0)) return StressFault{"horizon", "q is not positive" + rowText(row, i)};
-        if (!std::isfinite(u) || !std::isfinite(v)) return StressFault{"not-finite", "no number" + rowText(row, i)};
+        if (!std::isfinite(u) || !std::isfinite(v)) return StressFault{"not-finite", "not a number" + rowText(row, i)};
         if (approximates(row.options.variant)) continue;
         const LongTexel truth = truthAt(*row.map, row.y, i);
         const auto error = static_cast<double>(std::max(std::abs(u - truth.s), std::abs(v - truth.t)));

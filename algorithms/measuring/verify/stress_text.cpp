@@ -9,7 +9,7 @@ namespace relief {
 namespace {
 
 std::string rayFamilies(const StressReport& report) {
-    std::vector<TableRow> rows{{"family", "rays", "fewest of a method"}};
+    std::vector<TableRow> rows{{"family", "rays", "fewest per method"}};
     for (const StressRayFamily& family : stressRayFamilies()) {
         std::uint64_t sum = 0;
         std::uint64_t fewest = report.methods.empty() ? 0 : UINT64_MAX;
@@ -21,7 +21,7 @@ std::string rayFamilies(const StressReport& report) {
         }
         rows.push_back({std::string(family.name), std::to_string(sum), std::to_string(fewest)});
     }
-    return "rays, over all methods\n" + textTable(rows);
+    return "rays, summed over all methods\n" + textTable(rows);
 }
 
 std::string methods(const StressReport& report) {
@@ -31,7 +31,7 @@ std::string methods(const StressReport& report) {
                         std::to_string(coverage.forms.size()), numberText(coverage.worstBound, 3),
                         coverage.worstWhere});
     }
-    return "methods, the worst steps/bound and where\n" + textTable(rows, 1, 5);
+    return "methods, with the largest ratio of steps to the step bound and where it occurred\n" + textTable(rows, 1, 5);
 }
 
 // Returns the total of each part that was run, and the count of each kind.
@@ -48,7 +48,7 @@ std::string parts(const StressReport& report) {
 }
 
 std::string maps(const StressReport& report) {
-    std::string out = "maps (cases)\n ";
+    std::string out = "maps (number of cases)\n ";
     for (const auto& [name, cases] : report.maps) out += " " + name + " " + std::to_string(cases);
     out += "\nsizes\n ";
     for (const std::string& size : report.sizes) out += " " + size;

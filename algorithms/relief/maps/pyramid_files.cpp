@@ -38,8 +38,8 @@ std::string meaning(PyramidKind kind, int l) {
     const std::string side = std::to_string(std::int64_t{1} << l);
     const std::string what = kind == PyramidKind::Mean ? "mean" : std::string(kindName(kind)) + "imum";
     if (l == 0) return "texel (i, j) is the height at its centre (i + 1/2, j + 1/2); rows top-down";
-    return "texel (i, j) is the " + what + " of the heights of level 0 from (" + side + " i, " + side + " j) on, " +
-           side + " x " + side + " of them, at the last column and row those that exist; rows top-down";
+    return "texel (i, j) is the " + what + " of the " + side + " x " + side + " heights of level 0 that begin at (" +
+           side + " i, " + side + " j), or of those that exist in the last column and row; rows top-down";
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ class BumpTracer : public TopPlaneTracer {
         MethodDescription method = shading(ShadingNormal::Heights);
         method.name = "bump";
         method.title = "bump mapping";
-        method.help = "The picture stays flat; the light sees the slopes of the heights.";
+        method.help = "The surface stays flat; lighting uses the slopes of the heights.";
         method.source = "Blinn 1978";
         return method;
     }

@@ -30,8 +30,8 @@ class ConeTracer {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the "
-            "cell is skipped if the ray stays above it, else tested.";
+            "Steps to the edge of the empty cone that the map stores above each cell. Below the cone's apex the cell "
+            "is skipped if the ray stays above it, and tested otherwise.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"cone"};
         return method;
@@ -55,8 +55,8 @@ class ConeTracer {
                   0,
                   0,
                   {"packed", std::string(kStoredLayout)},
-                  "packed: four square cones per cell, compact and fast; texel: one round cone per cell, as engines "
-                  "store them. Sectors, a precision or a map file select texel"},
+                  "packed: four square cones per cell, compact and fast; texel: one round cone per cell, as game "
+                  "engines store them. Using sectors, a precision or a map file selects texel"},
                  &Options::layout},
                 {{"sectors",
                   OptionKind::Integer,
@@ -65,9 +65,9 @@ class ConeTracer {
                   8,
                   1,
                   {},
-                  "azimuth sectors that have slopes of their own"},
+                  "number of azimuth sectors with separate slopes"},
                  &Options::sectors},
-                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
+                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
                  &Options::precision}};
         }
     };

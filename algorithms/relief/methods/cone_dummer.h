@@ -20,7 +20,7 @@ class ConeDummerTracer : public ConeMarch {
         method.title = "cone steps, as published";
         method.guarantee = Guarantee::Approximate;
         method.rayClass = RayClass::AnyRays;
-        method.help = "Steps to the edge of the interpolated cone, a fixed number of times.";
+        method.help = "Steps to the edge of the interpolated cone a fixed number of times.";
         method.source = "Dummer 2006";
         method.maps = {"cone-dummer"};
         return method;
@@ -30,9 +30,11 @@ class ConeDummerTracer : public ConeMarch {
         std::string precision = "float";
 
         static std::vector<OptionField<Options>> fields() {
-            return {{{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most"}, &Options::iterations},
-                    {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
-                     &Options::precision}};
+            return {
+                {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "largest number of steps"},
+                 &Options::iterations},
+                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
+                 &Options::precision}};
         }
     };
     static ConeDummerTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {

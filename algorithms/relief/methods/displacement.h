@@ -24,7 +24,14 @@ class DisplacementTracer {
         int density = 256;
 
         static std::vector<OptionField<Options>> fields() {
-            return {{{"density", OptionKind::Integer, "quads", 1, 8192, 1, {}, "along each side of the texture"},
+            return {{{"density",
+                      OptionKind::Integer,
+                      "quads",
+                      1,
+                      8192,
+                      1,
+                      {},
+                      "number of quads along each side of the texture"},
                      &Options::density}};
         }
     };
@@ -32,7 +39,7 @@ class DisplacementTracer {
         MethodDescription method;
         method.name = "displacement";
         method.title = "displacement mapping";
-        method.help = "A mesh of triangles at the heights; frames rasterise it with a depth buffer.";
+        method.help = "A triangle mesh whose vertices lie at the heights; frames rasterise it with a depth buffer.";
         method.source = "Cook 1984";
         method.kind = MethodKind::Mesh;
         method.guarantee = Guarantee::Approximate;

@@ -21,7 +21,7 @@ class DistanceTracer : public DistanceMarch {
         method.title = "distance map";
         method.guarantee = Guarantee::Approximate;
         method.rayClass = RayClass::AnyRays;
-        method.help = "Sphere tracing by trilinear distances, until the ray is at the surface.";
+        method.help = "Sphere tracing with trilinearly interpolated distances until the ray reaches the surface.";
         method.source = "Donnelly 2005; [DIST17]";
         method.maps = {"euclidean"};
         method.otherMaps = {"refined-sampled"};

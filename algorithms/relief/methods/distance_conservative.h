@@ -22,7 +22,7 @@ class DistanceConservativeTracer : public DistanceWalk {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Sphere tracing with distances that hold for whole voxels; near the surface the cells themselves are "
+            "Sphere tracing with distances that are safe for whole voxels; near the surface the cells themselves are "
             "tested.";
         method.source = "Donnelly 2005; [DIST17]";
         method.maps = {"euclidean-conservative"};

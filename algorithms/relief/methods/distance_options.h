@@ -17,9 +17,9 @@ std::vector<OptionField<Options>> distanceFields() {
     std::vector<OptionField<Options>> fields{
         {{"footprint", OptionKind::Integer, "texels", 1, 64, 1, {}, "side of a voxel's footprint"},
          &Options::footprint},
-        {{"layers", OptionKind::Integer, "layers", 1, 1024, 1, {}, "how many voxels the slab is high"},
+        {{"layers", OptionKind::Integer, "layers", 1, 1024, 1, {}, "number of voxel layers in the slab"},
          &Options::layers},
-        {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how distances are stored"},
+        {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the distances"},
          &Options::precision}};
     if constexpr (requires(Options o) { o.flattest; }) {
         fields.push_back({{"flattest",
@@ -29,7 +29,7 @@ std::vector<OptionField<Options>> distanceFields() {
                            89,
                            0.5,
                            {},
-                           "elevation of the flattest ray that it serves"},
+                           "lowest elevation of the rays for which the map is valid"},
                           &Options::flattest});
     }
     if constexpr (requires(Options o) { o.horizons; }) {
@@ -40,7 +40,7 @@ std::vector<OptionField<Options>> distanceFields() {
                            32,
                            4,
                            {},
-                           "azimuth sectors in which what hides a voxel is looked for"},
+                           "number of azimuth sectors in which the occluders of a voxel are searched"},
                           &Options::horizons});
         fields.push_back({{"sectors",
                            OptionKind::Integer,
@@ -49,12 +49,13 @@ std::vector<OptionField<Options>> distanceFields() {
                            32,
                            1,
                            {},
-                           "azimuth sectors that have distances of their own (a divisor of horizons)"},
+                           "number of azimuth sectors with separate distances (a divisor of horizons)"},
                           &Options::sectors});
     }
     if constexpr (requires(Options o) { o.directions; }) {
-        fields.push_back({{"directions", OptionKind::Integer, "rays", 1, 16384, 1, {}, "sampled from each voxel"},
-                          &Options::directions});
+        fields.push_back(
+            {{"directions", OptionKind::Integer, "rays", 1, 16384, 1, {}, "number of rays sampled from each voxel"},
+             &Options::directions});
     }
     if constexpr (requires(Options o) { o.rule; }) {
         fields.push_back({{"rule",
@@ -64,39 +65,54 @@ std::vector<OptionField<Options>> distanceFields() {
                            0,
                            0,
                            {"exit", "classic"},
-                           "a step by the distance: from where the ray leaves the voxel, or from where it is"},
+                           "start of a step by the stored distance. exit: where the ray leaves the voxel; classic: the "
+                           "ray's current point"},
                           &Options::rule});
     }
     if constexpr (requires(Options o) { o.stop; }) {
-        fields.push_back({{"stop",
-                           OptionKind::Choice,
-                           "",
-                           0,
-                           0,
-                           0,
-                           {"surface", "distance", "never"},
-                           "where the march ends: at the surface, where the distance is below `within`, or nowhere"},
-                          &Options::stop});
         fields.push_back(
-            {{"within", OptionKind::Real, "texels", 0, 4, 0.01, {}, "of stop=distance"}, &Options::within});
-        fields.push_back({{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most; with stop=never all"},
-                          &Options::iterations});
-    }
-    if constexpr (requires(Options o) { o.to; }) {
-        fields.push_back(
-            {{"to",
+            {{"stop",
               OptionKind::Choice,
               "",
               0,
               0,
               0,
-              {"surface", "voxel"},
-              "what Euclidean distances are measured to: the surface, or the nearest solid voxel's centre"},
-             &Options::to});
+              {"surface", "distance", "never"},
+              "end of the march: at the surface, where the distance is below `within`, or only after all iterations"},
+             &Options::stop});
+        fields.push_back({{"within",
+                           OptionKind::Real,
+                           "texels",
+                           0,
+                           4,
+                           0.01,
+                           {},
+                           "distance below which stop=distance ends the march"},
+                          &Options::within});
+        fields.push_back({{"iterations",
+                           OptionKind::Integer,
+                           "steps",
+                           1,
+                           4096,
+                           1,
+                           {},
+                           "largest number of steps (stop=never takes all of them)"},
+                          &Options::iterations});
+    }
+    if constexpr (requires(Options o) { o.to; }) {
+        fields.push_back({{"to",
+                           OptionKind::Choice,
+                           "",
+                           0,
+                           0,
+                           0,
+                           {"surface", "voxel"},
+                           "target of the Euclidean distances: the surface, or the centre of the nearest solid voxel"},
+                          &Options::to});
     }
     if constexpr (requires(Options o) { o.map; }) {
         fields.push_back(
-            {{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "the map that it traces with"}, &Options::map});
+            {{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "map used for tracing"}, &Options::map});
     }
     return fields;
 }

@@ -22,7 +22,8 @@ class DistanceRefinedTracer : public DistanceWalk {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::ViewRays;
         method.addresses = {Address::Repeat, Address::Border};
-        method.help = "Sphere tracing with the larger distances that rays from above may use; safe for whole voxels.";
+        method.help =
+            "Sphere tracing with the larger distances that are valid for rays from above; safe for whole voxels.";
         method.source = "[DIST17]; [TEX]";
         method.maps = {"refined"};
         return method;

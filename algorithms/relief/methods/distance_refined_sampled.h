@@ -19,7 +19,7 @@ class DistanceRefinedSampledTracer : public DistanceMarch {
         method.title = "refined distance map, sampled";
         method.guarantee = Guarantee::Approximate;
         method.rayClass = RayClass::ViewRays;
-        method.help = "The papers' refined map as it stands, from sampled rays; overshoots at walls.";
+        method.help = "The refined map as published, computed from sampled rays; can overshoot at walls.";
         method.source = "[DIST17]; [TEX]";
         method.maps = {"refined-sampled"};
         return method;

@@ -20,7 +20,7 @@ class ExactTracer {
         method.title = "every cell";
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::ViewRays;
-        method.help = "Tests every cell that the ray crosses, in order: the truth that others are held against.";
+        method.help = "Tests every cell that the ray crosses, in order; the reference for all other methods.";
         method.source = "Amanatides & Woo 1987";
         method.maps = {};
         return method;

@@ -14,7 +14,7 @@ class FlatTracer : public TopPlaneTracer {
         MethodDescription method = shading(ShadingNormal::Plane);
         method.name = "flat";
         method.title = "flat";
-        method.help = "Plain texturing: no relief, lit as the polygon is.";
+        method.help = "Plain texturing without relief; lighting uses the flat polygon.";
         return method;
     }
     static FlatTracer make(const HeightField& field, const Options&, MapCache&, Work&) { return FlatTracer(field); }

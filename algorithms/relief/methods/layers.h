@@ -25,10 +25,17 @@ class LayersTracerOf {
 
         static std::vector<OptionField<Options>> fields() {
             std::vector<OptionField<Options>> all{
-                {{"layers", OptionKind::Integer, "layers", 1, 65536, 1, {}, "how many the slab is cut into"},
+                {{"layers", OptionKind::Integer, "layers", 1, 65536, 1, {}, "number of layers in the slab"},
                  &Options::layers}};
             if (kRefinement == LayerRefinement::Bisection) {
-                all.push_back({{"bisections", OptionKind::Integer, "halvings", 1, 60, 1, {}, "of the last layer"},
+                all.push_back({{"bisections",
+                                OptionKind::Integer,
+                                "halvings",
+                                1,
+                                60,
+                                1,
+                                {},
+                                "number of bisections of the last layer"},
                                &Options::bisections});
             }
             return all;
@@ -42,19 +49,19 @@ class LayersTracerOf {
             case LayerRefinement::None:
                 method.name = "layers";
                 method.title = "layers";
-                method.help = "Equal layers of depth; the first one below the surface.";
+                method.help = "Layers of equal depth; the answer is the first one below the surface.";
                 method.source = "McGuire 2005; [DIST17] fig. 2";
                 break;
             case LayerRefinement::Secant:
                 method.name = "layers-secant";
                 method.title = "layers, secant";
-                method.help = "Equal layers, then a straight line between the last two.";
+                method.help = "Layers of equal depth, then a straight line between the last two.";
                 method.source = "Tatarchuk 2006";
                 break;
             case LayerRefinement::Bisection:
                 method.name = "layers-bisection";
                 method.title = "layers, bisection";
-                method.help = "Equal layers, then halving the last one.";
+                method.help = "Layers of equal depth, then bisection of the last one.";
                 method.source = "Policarpo 2005";
                 break;
         }

@@ -32,7 +32,7 @@ class MaxPyramidTracer {
         method.title = "max pyramid";
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::ViewRays;
-        method.help = "Skips what lies below the ray by the pyramid of maxima; iterative, stackless.";
+        method.help = "Skips areas below the ray with a pyramid of maxima; iterative, without a stack.";
         method.source = "[MIP18]; Tevs 2008";
         method.maps = {"max-pyramid"};
         return method;

@@ -25,7 +25,7 @@ class MaxPyramidPaperTracer {
         method.title = "max pyramid, the paper's recursion";
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::ViewRays;
-        method.help = "Skips what lies below the ray by the pyramid of maxima; recursive, as the paper tells it.";
+        method.help = "Skips areas below the ray with a pyramid of maxima; recursive, as in the paper.";
         method.source = "[MIP18]";
         method.maps = {"max-pyramid"};
         return method;

@@ -16,8 +16,7 @@ class NormalMapTracer : public TopPlaneTracer {
         MethodDescription method = shading(ShadingNormal::NormalMap);
         method.name = "normal-map";
         method.title = "normal mapping";
-        method.help =
-            "The picture stays flat; the light sees a normal map, the given one or one baked from the heights.";
+        method.help = "The surface stays flat; lighting uses a normal map, either given or computed from the heights.";
         method.source = "Cohen et al. 1998";
         method.maps = {"normals"};
         return method;

@@ -23,7 +23,7 @@ class OffsetTracer {
         method.name = "offset";
         method.title = "parallax offset";
         method.guarantee = Guarantee::Approximate;
-        method.help = "One sample: the ray is taken to the height found where it enters.";
+        method.help = "One sample: the ray advances to the height sampled where it enters.";
         method.source = "Kaneko et al. 2001; [DIST17]";
         return method;
     }

@@ -22,7 +22,7 @@ class OffsetLimitedTracer {
         method.name = "offset-limited";
         method.title = "parallax offset, limited";
         method.guarantee = Guarantee::Approximate;
-        method.help = "One sample, the shift never longer than the relief is deep.";
+        method.help = "One sample, with the shift limited to the depth of the relief.";
         method.source = "Welsh 2004";
         return method;
     }

@@ -233,16 +233,17 @@ class PyramidWalk {
 // The option `base` of max-pyramid and max-pyramid-paper.
 template <class Options>
 OptionField<Options> baseLevelField(std::string Options::*member) {
-    return {{"base",
-             OptionKind::Integer,
-             "level",
-             0,
-             kMaxLevels - 1,
-             1,
-             {std::string(kBaseAuto)},
-             "base level: above 0, the mean pyramid's level is traced instead of the heights (the last if there are "
-             "fewer); auto: the highest whose texels are no wider than the narrowest pixel of the view"},
-            member};
+    return {
+        {"base",
+         OptionKind::Integer,
+         "level",
+         0,
+         kMaxLevels - 1,
+         1,
+         {std::string(kBaseAuto)},
+         "base level: above 0, this level of the mean pyramid is traced instead of the heights (the top level if there "
+         "are fewer); auto: the highest level whose texels are no wider than the narrowest pixel of the view"},
+        member};
 }
 
 // Step 1 of the procedure, for max-pyramid-paper and hybrid: the ray is advanced to the height of the highest point, at

@@ -19,7 +19,9 @@ class RelaxedConeTracer : public ConeMarch {
         method.title = "relaxed cone steps";
         method.guarantee = Guarantee::Approximate;
         method.rayClass = RayClass::ViewRays;
-        method.help = "Wider cones that the ray may leave below the surface, once; then halving of the last step.";
+        method.help =
+            "Steps to the edge of wider cones, in which a ray crosses the surface at most once; then bisects the last "
+            "step.";
         method.source = "Policarpo & Oliveira 2007";
         method.maps = {"relaxed-cone"};
         return method;
@@ -32,15 +34,31 @@ class RelaxedConeTracer : public ConeMarch {
         std::string precision = "float";
 
         static std::vector<OptionField<Options>> fields() {
-            return {{{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "at most"}, &Options::iterations},
-                    {{"bisections", OptionKind::Integer, "halvings", 0, 60, 1, {}, "of the last step"},
-                     &Options::bisections},
-                    {{"radius", OptionKind::Integer, "texels", 1, 1024, 1, {}, "how far cones are looked for"},
-                     &Options::radius},
-                    {{"directions", OptionKind::Integer, "azimuths", 4, 256, 1, {}, "along which cones are measured"},
-                     &Options::directions},
-                    {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "how cones are stored"},
-                     &Options::precision}};
+            return {
+                {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "largest number of steps"},
+                 &Options::iterations},
+                {{"bisections", OptionKind::Integer, "halvings", 0, 60, 1, {}, "number of bisections of the last step"},
+                 &Options::bisections},
+                {{"radius",
+                  OptionKind::Integer,
+                  "texels",
+                  1,
+                  1024,
+                  1,
+                  {},
+                  "search radius for the obstacles that limit a cone"},
+                 &Options::radius},
+                {{"directions",
+                  OptionKind::Integer,
+                  "azimuths",
+                  4,
+                  256,
+                  1,
+                  {},
+                  "number of azimuths along which cones are measured"},
+                 &Options::directions},
+                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
+                 &Options::precision}};
         }
     };
     static RelaxedConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {

@@ -24,8 +24,8 @@ class HybridTracer {
         method.title = "hybrid";
         method.guarantee = Guarantee::Approximate;
         method.help =
-            "One level of the max pyramid marks the segments worth testing; another method works inside them and gives "
-            "its guarantee. It mostly takes more steps than that method alone: compare the two.";
+            "One level of the max pyramid marks the segments worth testing; the inner method searches them, and its "
+            "guarantee holds. This mostly takes more steps than the inner method alone: compare the two.";
         method.source = "[MIP18]";
         method.maps = {"max-pyramid"};
         return method;
@@ -43,10 +43,10 @@ class HybridTracer {
                       kMaxLevels - 1,
                       1,
                       {},
-                      "the middle level (the top if there are fewer)"},
+                      "middle level (the top level if there are fewer)"},
                      &Options::level},
                     {{"inner", OptionKind::Method, "", 0, 0, 0, innerTracerNames(),
-                      "the method inside the segments; its own options as inner.NAME"},
+                      "method that searches the segments; its own options are given as inner.NAME"},
                      &Options::inner}};
         }
     };

@@ -27,7 +27,7 @@ class MaxPyramidAnyHit {
         method.kind = MethodKind::AnyHit;
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
-        method.help = "Whether anything is in the way of a segment: the first thing found ends the search.";
+        method.help = "Tests whether anything blocks a segment; the first obstacle ends the search.";
         method.source = "[MIP18]; Tevs 2008";
         method.maps = {"max-pyramid"};
         return method;

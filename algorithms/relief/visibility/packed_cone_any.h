@@ -47,8 +47,8 @@ class PackedConeAnyHit {
         method.guarantee = Guarantee::Exact;
         method.rayClass = RayClass::AnyRays;
         method.help =
-            "Jumps to the edge of the cone that the map promises to be empty above each cell, one of four for the "
-            "segment's quadrant.";
+            "Steps to the edge of the empty cone that the map stores above each cell, one of four for the segment's "
+            "quadrant.";
         method.source = "Dummer 2006; Ban et al. 2024";
         method.maps = {"packed-cones"};
         return method;

@@ -35,7 +35,7 @@ TEST(Messages, unknownNamesAreAnsweredByWhatIsNearAndWhatIsKnown) {
     };
     EXPECT_EQ(said("coen", "exact, cone"), "there is no tracer \"coen\"; did you mean \"cone\"? Known: exact, cone");
     EXPECT_EQ(said("magic", "exact, cone"), "there is no tracer \"magic\"; known: exact, cone");
-    EXPECT_EQ(said("magic", ""), "there is no tracer \"magic\", nor any other");
+    EXPECT_EQ(said("magic", ""), "there is no tracer \"magic\"; none exist");
 }
 
 // Nested stages are not reported and do not restart the outer one.

@@ -84,8 +84,8 @@ TEST(Malformed, NotAPicture) {
     for (int i = 0; i < 5000; ++i) random += static_cast<char>(generator() & 0xffU);
     for (const char* name :
          {"a.png", "a.jpg", "a.exr", "a.tif", "a.txt", "a", "a.mp4", "a.vdb", "a.null", "a.cr2", "a.dds"}) {
-        EXPECT_EQ(refusal(folder.with(name, "just some text\n")), "is not a picture that can be read") << name;
-        EXPECT_EQ(refusal(folder.with(name, random)), "is not a picture that can be read") << name;
+        EXPECT_EQ(refusal(folder.with(name, "just some text\n")), "is not a readable picture") << name;
+        EXPECT_EQ(refusal(folder.with(name, random)), "is not a readable picture") << name;
     }
     // Formats without a signature are recognised by the file's name: their libraries must examine the content.
     for (const char* name : {"a.tga", "a.rla", "a.heic"}) {
@@ -133,7 +133,8 @@ TEST(Malformed, PngWithAFlippedByte) {
         bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
         const std::string path = folder.with("flipped.png", bytes);
         const std::string line = refusal(path);
-        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a picture") || at == 16) << at << line;
+        EXPECT_TRUE(line.starts_with("is damaged") || line.starts_with("is not a readable picture") || at == 16)
+            << at << line;
     }
 }
 
@@ -155,10 +156,9 @@ TEST(Malformed, PngChunksOutOfOrder) {
 
 TEST(Malformed, ZeroSize) {
     const TemporaryFolder folder;
-    EXPECT_EQ(refusal(folder.with("zero.png", png(0, 5, 8, 0, "x"))),
-              "the picture is 0 x 5: there is not a single pixel");
+    EXPECT_EQ(refusal(folder.with("zero.png", png(0, 5, 8, 0, "x"))), "the picture has no pixels (0 x 5)");
     EXPECT_EQ(refusal(folder.with("zero.gif", "GIF89a" + littleEndian(3, 2) + littleEndian(0, 2) + "rest")),
-              "the picture is 3 x 0: there is not a single pixel");
+              "the picture has no pixels (3 x 0)");
     EXPECT_NE(refusal(folder.with("zero.pgm", "P5\n0 4\n255\n")), "");
 }
 
@@ -173,7 +173,7 @@ TEST(Malformed, PixelBombs) {
               "65535 x 65535" + limit);
     EXPECT_EQ(refusal(folder.with("bomb.ppm", "P6\n100000 100000\n255\nabc")), "100000 x 100000" + limit);
     EXPECT_EQ(refusal(folder.with("long.png", png(1000001, 1, 8, 0, "x"))),
-              "1000001 x 1 pixels: PNG is read up to 1000000 a side");
+              "1000001 x 1 pixels: PNG files are read up to 1000000 pixels per side");
     const std::string codestream = std::string("\xff\x4f\xff\x51\0\x2f\0\0", 8) + bigEndian(70000) + bigEndian(80000) +
                                    bigEndian(10) + bigEndian(0) + std::string(40, '\1');
     EXPECT_EQ(refusal(folder.with("bomb.j2k", codestream)), "69990 x 80000" + limit);
@@ -216,7 +216,7 @@ TEST(Malformed, Volume) {
     bytes += tiffEntry(256, 3, 1, 4) + tiffEntry(257, 3, 1, 4) + tiffEntry(258, 3, 1, 8) + tiffEntry(259, 3, 1, 1) +
              tiffEntry(262, 3, 1, 1) + tiffEntry(273, 4, 1, 8 + 2 + 9 * 12 + 4) + tiffEntry(278, 3, 1, 4) +
              tiffEntry(279, 4, 1, 48) + tiffEntry(32997, 4, 1, 3) + littleEndian(0, 4) + std::string(48, 'x');
-    EXPECT_EQ(refusal(folder.with("volume.tif", bytes)), "is a volume 3 layers deep, not a picture");
+    EXPECT_EQ(refusal(folder.with("volume.tif", bytes)), "is a volume of 3 layers, not a picture");
 }
 
 // Several samples per pixel, as renderers write them for compositing.
@@ -231,7 +231,7 @@ TEST(Malformed, DeepPicture) {
     data.set_samples(0, 2);
     const auto output = OIIO::ImageOutput::create(path);
     ASSERT_TRUE(output && output->open(path, spec) && output->write_deep_image(data) && output->close());
-    EXPECT_EQ(refusal(path), "is a deep picture (many samples a pixel), which is not supported");
+    EXPECT_EQ(refusal(path), "is a deep picture (several samples per pixel), which is not supported");
 }
 
 TEST(Malformed, ExrWithMissingRows) {

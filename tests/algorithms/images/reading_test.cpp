@@ -64,7 +64,7 @@ TEST(Reading, SignedIntegersClampNegativesWithANote) {
     const HeightImage image = heights(writeRaw<std::int16_t>(folder / "s.tif", 4, 1, 1, {-7, 0, 16384, 32767}));
     EXPECT_EQ(values(image), (std::vector<float>{0, 0, static_cast<float>(16384 / 32767.0), 1}));
     ASSERT_EQ(image.notes.size(), 1U);
-    EXPECT_EQ(sentence(image.notes[0]), "1 negative heights (lowest -7) were taken as 0");
+    EXPECT_EQ(sentence(image.notes[0]), "1 negative heights (lowest -7) were set to 0");
 }
 
 TEST(Reading, FloatsInsideStayAndOthersAreStretched) {
@@ -84,7 +84,7 @@ TEST(Reading, FloatsInsideStayAndOthersAreStretched) {
     const HeightImage flat = heights(writeRaw<float>(folder / "flat.exr", 2, 1, 1, {7.5F, 7.5F}));
     EXPECT_EQ(values(flat), (std::vector<float>{0, 0}));
     ASSERT_EQ(flat.notes.size(), 1U);
-    EXPECT_EQ(sentence(flat.notes[0]), "all heights are 7.5: taken as 0");
+    EXPECT_EQ(sentence(flat.notes[0]), "all heights are 7.5; they were set to 0");
 }
 
 TEST(Reading, HalvesAndDoubles) {
@@ -218,7 +218,8 @@ TEST(Reading, NormalsAreUnitAndNeverConverted) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(readNormals(writeRaw<float>(folder / "n.exr", 1, 1, 3, {nan, 0, 0}), work)(0, 0), glm::vec3(0, 0, 1));
     const std::string grey = writeRaw<std::uint8_t>(folder / "g.png", 1, 1, 1, {1});
-    EXPECT_EQ(faultOf([&] { readNormals(grey, work); }), grey + ": normals need three channels, here are 1");
+    EXPECT_EQ(faultOf([&] { readNormals(grey, work); }),
+              grey + ": a normal map needs three channels; this picture has 1");
 }
 
 TEST(Reading, InfoWithoutPixels) {

@@ -144,9 +144,8 @@ TEST(Reliefs, PaperExampleAsPrinted) {
 }
 
 TEST(Reliefs, RefusesWhatTheyAreNot) {
-    EXPECT_EQ(faultOf([] { makeRelief("paper8x8", 16, 8, 0); }), "paper8x8: is 8 x 8 only, not 16 x 8");
-    EXPECT_EQ(faultOf([] { makeRelief("bricks", 0, 8, 0); }),
-              "bricks: the picture is 0 x 8: there is not a single pixel");
+    EXPECT_EQ(faultOf([] { makeRelief("paper8x8", 16, 8, 0); }), "paper8x8: exists only as 8 x 8, not as 16 x 8");
+    EXPECT_EQ(faultOf([] { makeRelief("bricks", 0, 8, 0); }), "bricks: the picture has no pixels (0 x 8)");
     EXPECT_EQ(faultOf([] { makeRelief("walls", 8, 8, 0); }),
               "there is no relief \"walls\"; did you mean \"paper-walls\"? Known: bricks, spikes, pits, columns, city, "
               "fractal, hills, steps, "

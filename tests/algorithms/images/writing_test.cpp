@@ -132,17 +132,17 @@ TEST(Writing, PlanesKeepNamesAndNumbers) {
 TEST(Writing, RefusesFormatsThatItDoesNotWrite) {
     const TemporaryFolder folder;
     const ColorImage image(2, 2);
-    const std::string known = "; known: png, exr, tif, tiff, jpg, jpeg, hdr, bmp, tga, ppm";
+    const std::string known = "; supported: png, exr, tif, tiff, jpg, jpeg, hdr, bmp, tga, ppm";
     EXPECT_EQ(faultOf([&] { writeColor(folder / "a.xyz", image); }),
-              folder / "a.xyz" + std::string(": pictures are not written as \"xyz\"") + known);
+              folder / "a.xyz" + std::string(": cannot write pictures as \"xyz\"") + known);
     EXPECT_EQ(faultOf([&] { writeColor(folder / "a", image); }),
-              folder / "a" + std::string(": pictures are not written as \"\"") + known);
+              folder / "a" + std::string(": cannot write pictures as \"\"") + known);
     EXPECT_EQ(faultOf([&] { writeHeight(folder / "a.jpg", FloatImage(1, 1)); }),
               folder / "a.jpg" + std::string(": \"jpg\" cannot hold these numbers; use png, exr, tif, tiff"));
     EXPECT_EQ(faultOf([&] { writeHeight(folder / "a.png", FloatImage(1, 1), true); }),
               folder / "a.png" + std::string(": \"png\" cannot hold these numbers; use exr, tif, tiff"));
     EXPECT_EQ(faultOf([&] { writeColor(folder / "a.png", ColorImage()); }),
-              folder / "a.png" + std::string(": the picture is 0 x 0: there is not a single pixel"));
+              folder / "a.png" + std::string(": the picture has no pixels (0 x 0)"));
     EXPECT_EQ(folder.files(), 0);
 }
 

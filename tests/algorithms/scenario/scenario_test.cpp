@@ -141,10 +141,10 @@ TEST(Scenario, aReportIsOne) {
 TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("", "s.json: line 1: this is not JSON");
     expectRefused("{\n\"reliefscope\": 1,\n oops}", "line 3: this is not JSON");
-    expectRefused("[]", "s.json: line 1: a JSON object is needed here");
+    expectRefused("[]", "s.json: line 1: a JSON object is expected here");
     expectRefused("{}", "s.json: is not a scenario: \"reliefscope\" is missing");
     expectRefused("{\"reliefscope\": 2}", "not a scenario of version 1");
-    expectRefused("{\"reliefscope\": 1,\n\"colour\": 3}", "line 2: nothing is called \"colour\"");
+    expectRefused("{\"reliefscope\": 1,\n\"colour\": 3}", "line 2: unknown key \"colour\"");
     expectRefused("{\"reliefscope\": 1,\n\"relief\": {\n\"depth\": \"deep\"}}", "line 3: \"depth\" must be a number");
     expectRefused("{\"reliefscope\": 1, \"relief\": {\"depth\": -1}}", "relief-depth is -1");
     expectRefused("{\"reliefscope\": 1, \"relief\": {\"address\": \"mirror\"}}", "no address \"mirror\"");
@@ -158,21 +158,21 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
                   "line 4: there is no breakpoint \"never\"");
     expectRefused("{\"reliefscope\": 1,\n\"breakpoints\": [{\"stop\": \"overshoot\"},\n{\"level\": \"[,\"}]}",
                   "line 3: \"level\" must be a whole number");
-    expectRefused("{\"reliefscope\": 1, \"breakpoints\": [{\"level\": 33}]}", "level is 33, must be 0 to 32");
+    expectRefused("{\"reliefscope\": 1, \"breakpoints\": [{\"level\": 33}]}", "level is 33, but must be 0 to 32");
     expectRefused("{\"reliefscope\": 1, \"breakpoints\": 3}", "\"breakpoints\" must be an array of objects");
     expectRefused("{\"reliefscope\": 1,\n\"bookmarks\": [{\"name\": \"a\"},\n{\"nam\": \"b\"}]}",
-                  "line 3: nothing is called \"nam\"");
+                  "line 3: unknown key \"nam\"");
     const std::string rows = "{\"reliefscope\": 1, \"pictures\": {\"drawn\": {\"width\": 2, \"height\": 2,\n\"rows\": ";
     expectRefused(rows + "[\"0,1\", \"0.5,x\"]}}}", "line 2");
     expectRefused(rows + "[\"0,1\", \"0.5\"]}}}", "has 3 heights; it needs 4");
     expectRefused(rows + "[\"0,1\", \"0.5,1.5\"]}}}", "a drawn height is 1.5");
     expectRefused(rows + "[\"0,1\", \"0.5,nan\"]}}}", "s.json");
-    expectRefused(rows + "[]}}}", "an array of texts");
-    expectRefused(rows + "[\"0,1\", \"0,1\"]}, \"height\": \"a.png\"}}", "one of the two");
+    expectRefused(rows + "[]}}}", "an array of strings");
+    expectRefused(rows + "[\"0,1\", \"0,1\"]}, \"height\": \"a.png\"}}", "give only one of them");
     const std::string wide = "{\"reliefscope\": 1, \"pictures\": {\"drawn\": {\"width\": 33, \"height\": 2, ";
     expectRefused(wide + "\"rows\": [\"0,1\"]}}}", "33");
     const std::string compare = "{\"reliefscope\": 1,\n\"compare\": {";
-    expectRefused(compare + "\"mode\": \"blink\"}}", "no mode of comparison \"blink\"");
+    expectRefused(compare + "\"mode\": \"blink\"}}", "no comparison mode \"blink\"");
     expectRefused(compare + "\"methods\": [3]}}", "an object");
     expectRefused(compare + "\"methods\": [{\"name\": \"magic\"}]}}", "no tracer \"magic\"");
     expectRefused(compare + "\"dividers\": [0.5, 0.2]}}", "a divider is 0.2");

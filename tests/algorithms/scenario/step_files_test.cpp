@@ -124,23 +124,24 @@ TEST(StepFiles, FaultsNameTheLine) {
         row.replace(row.find(from), from.size(), to);
         return refusal(kFewColumns + row);
     };
-    EXPECT_EQ(with(",test", ""), "s.csv: line 2: 14 values separated by commas are needed, here are 13");
+    EXPECT_EQ(with(",test", ""), "s.csv: line 2: expected 14 values separated by commas, found 13");
     EXPECT_EQ(with("search", "look"), "s.csv: line 2: phase \"look\" is unknown; known: start, search, refine");
     EXPECT_NE(with("test", "jump").find("line 2: decision \"jump\" is unknown; known: start, skip"), std::string::npos);
     EXPECT_EQ(with("0.1,0.2", "x,0.2"), "s.csv: line 2: \"x\" is not a number");
     EXPECT_EQ(with("0.1,0.2", "0.1,nan"), "s.csv: line 2: \"nan\" is not finite");
-    EXPECT_EQ(with("0.1,0.2", "0.1,1.5"), "s.csv: line 2: lambda_out is 1.5, must be within [0, 1]");
+    EXPECT_EQ(with("0.1,0.2", "0.1,1.5"), "s.csv: line 2: lambda_out is 1.5, but must be within [0, 1]");
     EXPECT_EQ(with("0.1,0.2", "0.3,0.2"), "s.csv: line 2: lambda_out 0.2 lies before lambda_in 0.3");
     EXPECT_EQ(with("0.9,0.8", "0.9,0.7"), "s.csv: line 2: z_out is 0.7, but 1 - lambda is 0.8");
-    EXPECT_EQ(with("0,1,search", "5,1,search"), "s.csv: line 2: ray 5: the rays file has only 2, counted from 0");
+    EXPECT_EQ(with("0,1,search", "5,1,search"),
+              "s.csv: line 2: there is no ray 5; the rays file has 2, numbered from 0");
     EXPECT_EQ(with("0,1,search", "0,2,search"), "s.csv: line 2: step 2 of ray 0 is out of order");
     EXPECT_EQ(with("search,0", "search,99"), "s.csv: line 2: \"99\" is not a whole number from 0 to 32");
     // A step's subject, and additional columns of other names.
     const std::string known = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,advance,0.2";
     EXPECT_EQ(refusal(kHeader + known + ",sphere,1,2,0.9,,,,\n"), "");
-    EXPECT_EQ(refusal(kHeader + known + ",sphere,1,,0.9,,,,\n"), "s.csv: line 2: \"t\" is missing, or is no number");
+    EXPECT_EQ(refusal(kHeader + known + ",sphere,1,,0.9,,,,\n"), "s.csv: line 2: \"t\" is missing or is not a number");
     EXPECT_EQ(refusal(kHeader + known + ",cone,1,2,0.9,,,1.5,8\n"),
-              "s.csv: line 2: \"index\" is missing, or is no whole number");
+              "s.csv: line 2: \"index\" is missing or is not a whole number");
     EXPECT_NE(refusal(kHeader + known + ",ball,1,2,0.9,,,,\n").find("kind \"ball\" is unknown; known: texel, quad"),
               std::string::npos);
     EXPECT_EQ(refusal(std::string(kStepColumns) + ",mine,kind\n" + known + ",whatever,point\n"), "");

@@ -57,33 +57,34 @@ TEST(StepSentence, saysWhatSamplingMethodsDid) {
     ASSERT_EQ(layers.size(), 4U);
     EXPECT_EQ(layers[0], "Start: the ray enters the slab through its top plane, in texel (0,0).");
     EXPECT_EQ(layers[2],
-              "Layer 1 of 4: the ray is at 0.750, the surface under it at 0.250: still above, on to the next layer.");
+              "Layer 1 of 4: the ray is at height 0.750, still above the surface at 0.250; the next layer follows.");
     EXPECT_EQ(layers[3],
-              "Layer 2 of 4: the ray is at 0.500, the surface at 0.750: no longer above it. Hit, placed at height "
+              "Layer 2 of 4: the ray is at height 0.500, no longer above the surface at 0.750. Hit, placed at height "
               "0.500, at (4.50, 0.50).");
     const auto offset = said({"offset", {}}, ray);
     ASSERT_EQ(offset.size(), 2U);
     EXPECT_EQ(offset[1],
-              "One height is read, where the ray enters: 0.250. The ray is taken straight to height 0.250, at (6.50, "
-              "0.50), without testing the heights in between.");
+              "One height is sampled, where the ray enters: 0.250. The ray advances straight to height 0.250, at "
+              "(6.50, 0.50), without testing the heights in between.");
     const auto secant = said({"layers-secant", {{"layers", "4"}}}, ray);
     ASSERT_EQ(secant.size(), 5U);
     EXPECT_EQ(secant[3],
-              "Between heights 0.750 and 0.500 the ray goes below the surface: a straight line between the two layers "
-              "puts the crossing at height 0.583.");
+              "Between heights 0.750 and 0.500 the ray goes below the surface; a straight line between the two layers "
+              "gives the intersection at height 0.583.");
     const auto halved = said({"layers-bisection", {{"layers", "4"}, {"bisections", "2"}}}, ray);
     ASSERT_EQ(halved.size(), 6U);
     EXPECT_EQ(halved[3],
-              "Half way, at height 0.625, the surface is at 0.250: the ray is still above it, the crossing lies "
-              "between 0.625 and 0.500.");
+              "Half way, at height 0.625, the surface is at 0.250 and the ray is still above it, so the intersection "
+              "lies between 0.625 and 0.500.");
     EXPECT_EQ(halved[4],
-              "Half way, at height 0.562, the surface is at 0.750: the ray is no longer above it, the crossing lies "
-              "between 0.625 and 0.562.");
+              "Half way, at height 0.562, the surface is at 0.750 and the ray is no longer above it, so the "
+              "intersection lies between 0.625 and 0.562.");
 }
 
 TEST(StepSentence, saysTheSkipOfTheSketch) {
     EXPECT_EQ(sentence(stepSentence(step(Decision::Skip), {})),
-              "Level 3, texel (1,0): maximum 0.70, the ray leaves it at 0.82: nothing here, skipped.");
+              "Level 3, texel (1,0): maximum 0.70; the ray leaves the texel at height 0.82. No hit is possible here: "
+              "skipped.");
 }
 
 // The only formula of [MIP18], with the numbers of the step.
@@ -92,9 +93,10 @@ TEST(StepSentence, aDescentDoublesItsCoordinates) {
     down.subject = subject::Texel{3, 1, 0, 0.7, {}};
     EXPECT_EQ(sentence(stepSentence(down, {})).find("V(i+1)"), std::string::npos) << "no pyramid below it";
     down.subject = subject::Texel{3, 1, 0, 0.7, subject::LevelPoint{1.125, 0.25}};
-    EXPECT_EQ(sentence(stepSentence(down, {})),
-              "Level 3, texel (1,0): maximum 0.70, the ray would leave it at 0.82: a hit is possible, one level down. "
-              "There coordinates double: V(i+1) = 2 V(i) = 2 × (1.125, 0.250) = (2.25, 0.50).");
+    EXPECT_EQ(
+        sentence(stepSentence(down, {})),
+        "Level 3, texel (1,0): maximum 0.70; the ray would leave the texel at height 0.82. A hit is possible here, so "
+        "the search goes down a level, where coordinates double: V(i+1) = 2 V(i) = 2 × (1.125, 0.250) = (2.25, 0.50).");
     expectSaid(stepSentence(down, {}));
     // As methods fill in the record: the coordinates lie in the texel, and their doubled values in the next child.
     auto heights = std::make_shared<FloatImage>(16, 8);
@@ -138,12 +140,11 @@ TEST(StepSentence, anAscentGivesThePapersReason) {
     up.lambdaIn = up.lambdaOut;
     up.subject = subject::Texel{3, 1, 0, 0.7, {}};
     const std::string reason = sentence(stepSentence(up, {}));
-    EXPECT_NE(reason.find("The point of height 0.70 is there, but not on the projection of the ray"), std::string::npos)
-        << reason;
+    EXPECT_NE(reason.find("Its point of height 0.70 is not on the projection of the ray"), std::string::npos) << reason;
     const ViewRay ray{0, 0, 10, 0};
     EXPECT_EQ(sentence(stepSentence(up, {nullptr, ray, Hit::at(ray, 0.4)})), reason) << "the hit comes later";
     const std::string broken = sentence(stepSentence(up, {nullptr, ray, Hit::at(ray, 0.1)}));
-    EXPECT_NE(broken.find("although the ray has met the surface by then, at height 0.900"), std::string::npos);
+    EXPECT_NE(broken.find("although the ray has already met the surface, at height 0.900"), std::string::npos);
     EXPECT_EQ(broken.find("not on the projection"), std::string::npos);
 }
 
@@ -152,7 +153,8 @@ TEST(StepSentence, closeNumbersReadDifferently) {
     close.value = 0.70011;
     close.lambdaOut = 1 - 0.70014;
     EXPECT_EQ(sentence(stepSentence(close, {})),
-              "Level 3, texel (1,0): maximum 0.70011, the ray leaves it at 0.70014: nothing here, skipped.");
+              "Level 3, texel (1,0): maximum 0.70011; the ray leaves the texel at height 0.70014. No hit is possible "
+              "here: skipped.");
     EXPECT_EQ(distinguishingDecimals(0.5, 0.5), 2);
     EXPECT_EQ(distinguishingDecimals(0.5, 0.5 + 1e-12), 6);
     EXPECT_EQ(fixedText(-1e-9, 2), "0.00");
@@ -245,9 +247,9 @@ TEST(StepSentence, aBrokenPromiseIsMentioned) {
     const auto said = [&](double met) { return sentence(stepSentence(s, {nullptr, ray, Hit::at(ray, met)})); };
     s.subject = subject::Sphere{1, 0, 0.9, 2.5};
     EXPECT_EQ(said(0.4),
-              "At height 0.900 the map promises 2.50 texels around the ray to be empty: it goes on by as much, to "
-              "height 0.700.");
-    EXPECT_NE(said(0.2).find("The promise does not hold: the surface is met at height 0.800."), std::string::npos);
+              "At height 0.900 the map guarantees 2.50 texels of free space around the ray's point; the ray advances "
+              "by that distance, to height 0.700.");
+    EXPECT_NE(said(0.2).find("The map is wrong: the ray meets the surface at height 0.800."), std::string::npos);
     EXPECT_NE(said(0.05).find("already behind the surface"), std::string::npos);
     const auto claim = [&](const Hit& exact) { return mapPromise(s, {nullptr, ray, exact}); };
     EXPECT_EQ(claim(Hit()), MapPromise::Kept) << "no exact hit is known";
@@ -256,8 +258,8 @@ TEST(StepSentence, aBrokenPromiseIsMentioned) {
     EXPECT_EQ(claim(Hit::at(ray, 0.05)), MapPromise::Behind);
     EXPECT_EQ(mapPromise(step(Decision::Skip), {nullptr, ray, Hit::at(ray, 0.2)}), MapPromise::None);
     s.subject = subject::Cone{1, 0, 0.5, 0.25, 0, 1};
-    EXPECT_EQ(said(0.4).find("does not hold"), std::string::npos);
-    EXPECT_NE(said(0.2).find("The promise does not hold"), std::string::npos);
+    EXPECT_EQ(said(0.4).find("map is wrong"), std::string::npos);
+    EXPECT_NE(said(0.2).find("The map is wrong"), std::string::npos);
 }
 
 TEST(StepSentence, tellsTheKindsOfMissApart) {

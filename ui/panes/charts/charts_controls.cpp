@@ -59,20 +59,21 @@ ChartsView::~ChartsView() = default;
 void ChartsView::makeBar() {
     auto* const bar = qobject_cast<QHBoxLayout*>(bar_->layout());
     measureButton_ = addToolButton(
-        bar, tr("measure"), tr("Measure run time and error of the methods on this view's rays; or cancel it (Esc)"));
+        bar, tr("measure"),
+        tr("Measure run time and error of the methods on this view's rays, or cancel the measurement (Esc)"));
     measureButton_->setObjectName(QStringLiteral("charts-measure"));
-    live_ = addToolButton(bar, tr("live"), tr("Measure again by itself when the view changes"), true);
+    live_ = addToolButton(bar, tr("live"), tr("Measure again automatically when the view changes"), true);
     live_->setObjectName(QStringLiteral("charts-live"));
     live_->setChecked(true);
     maps_ = addToolButton(bar, tr("with maps"),
-                          tr("Methods with distance and cone maps, too: building these takes its time"), true);
+                          tr("Also measure methods with distance and cone maps, which take time to build"), true);
     maps_->setObjectName(QStringLiteral("charts-maps"));
-    error_ = addChooser(bar, "charts-error", tr("Which error stands on the vertical axis"));
+    error_ = addChooser(bar, "charts-error", tr("Error on the vertical axis"));
     error_->addItem(tr("mean error"));
-    error_->addItem(tr("error of 95%"));
-    error_->addItem(tr("error of 99.99%"));
+    error_->addItem(tr("95th percentile"));
+    error_->addItem(tr("99.99th percentile"));
     error_->addItem(tr("largest error"));
-    shown_ = addChooser(bar, "charts-shown", tr("Which charts are shown"));
+    shown_ = addChooser(bar, "charts-shown", tr("Charts to show"));
     shown_->addItem(tr("all charts"));
     shown_->addItem(tr("time and error"));
     shown_->addItem(tr("histograms"));

@@ -237,7 +237,7 @@ void ChartsView::chooseOf(const HistogramBar& bar) {
 // Always states the speed together with the error.
 QString ChartsView::textOf(const relief::ParetoPoint& point) const {
     QString text =
-        tr("%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps")
+        tr("%1: %2 ns per ray ± %3%, error %4 mean, %5 at most, %6 steps")
             .arg(QString::fromStdString(point.label(true)), number(point.nanoseconds), number(50 * point.spread),
                  number(point.error[0]), number(point.error[3]), number(point.steps));
     if (point.wrongOutcome > 0) text += tr(" · wrong outcome: %n rays", nullptr, static_cast<int>(point.wrongOutcome));
@@ -246,7 +246,7 @@ QString ChartsView::textOf(const relief::ParetoPoint& point) const {
 
 // The bar's range and count, and the hint that it can be clicked.
 QString ChartsView::textOf(const HistogramBar& bar) const {
-    return bar.rays > 0 ? tr("%1 · click: a pixel of them").arg(rangeOf(bar)) : rangeOf(bar);
+    return bar.rays > 0 ? tr("%1 · click to choose such a pixel").arg(rangeOf(bar)) : rangeOf(bar);
 }
 
 QString ChartsView::rangeOf(const HistogramBar& bar) {

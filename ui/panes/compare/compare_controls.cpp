@@ -99,9 +99,9 @@ QWidget* CompareView::makeMethodBar() {
         choosers_.push_back(box);
     }
     bar_->addStretch(1);
-    add_ = addToolButton(row, QStringLiteral("+"), tr("Set another one beside these"));
+    add_ = addToolButton(row, QStringLiteral("+"), tr("Add another one to the comparison"));
     add_->setObjectName(QStringLiteral("compare-add"));
-    remove_ = addToolButton(row, QStringLiteral("−"), tr("Leave out the last one"));
+    remove_ = addToolButton(row, QStringLiteral("−"), tr("Remove the last one"));
     remove_->setObjectName(QStringLiteral("compare-remove"));
     showOptions_ = addToolButton(row, tr("options"), tr("The options of each"));
     showOptions_->setObjectName(QStringLiteral("compare-options"));
@@ -113,16 +113,16 @@ QWidget* CompareView::makeMethodBar() {
 }
 
 void CompareView::makeModeBar() {
-    subject_ = addChooser(bar_, "compare-subject", tr("What the pictures differ in"));
+    subject_ = addChooser(bar_, "compare-subject", tr("Property in which the pictures differ"));
     for (const QString& subject : {tr("methods"), tr("filters"), tr("coordinates"), tr("heights")}) {
         subject_->addItem(subject);
     }
-    mode_ = addChooser(bar_, "compare-mode", tr("How the pictures are set against each other"));
+    mode_ = addChooser(bar_, "compare-mode", tr("How the pictures are compared"));
     mode_->addItem(tr("side by side"));
     mode_->addItem(tr("swipe"));
     mode_->addItem(tr("flicker"));
     mode_->addItem(tr("difference"));
-    measure_ = addChooser(bar_, "compare-measure", tr("Which difference of the colours is shown"));
+    measure_ = addChooser(bar_, "compare-measure", tr("Difference of the colours to show"));
     measure_->addItem(QStringLiteral("L1"));
     measure_->addItem(QStringLiteral("FLIP"));
     range_ = new RangeButton(
@@ -135,18 +135,18 @@ void CompareView::makeModeBar() {
     rate_->setRange(relief::kSlowestFlicker, relief::kFastestFlicker);
     rate_->setSingleStep(0.5);
     rate_->setDecimals(1);
-    rate_->setSuffix(tr(" a second"));
-    rate_->setToolTip(tr("Pictures a second"));
+    rate_->setSuffix(tr(" per second"));
+    rate_->setToolTip(tr("Pictures per second"));
     rate_->setAccessibleName(rate_->toolTip());
     rate_->setKeyboardTracking(false);
     bar_->addWidget(rate_);
-    play_ = addToolButton(bar_, QStringLiteral("▷"), tr("One after the other; A, B, C, D show one alone"));
+    play_ = addToolButton(bar_, QStringLiteral("▷"), tr("Show one after the other; A, B, C, D show a single one"));
     play_->setObjectName(QStringLiteral("compare-play"));
     play_->setCheckable(true);
     play_->setChecked(true);
     auto* const against = new QLabel(tr("against"), this);
     bar_->addWidget(against);
-    reference_ = addChooser(bar_, "compare-reference", tr("What the pictures are measured against"));
+    reference_ = addChooser(bar_, "compare-reference", tr("Reference for measuring the pictures"));
     // The reference with the least error has another name for each subject.
     reference_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     reference_->addItem(QString());

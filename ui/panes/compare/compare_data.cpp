@@ -122,7 +122,7 @@ void Comparer::fill(ComparedPicture& picture, const Snapshot& snapshot, relief::
     const relief::HeightField& field = snapshot.request->field;
     const bool method = snapshot.scenario.comparison.subject == CompareSubject::Methods;
     if (method && picture.traces && !relief::supports(picture.choice, field.surface(), field.address())) {
-        picture.problem = plainText(CompareText::tr("does not know this surface").toStdString());
+        picture.problem = plainText(CompareText::tr("does not support this surface").toStdString());
         return;
     }
     try {

@@ -10,7 +10,7 @@ PaneKind comparePane() {
     kind.name = QStringLiteral("compare");
     kind.title = CompareView::tr("Compare");
     kind.tab = CompareView::tr("Compare", "tab");
-    kind.help = CompareView::tr("Methods, filters, coordinates or heights beside each other");
+    kind.help = CompareView::tr("Compare methods, filters, coordinates or heights");
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<CompareView>;
     kind.figures = {{"compare", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario&) {

@@ -29,7 +29,7 @@ constexpr int kVeilMs = 150;
 
 ComparePictures::ComparePictures(Workspace* workspace, QWidget* parent) : PictureView(workspace, parent) {
     setObjectName(QStringLiteral("compare-pictures"));
-    setAccessibleName(tr("Compare: the pictures beside each other"));
+    setAccessibleName(tr("Compare: the pictures side by side"));
     veil_.setSingleShot(true);
     connect(&veil_, &QTimer::timeout, this, [this] {
         pending_.veil = true;

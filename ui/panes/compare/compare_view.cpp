@@ -142,7 +142,7 @@ void CompareView::setSubject(relief::CompareSubject subject) {
     if (const auto next = relief::nextVariation(scenario); next && relief::othersOf(scenario.comparison).empty()) {
         relief::othersOf(scenario.comparison).push_back(*next);
     }
-    change(scenario.comparison, changeName([] { return tr("What is compared"); }));
+    change(scenario.comparison, changeName([] { return tr("Kind of comparison"); }));
 }
 
 void CompareView::addOther() {
@@ -152,7 +152,7 @@ void CompareView::addOther() {
     if (!next || others.size() + 1 >= relief::kMostCompared) return;
     others.push_back(*next);
     scenario.comparison.dividers.clear();
-    change(scenario.comparison, changeName([] { return tr("Compare with another one"); }));
+    change(scenario.comparison, changeName([] { return tr("Add to comparison"); }));
 }
 
 void CompareView::removeOther() {
@@ -161,7 +161,7 @@ void CompareView::removeOther() {
     if (others.empty()) return;
     others.pop_back();
     comparison.dividers.clear();
-    change(comparison, changeName([] { return tr("Compare with one less"); }));
+    change(comparison, changeName([] { return tr("Remove from comparison"); }));
 }
 
 void CompareView::setChoice(std::size_t number, const QString& name) {
@@ -181,11 +181,12 @@ void CompareView::setChoice(std::size_t number, const QString& name) {
     } else if (const auto varied = relief::variedOption(scenario, choice.name)) {
         if (varied->options != choice.options) {
             Q_EMIT workspace_->notice(
-                tr("%1 is A already: %2 is set beside it.").arg(textOf(subject, all[0]), textOf(subject, *varied)));
+                tr("%1 is already A; %2 is added instead.").arg(textOf(subject, all[0]), textOf(subject, *varied)));
         }
         others[number - 1] = *varied;
     } else {
-        Q_EMIT workspace_->notice(tr("%1 is A already, and has no option to set it against itself.").arg(name));
+        Q_EMIT workspace_->notice(
+            tr("%1 is already A and has no option by which to compare it with itself.").arg(name));
         return showControls();
     }
     workspace_->finishInteraction();
@@ -207,7 +208,7 @@ void CompareView::swapWithA(std::size_t number) {
 void CompareView::setMode(relief::CompareMode mode) {
     relief::Comparison comparison = workspace_->scenario().comparison;
     comparison.mode = mode;
-    change(comparison, changeName([] { return tr("Way of comparing"); }));
+    change(comparison, changeName([] { return tr("Comparison mode"); }));
 }
 
 void CompareView::setMeasure(relief::CompareMeasure measure) {
@@ -237,7 +238,7 @@ void CompareView::addToMenu(QMenu& menu) {
     const std::vector<relief::MethodChoice> all = relief::comparedOf(scenario);
     const relief::CompareSubject subject = scenario.comparison.subject;
     if (!number || *number == 0 || *number >= all.size() || subject == relief::CompareSubject::Heights) return;
-    menu.addAction(tr("Make %1 the one that all panes show (A)").arg(textOf(subject, all[*number])), this,
+    menu.addAction(tr("Make %1 the one (A) that all panes show").arg(textOf(subject, all[*number])), this,
                    [this, n = *number] { swapWithA(n); });
 }
 

@@ -98,7 +98,7 @@ RangedValues sliceValues(const DistancePicture& picture, const ColorRanges& rang
     values.of = difference ? (slopes ? RangeOf::SlopeDifference : RangeOf::Difference)
                            : (slopes ? RangeOf::Slope : RangeOf::Distance);
     values.name = relief::sentence(barName(picture), language);
-    values.unit = (slopes ? DistanceText::tr("heights a texel") : DistanceText::tr("texels")).toStdString();
+    values.unit = (slopes ? DistanceText::tr("height per texel") : DistanceText::tr("texels")).toStdString();
     values.counted = slopes ? Counted::Texels : Counted::Voxels;
     values.map = difference ? ColorMap::Difference : ColorMap::Distance;
     values.range = ranges.of(values.of);

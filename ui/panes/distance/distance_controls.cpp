@@ -73,9 +73,9 @@ DistanceView::~DistanceView() {
 
 void DistanceView::makeMapBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 0);
-    kind_ = addChooser(bar, "distance-kind", tr("The map that is shown"));
-    minus_ = addChooser(bar, "distance-minus", tr("Another map that is taken away: what is left is where they differ"));
-    sector_ = addChooser(bar, "distance-sector", tr("Azimuth sector of the rays that the values are for"));
+    kind_ = addChooser(bar, "distance-kind", tr("Map to show"));
+    minus_ = addChooser(bar, "distance-minus", tr("Map to subtract, which shows where the two differ"));
+    sector_ = addChooser(bar, "distance-sector", tr("Azimuth sector of the rays for which the values are valid"));
     sector_->hide();
     kind_->addItem(tr("the method's map"), QString());
     minus_->addItem(tr("no difference"), QString());
@@ -85,14 +85,13 @@ void DistanceView::makeMapBar(QHBoxLayout* bar) {
         minus_->addItem(QStringLiteral("− ") + name, name);
     }
     iso_ = addToolButton(bar, tr("lines"), tr("Lines of equal value"), true);
-    near_ = addToolButton(bar, tr("near the ray"), tr("Only the surroundings of the ray"), true);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Show only the surroundings of the ray"), true);
     range_ = new RangeButton(
         workspace_, [this] { return result_ ? std::optional(result_->picture.values) : std::nullopt; }, this);
     bar->addWidget(range_);
-    auto* const fit = addToolButton(
-        bar, tr("fit"),
-        tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for "
-           "the distances of a point"));
+    auto* const fit = addToolButton(bar, tr("fit"),
+                                    tr("Show all of the slice (R); wheel zooms, drag moves, click chooses a step, "
+                                       "Ctrl+click shows the distances at a point"));
     connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] {
         DistanceOptions next = options_;
         next.kind = kind_->currentData().toString().toStdString();
@@ -143,7 +142,7 @@ void DistanceView::makeSliceBar(QHBoxLayout* bar) {
     slider_ = new QSlider(Qt::Horizontal, this);
     slider_->setObjectName(QStringLiteral("distance-slice"));
     slider_->setAccessibleName(tr("Slice"));
-    slider_->setToolTip(tr("Which slice is shown"));
+    slider_->setToolTip(tr("Slice to show"));
     slice_ = new QLabel(this);
     bar->addWidget(slider_, 1);
     bar->addWidget(slice_);
@@ -243,7 +242,7 @@ void DistanceView::readOut(const QPointF& widget) {
     const QString unit = frame.slopes ? tr("height per texel") : tr("texels");
     const auto value = [&](float v) {
         if (v == relief::StoredValues::kBuried) return tr("in the relief");
-        if (v < 0) return tr("at the surface: to be tested");
+        if (v < 0) return tr("at the surface: the cell is tested");
         return QStringLiteral("%1 %2").arg(number(static_cast<double>(v), frame.slopes ? 4 : 2), unit);
     };
     QString text = frame.slopes ? tr("texel (%1, %2): ").arg(at.bx).arg(at.by)

@@ -13,7 +13,7 @@ PaneKind distancePane() {
     kind.name = QStringLiteral("distance");
     kind.title = DistanceView::tr("Distance map");
     kind.tab = DistanceView::tr("Distance map", "tab");
-    kind.help = DistanceView::tr("A slice through what the method has stored");
+    kind.help = DistanceView::tr("A slice through the map that the method uses");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<DistanceView>;
     kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {

@@ -200,7 +200,7 @@ void DistanceView::showEmpty(relief::MessageId why) {
 }
 
 void DistanceView::fail(const QString& problem) {
-    problem_ = problem.isEmpty() ? tr("The map was not built: it was cancelled.") : problem;
+    problem_ = problem.isEmpty() ? tr("Building the map was cancelled.") : problem;
     // The snapshot may have gone in the meantime.
     failed_ = ready() ? namesNow() : MapNames{};
     building_ = {};

@@ -75,7 +75,7 @@ void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
     for (QHBoxLayout* const row : {starts, bar}) row->setContentsMargins(4, 2, 6, 2);
     start_ = new QComboBox(this);
     start_->setObjectName(QStringLiteral("drawn-start"));
-    start_->setToolTip(tr("What to start from; the colours of the picture are left out"));
+    start_->setToolTip(tr("Relief to start from; the colours of the picture are not used"));
     start_->addItem(tr("start from…"));
     start_->addItem(tr("the picture, around the hit"));
     start_->addItem(tr("a plain"));
@@ -87,13 +87,13 @@ void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
     }
     side_ = new QComboBox(this);
     side_->setObjectName(QStringLiteral("drawn-side"));
-    side_->setToolTip(tr("Texels a side"));
+    side_->setToolTip(tr("Texels per side"));
     for (const int side : kSides) side_->addItem(QStringLiteral("%1 × %1").arg(side), side);
     side_->setCurrentIndex(side_->findData(kFirstSide));
     profile_ = new QToolButton(this);
     profile_->setObjectName(QStringLiteral("drawn-profile"));
     profile_->setText(tr("profile"));
-    profile_->setToolTip(tr("One row that all others repeat, drawn from the side"));
+    profile_->setToolTip(tr("A single row, which all others repeat, drawn from the side"));
     profile_->setCheckable(true);
     profile_->setAutoRaise(true);
     height_ = new QDoubleSpinBox(this);
@@ -104,7 +104,7 @@ void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
     height_->setSingleStep(0.05);
     height_->setPrefix(tr("height "));
     height_->setKeyboardTracking(false);
-    height_->setToolTip(tr("Height of the chosen texel, 0 to 1: digits, Enter or a double click there"));
+    height_->setToolTip(tr("Height of the chosen texel, 0 to 1; type digits, press Enter or double-click the texel"));
     for (QWidget* const control : std::initializer_list<QWidget*>{start_, side_, profile_, height_}) {
         control->setAccessibleName(control->toolTip());
         (control == start_ || control == side_ ? starts : bar)->addWidget(control);
@@ -186,7 +186,7 @@ void DrawnView::setSide(int side) {
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < side; ++i) next.heights.push_back(old.at(i * old.width / side, j * old.height / side));
     }
-    set(std::move(next), changeName([] { return tr("Texels a side"); }));
+    set(std::move(next), changeName([] { return tr("Texels per side"); }));
 }
 
 void DrawnView::setProfile(bool on) {

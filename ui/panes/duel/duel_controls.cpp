@@ -37,8 +37,8 @@ void DuelView::makeBar(QHBoxLayout* bar) {
     for (int place = 0; place < kPlaces; ++place) {
         auto* const box = new NameBox(this);
         box->setObjectName(QStringLiteral("duel-method-%1").arg(place));
-        box->setAccessibleName(tr("Method against it, number %1").arg(place + 1));
-        box->setToolTip(tr("A method that is set against it; those of the comparison are the same"));
+        box->setAccessibleName(tr("Opponent number %1").arg(place + 1));
+        box->setToolTip(tr("Method to compete with; the compare pane uses the same methods"));
         box->addItem(QStringLiteral("–"), QString());
         for (const relief::MethodDescription& method : relief::tracerList()) {
             if (method.kind != relief::MethodKind::Tracer) continue;
@@ -59,14 +59,15 @@ void DuelView::makeButtons(QHBoxLayout* bar) {
         connect(made, &QToolButton::clicked, this, slot);
         return made;
     };
-    button(QStringLiteral("|◀"), tr("All at their first step"), &DuelView::first);
-    button(QStringLiteral("◀"), tr("Back in lock step"), &DuelView::back);
-    button(QStringLiteral("▶"), tr("On in lock step: those furthest behind take their next step"), &DuelView::forward);
-    button(QStringLiteral("▶|"), tr("All at their answers"), &DuelView::last);
-    divergence_ = button(tr("divergence"), tr("To the first step that the exact answer contradicts (Ctrl+D)"),
+    button(QStringLiteral("|◀"), tr("All methods to their first step"), &DuelView::first);
+    button(QStringLiteral("◀"), tr("One step back in lockstep"), &DuelView::back);
+    button(QStringLiteral("▶"), tr("One step forward in lockstep: the methods furthest behind take their next step"),
+           &DuelView::forward);
+    button(QStringLiteral("▶|"), tr("All methods to their answers"), &DuelView::last);
+    divergence_ = button(tr("divergence"), tr("Go to the first step that contradicts the exact answer (Ctrl+D)"),
                          &DuelView::toDivergence);
     divergence_->setObjectName(QStringLiteral("duel-divergence"));
-    near_ = addToolButton(bar, tr("near the ray"), tr("Only the heights that the ray comes through"), true);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Show only the heights that the ray passes"), true);
     near_->setObjectName(QStringLiteral("duel-near"));
     near_->setChecked(options_.nearRay);
     connect(near_, &QToolButton::toggled, this, &DuelView::showNearRay);

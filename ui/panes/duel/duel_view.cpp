@@ -40,7 +40,7 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     options_.levels = LevelsShown::None;
     options_.nearRay = true;
     table_->setModel(model_);
-    table_->setAccessibleName(tr("Steps of the methods in lock step"));
+    table_->setAccessibleName(tr("Steps of the methods in lockstep"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setWordWrap(false);
@@ -68,7 +68,7 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
         if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
-        verdict_->setText(tr("No duel: it was cancelled, or failed."));
+        verdict_->setText(tr("There is no duel, because it was cancelled or failed."));
     };
     listener.progress = [this](const QString& what, double fraction) {
         if (fraction >= 0)
@@ -222,7 +222,7 @@ void DuelView::showVerdict() {
     const auto& compared = duel_->snapshot->scenario.comparison.others;
     for (const relief::MethodChoice& rival : rivals_) {
         if (std::find(compared.begin(), compared.end(), rival) != compared.end()) continue;
-        others << tr("against %1, as no other method is compared").arg(QString::fromStdString(rival.name));
+        others << tr("against %1, because no other method is chosen").arg(QString::fromStdString(rival.name));
     }
     const QString first =
         duel_->first ? QStringLiteral("<b>%1</b><br>").arg(sentences[static_cast<int>(*duel_->first)]) : QString();

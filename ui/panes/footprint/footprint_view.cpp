@@ -74,13 +74,14 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
 
 void FootprintView::makeBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 2);
-    neighbours_ = addChooser(bar, "footprint-neighbours", tr("The ellipses of the pixels around: how they overlap"));
+    neighbours_ =
+        addChooser(bar, "footprint-neighbours", tr("Show the ellipses of neighbouring pixels and how they overlap"));
     neighbours_->setAccessibleName(tr("Neighbours"));
     neighbours_->addItem(tr("this pixel alone"), 0);
     neighbours_->addItem(tr("and 4 neighbours"), 4);
     neighbours_->addItem(tr("and 8 neighbours"), 8);
     weigh_ = addToolButton(bar, tr("weights"),
-                           tr("The weight function and the map of weights, where the pane has room for them"), true);
+                           tr("Show the weight function and the weight map, if the pane has room for them"), true);
     weigh_->setObjectName(QStringLiteral("footprint-weights"));
     connect(weigh_, &QToolButton::clicked, this, [this](bool on) {
         FootprintOptions next = options_;
@@ -250,7 +251,7 @@ void FootprintView::readOut(const QPointF& widget) {
     const ItemId id = canvas_->itemAt(widget);
     if (!chosen_) {
         setReadout(id.kind == ItemKind::Texel
-                       ? tr("level %1, texel (%2, %3): does not count").arg(id.level).arg(id.i).arg(id.j) + more
+                       ? tr("level %1, texel (%2, %3): is not counted").arg(id.level).arg(id.i).arg(id.j) + more
                        : QString());
         return;
     }

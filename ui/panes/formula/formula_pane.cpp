@@ -9,7 +9,7 @@ PaneKind formulaPane() {
     PaneKind kind;
     kind.name = QStringLiteral("formula");
     kind.title = FormulaView::tr("Formulas");
-    kind.help = FormulaView::tr("The papers' equations with the numbers of the chosen pixel and step put in");
+    kind.help = FormulaView::tr("The papers' equations with the values of the chosen pixel and step");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<FormulaView>;
     const auto figure = [&](const char* name, std::optional<FormulaPart> part) {

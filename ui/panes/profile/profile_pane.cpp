@@ -11,7 +11,7 @@ PaneKind profilePane() {
     PaneKind kind;
     kind.name = QStringLiteral("profile");
     kind.title = ProfileView::tr("Profile");
-    kind.help = ProfileView::tr("The relief under the ray, cut along it");
+    kind.help = ProfileView::tr("Section of the relief along the ray");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<ProfileView>;
     kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {

@@ -52,17 +52,15 @@ void ProfileView::makeBar() {
     auto* const bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 6, 2);
     allLevels_ = addToolButton(bar, tr("all levels"),
-                               tr("The maxima of all levels, not only of those that the ray asked"), true);
-    near_ = addToolButton(bar, tr("near the ray"), tr("Only the heights that the ray comes through"), true);
-    aspect_ =
-        addToolButton(bar, tr("true aspect"), tr("A texel as long across as upwards: the relief's true shape"), true);
-    guess_ = addToolButton(bar, tr("guess"),
-                           tr("Hide the answer; a click guesses where the ray hits, then it is shown (G)"), true);
+                               tr("Show the maxima of all levels, not only of those that the ray visited"), true);
+    near_ = addToolButton(bar, tr("near the ray"), tr("Show only the heights that the ray passes"), true);
+    aspect_ = addToolButton(bar, tr("true aspect"),
+                            tr("Use one scale across and upwards, which shows the relief's true shape"), true);
+    guess_ = addToolButton(bar, tr("guess"), tr("Hide the answer until a click guesses where the ray hits (G)"), true);
     guess_->setObjectName(QStringLiteral("guess"));
-    auto* const fit = addToolButton(
-        bar, tr("fit"),
-        tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances "
-           "of a point"));
+    auto* const fit = addToolButton(bar, tr("fit"),
+                                    tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step, "
+                                       "Ctrl+click shows the distances at a point"));
     bar->addStretch(1);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -11,7 +11,7 @@ PaneKind pyramidPane() {
     kind.name = QStringLiteral("pyramid");
     kind.title = PyramidView::tr("Pyramid");
     kind.tab = PyramidView::tr("Pyramid", "tab");
-    kind.help = PyramidView::tr("The levels of the pyramid and the texels that the ray looked at");
+    kind.help = PyramidView::tr("The levels of the pyramid and the texels that the ray visited");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<PyramidView>;
     kind.figures = {{"pyramid", true,

@@ -49,13 +49,13 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
 QHBoxLayout* PyramidView::makeBar() {
     auto* const bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 6, 2);
-    maxima_ = addToolButton(bar, tr("max"), tr("The highest point under each texel: what lets the ray skip"), true);
-    means_ = addToolButton(bar, tr("mean"), tr("The mean under each texel: what colours are filtered with"), true);
+    maxima_ =
+        addToolButton(bar, tr("max"), tr("The highest point under each texel, by which the ray skips texels"), true);
+    means_ = addToolButton(bar, tr("mean"), tr("The mean under each texel, with which colours are filtered"), true);
     minima_ = addToolButton(bar, tr("min"), tr("The lowest point under each texel"), true);
-    all_ = addToolButton(bar, tr("all"), tr("Maxima, means and minima beside each other"), true);
+    all_ = addToolButton(bar, tr("all"), tr("Show maxima, means and minima side by side"), true);
     stacked_ = addToolButton(
-        bar, tr("3-D"), tr("The levels above each other, each texel a slab of its own size, and the way of the ray"),
-        true);
+        bar, tr("3-D"), tr("The levels one above another, with a slab for each texel, and the path of the ray"), true);
     near_ = addToolButton(bar, tr("near the ray"), tr("Show only the surroundings of the ray, on every level"), true);
     follow_ = addToolButton(bar, tr("follow"), tr("Zoom to the level of the current step"), true);
     range_ = new RangeButton(

@@ -55,8 +55,9 @@ std::vector<Swatch> swatches(const LayerPicture& layer) {
     }
     if (layer.layer == Layer::Error) return errorSwatches(layer);
     if (layer.layer == Layer::Hidden) {
-        return {{QColor(0x2b, 0x30, 0x38), false,
-                 ResultText::tr("nothing to show: only the filter elliptical-visible asks what the relief hides")}};
+        return {
+            {QColor(0x2b, 0x30, 0x38), false,
+             ResultText::tr("nothing to show: only the filter elliptical-visible determines what the relief hides")}};
     }
     std::vector<Swatch> list;
     for (std::size_t i = layer.outcomes.size(); i-- > 0;) {

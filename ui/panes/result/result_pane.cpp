@@ -9,7 +9,7 @@ PaneKind resultPane() {
     PaneKind kind;
     kind.name = QStringLiteral("result");
     kind.title = ResultView::tr("Result");
-    kind.help = ResultView::tr("The picture, or a layer of it: choose a pixel to see how it came about");
+    kind.help = ResultView::tr("The picture or one of its layers; choose a pixel to see how it was computed");
     kind.place = DockPlace::Center;
     kind.make = makePane<ResultView>;
     kind.figures = {{"result", true, plainFigure<resultFigure>}};

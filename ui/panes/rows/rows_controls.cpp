@@ -69,13 +69,14 @@ void RowsView::makeBar() {
     bar_ = new QWidget(this);
     auto* const bar = new QHBoxLayout(bar_);
     bar->setContentsMargins(4, 2, 6, 2);
-    open_ = addToolButton(bar, tr("variants"), tr("Which variants are compared, and their options"), true);
+    open_ = addToolButton(bar, tr("variants"), tr("Variants to compare, and their options"), true);
     open_->setObjectName(QStringLiteral("rows-variants"));
     connect(open_, &QToolButton::toggled, this, [this](bool on) { variants_->setVisible(on); });
-    pixels_ = addChooser(bar, "rows-pixels", tr("How many pixels the picture is wide: on long rows rounding adds up"));
+    pixels_ =
+        addChooser(bar, "rows-pixels", tr("Width of the picture in pixels; on long rows rounding errors accumulate"));
     pixels_->addItem(tr("the picture's width"), 0);
     for (const int width : kWidths) pixels_->addItem(tr("%n pixels", nullptr, width), width);
-    precision_ = addChooser(bar, "rows-precision", tr("The numbers that the variants compute in"));
+    precision_ = addChooser(bar, "rows-precision", tr("Type of the numbers with which the variants compute"));
     precision_->addItem(QStringLiteral("float"), false);
     precision_->addItem(QStringLiteral("double"), true);
     logarithmic_ = addToolButton(bar, tr("log"), tr("Errors on a logarithmic scale"), true);
@@ -147,13 +148,13 @@ void RowsView::addSlot(QGridLayout* grid, int row) {
     slot.error->setDecimals(3);
     slot.error->setSingleStep(0.05);
     slot.error->setPrefix(tr("error ≤ "));
-    slot.error->setSpecialValueText(tr("m as given"));
-    slot.error->setToolTip(tr("The longest span that keeps this error, texels"));
+    slot.error->setSpecialValueText(tr("given m"));
+    slot.error->setToolTip(tr("Largest error, texels, which determines the span"));
     slot.error->setAccessibleName(slot.error->toolTip());
     slot.error->setKeyboardTracking(false);
     grid->addWidget(slot.error, row, 3);
     slot.anchor = spin("anchor", 4, relief::kRecommended, 1 << 20, tr("anchor "),
-                       tr("Pixels between exact restarts; 0: never; auto: as keeps 1/256 texel"));
+                       tr("Pixels between exact restarts; 0: never; auto: chosen to keep an error of 1/256 texel"));
     slot.anchor->setSpecialValueText(tr("anchor: auto"));
     // Another variant starts with its own defaults.
     connect(slot.variant, qOverload<int>(&QComboBox::activated), this, [this, slot] {

@@ -226,7 +226,7 @@ void RowsView::readOut(const QPointF& widget) {
                      QString::fromStdString(relief::numberText(curve.error[i], 3)));
     const int streams = streamsOf(curve);
     if (streams > 1) text += tr(" · stream %1 of %2").arg(curve.stream[i]).arg(streams);
-    if (std::binary_search(curve.exact.begin(), curve.exact.end(), at.pixel)) text += tr(" · made anew here");
+    if (std::binary_search(curve.exact.begin(), curve.exact.end(), at.pixel)) text += tr(" · restart here");
     setReadout(text + more);
 }
 

@@ -43,14 +43,14 @@ QString measured(const relief::SkipRow& row, const relief::BoundedError& error) 
 
 TableSource skippedTable(const Snapshot& snapshot, relief::Language language) {
     TableSource table;
-    table.titles = {Texts::tr("Not computed").toStdString(), Texts::tr("How many").toStdString(),
+    table.titles = {Texts::tr("Not computed").toStdString(), Texts::tr("Count").toStdString(),
                     Texts::tr("Why").toStdString()};
     table.numbers = {false, false, false};
     if (!snapshot.request || !snapshot.frame) return table;
     const auto words = [&](const relief::Message& message) { return relief::sentence(message, language); };
     const double bound = snapshot.request->bounded;
     const QString lossless =
-        snapshot.request->skip ? Texts::tr("Lossless: not a bit changes") : Texts::tr("Lossless: off");
+        snapshot.request->skip ? Texts::tr("Lossless: the picture does not change") : Texts::tr("Lossless: off");
     const QString bounded =
         bound > 0 ? Texts::tr("Bounded by %1 texels").arg(rounded(bound)) : Texts::tr("Bounded: off");
     const auto rows = relief::skipLedger(*snapshot.frame, *snapshot.request);

@@ -9,7 +9,7 @@ PaneKind skippedPane() {
     PaneKind kind;
     kind.name = QStringLiteral("skipped");
     kind.title = SkippedPanel::tr("Skipped");
-    kind.help = SkippedPanel::tr("What the picture did without, and why");
+    kind.help = SkippedPanel::tr("Work that was skipped for the picture, and why");
     kind.place = DockPlace::Bottom;
     kind.make = makePane<SkippedPanel>;
     kind.figures = {{"skipped", true, plainFigure<skippedFigure>}};

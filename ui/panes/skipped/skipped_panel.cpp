@@ -36,8 +36,8 @@ class Wrapped : public QStyledItemDelegate {
 
 SkippedPanel::SkippedPanel(Workspace* workspace, QWidget* parent) : QTreeWidget(parent), workspace_(workspace) {
     setObjectName(QStringLiteral("skipped"));
-    setAccessibleName(tr("What the last frame did not compute"));
-    setHeaderLabels({tr("Not computed"), tr("How many"), tr("Why")});
+    setAccessibleName(tr("Work that the last frame skipped"));
+    setHeaderLabels({tr("Not computed"), tr("Count"), tr("Why")});
     setSelectionMode(QAbstractItemView::NoSelection);
     // Reasons are sentences, which are wrapped in a narrow pane.
     setWordWrap(true);

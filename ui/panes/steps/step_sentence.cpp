@@ -41,7 +41,7 @@ QSize StepSentence::sizeHint() const {
 
 QString StepSentence::words() const {
     const auto snapshot = workspace_->snapshot();
-    if (!snapshot) return tr("The steps of the chosen pixel's ray will stand here.");
+    if (!snapshot) return tr("The steps of the chosen pixel's ray will appear here.");
     const relief::Language language = workspace_->style().language;
     const auto inWords = [&](const relief::Message& message) {
         return QString::fromStdString(relief::sentence(message, language));

@@ -166,8 +166,8 @@ QVariant StepModel::headerData(int section, Qt::Orientation orientation, int rol
                                    tr("descent of the ray, 0 the top of the slab, 1 its bottom"),
                                    tr("height of the ray, 1 the top of the slab"),
                                    tr("the stored value that decided, here the maximum of the texel"),
-                                   tr("what the tracer decided"),
-                                   tr("where it went on")};
+                                   tr("decision of the tracer"),
+                                   tr("where the ray continued")};
     return help[section];
 }
 

@@ -70,7 +70,7 @@ vtkRenderer* Trace3dView::renderer() const {
 
 void Trace3dView::makeBar(QHBoxLayout* bar) {
     bar->setContentsMargins(4, 2, 6, 2);
-    colors_ = addChooser(bar, "trace-colors", tr("What the colours of the steps say"));
+    colors_ = addChooser(bar, "trace-colors", tr("Meaning of the steps' colours"));
     const std::vector<std::string>& names = tracePaneColors();
     for (const QString& text : {tr("steps by decision"), tr("steps by level"), tr("steps by phase")}) {
         colors_->addItem(text, QString::fromStdString(names[static_cast<std::size_t>(colors_->count())]));

@@ -240,7 +240,7 @@ TEST(Recommend, KeepsTheStepBudget) {
     options.outliers = 0;
     const Advice none = recommend(options, work);
     EXPECT_FALSE(none.keepsBounds);
-    EXPECT_NE(adviceText(options, none).find("No method keeps all bounds"), std::string::npos);
+    EXPECT_NE(adviceText(options, none).find("No method stays within all bounds"), std::string::npos);
 }
 
 // Methods that violate a bound are listed with their errors, and no factor is printed as thousands of percent.
@@ -250,7 +250,7 @@ TEST(Recommend, ApproximateMethodsAreListedWithTheirErrors) {
     Work work;
     const Advice advice = recommend(options, work);
     const std::string text = adviceText(options, advice);
-    const std::size_t past = text.find("Past the bounds");
+    const std::size_t past = text.find("Methods that exceed a bound");
     ASSERT_NE(past, std::string::npos) << text;
     EXPECT_NE(text.find("offset", past), std::string::npos) << text;
     EXPECT_NE(text.find("approximate", past), std::string::npos) << text;
@@ -329,9 +329,9 @@ TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {
     const Advice advice = recommend(options, work);
     const std::string text = adviceText(options, advice);
     const std::string method = methodText(advice.best().method);
-    for (const std::string& part :
-         {"Method: " + method, std::string("steps and"), std::string("reads a ray"), std::string("mean slope"),
-          std::string("flat"), std::string("KB"), std::string("Of 4 forms: 1 past the error bound")}) {
+    for (const std::string& part : {"Method: " + method, std::string("steps and"), std::string("per ray"),
+                                    std::string("mean slope"), std::string("flat"), std::string("KB"),
+                                    std::string("Of 4 candidates (methods with options), 1 exceed the error bound")}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
     const std::string ukrainian = adviceText(options, advice, Language::Ukrainian);

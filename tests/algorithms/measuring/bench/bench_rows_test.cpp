@@ -137,7 +137,7 @@ TEST(BenchRows, TablesHaveTheirColumns) {
     EXPECT_EQ(json[0]["streams"], 16);
     EXPECT_TRUE(json[1]["error_max"].is_null());
     EXPECT_EQ(rowBenchCsvLine(rows[1]).back(), '\n');
-    EXPECT_NE(rowBenchText(rows).find("64 pixels a row, elevation 8 degrees, double"), std::string::npos);
+    EXPECT_NE(rowBenchText(rows).find("64 pixels per row, elevation 8 degrees, double"), std::string::npos);
 }
 
 TEST(BenchRows, CanBeStopped) {

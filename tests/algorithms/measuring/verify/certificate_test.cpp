@@ -414,7 +414,7 @@ TEST(Certificate, CanBeCancelled) {
     std::stop_source stop;
     int stages = 0;
     Work work(0, stop.get_token(), [&](std::string_view what, double) {
-        if (what != "every voxel") return;
+        if (what != "checking voxels") return;
         ++stages;
         stop.request_stop();
     });

@@ -302,8 +302,8 @@ TEST(MapFiles, AnotherMethodOrOptionIsRefused) {
     EXPECT_EQ(fault({"distance-refined", {}}), "");
     EXPECT_EQ(fault({"distance-refined", {{"layers", "16.0"}}}), "");
     expectPart(fault({"distance-refined", {{"layers", "8"}}}), "layers 16, not 8");
-    expectPart(fault({"cone", {}}), "cone needs the map cone, this is refined");
-    expectPart(fault({"distance-refined-sampled", {}}), "needs the map refined-sampled, this is refined");
+    expectPart(fault({"cone", {}}), "cone needs the map cone; this is refined");
+    expectPart(fault({"distance-refined-sampled", {}}), "needs the map refined-sampled; this is refined");
     expectPart(fault({"exact", {}}), "this is refined");
     expectPart(fault({"hybrid", {{"inner", "layers"}}}), "this is refined");
     EXPECT_EQ(fault({"hybrid", {}}), "") << "inside it the unchanged tracer takes the refined map";
