@@ -329,7 +329,7 @@
     </message>
     <message>
         <source>Floor</source>
-        <translation>Дно</translation>
+        <translation>Підлога</translation>
     </message>
     <message>
         <source>Wall</source>
@@ -369,7 +369,7 @@
     </message>
     <message>
         <source>rough terrain: value noise in octaves</source>
-        <translation>шорсткий рельєф: шум в октавах</translation>
+        <translation>нерівна місцевість: шум, складений з октав</translation>
     </message>
     <message>
         <source>smooth hills: a few sines</source>
@@ -799,11 +799,11 @@
     </message>
     <message>
         <source>parallax offset</source>
-        <translation>зміщення</translation>
+        <translation>зміщення за паралаксом</translation>
     </message>
     <message>
         <source>parallax offset, limited</source>
-        <translation>зміщення з обмеженням</translation>
+        <translation>зміщення за паралаксом, обмежене</translation>
     </message>
     <message>
         <source>relaxed cone steps</source>
@@ -832,6 +832,366 @@
     <message>
         <source>heights</source>
         <translation>висоти</translation>
+    </message>
+    <message>
+        <source>weight function of the texels in a footprint</source>
+        <translation>вагова функція текселів проєкції пікселя</translation>
+    </message>
+    <message>
+        <source>standard deviation of the Gaussian pixel model</source>
+        <translation>стандартне відхилення гаусівської моделі пікселя</translation>
+    </message>
+    <message>
+        <source>radius of the footprint (0: chosen to suit the weights)</source>
+        <translation>радіус проєкції пікселя; 0: радіус, що відповідає ваговій функції</translation>
+    </message>
+    <message>
+        <source>pyramid: the level is chosen by the footprint&apos;s minor axis; exhaustive: always level 0</source>
+        <translation>pyramid: рівень вибирають за малою віссю проєкції пікселя; exhaustive: завжди рівень 0</translation>
+    </message>
+    <message>
+        <source>smallest minor semi-axis, on the chosen level, of the ellipse onto which a circle of radius 1 pixel projects</source>
+        <translation>найменша допустима мала піввісь еліпса, у який проєктується коло радіуса 1 піксель, на вибраному рівні</translation>
+    </message>
+    <message>
+        <source>largest ratio of the axes (longer footprints are widened)</source>
+        <translation>найбільше відношення осей; довші проєкції розширюються</translation>
+    </message>
+    <message>
+        <source>whether the Gaussian accounts for the size of texels</source>
+        <translation>чи враховує гаусівська модель розмір текселів</translation>
+    </message>
+    <message>
+        <source>source of the weights: the formula, a table over the distance, or a weight map of the pixel</source>
+        <translation>джерело вагових коефіцієнтів: формула, таблиця за відстанню чи текстурна карта вагових коефіцієнтів</translation>
+    </message>
+    <message>
+        <source>cells along each side of the weight map (the table has as many cells as the whole map)</source>
+        <translation>роздільна здатність карти вагових коефіцієнтів за кожною стороною; таблиця за відстанню має стільки комірок, скільки вся карта</translation>
+    </message>
+    <message>
+        <source>lanes: many pixels at once with SIMD, from 16-bit levels, if source=direct; scalar: one pixel at a time, in double</source>
+        <translation>lanes: багато пікселів одночасно (SIMD), за 16-бітовими рівнями, якщо source=direct; scalar: по одному пікселю, з подвійною точністю</translation>
+    </message>
+    <message>
+        <source>place of a texel within the pixel. plane: its point on the polygon&apos;s plane, as in the paper; position: its point on the relief; position-area: the same, weighted by its visible area; rays, grid: the points that rays through parts of the pixel see, traced for each pixel alone or shared with its neighbours</source>
+        <translation>місце текселя в пікселі. plane: на площині полігона, як у статті; position: на рельєфі; position-area: те саме з видимою площею; rays, grid: точки, які видно променям крізь частини пікселя, власним для кожного пікселя чи спільним із сусідами</translation>
+    </message>
+    <message>
+        <source>form=rays: rays through each pixel in which the relief is not planar</source>
+        <translation>form=rays: променів крізь піксель, у якому рельєф не є площиною</translation>
+    </message>
+    <message>
+        <source>form=grid: points sampled for each pixel in which the relief is not planar</source>
+        <translation>form=grid: точок на піксель там, де рельєф не є площиною</translation>
+    </message>
+    <message>
+        <source>the four texels around the point, interpolated bilinearly</source>
+        <translation>білінійна фільтрація: чотири текселі навколо точки, ваговий коефіцієнт тим більший, чим ближчий тексель</translation>
+    </message>
+    <message>
+        <source>computation of footprints. direct: from the derivatives of each pixel, in double; iterative, cached: along rows in float ([TEX]), by differences or by cached squares; slower</source>
+        <translation>обчислення проєкцій пікселів. direct: за похідними кожного пікселя, з подвійною точністю; iterative, cached: уздовж рядків з одинарною точністю ([TEX]), різницями чи збереженими квадратами; повільніше</translation>
+    </message>
+    <message>
+        <source>all texels in the elliptical footprint of the pixel, weighted by the pixel model</source>
+        <translation>анізотропна фільтрація: усі текселі в еліпсі — проєкції пікселя — з ваговими коефіцієнтами за моделлю пікселя</translation>
+    </message>
+    <message>
+        <source>the elliptical filter without the texels that the relief hides from the viewer</source>
+        <translation>анізотропна фільтрація без текселів, які перекриває рельєф (зворотне трасування променя)</translation>
+    </message>
+    <message>
+        <source>many rays per pixel, each traced and lit by itself; the reference for pictures, slow</source>
+        <translation>надвибірка: багато променів на піксель, кожен трасовано й освітлено окремо; еталон зображення, повільно</translation>
+    </message>
+    <message>
+        <source>two levels of the mean pyramid, chosen by the longer side of the pixel&apos;s projection</source>
+        <translation>трилінійна фільтрація: два рівні MIP-піраміди середніх значень, за довшою стороною проєкції пікселя</translation>
+    </message>
+    <message>
+        <source>searching for pixels</source>
+        <translation>пошук пікселів</translation>
+    </message>
+    <message>
+        <source>Steps to the edge of the empty cone that the map stores above each cell. Below the cone&apos;s apex the cell is skipped if the ray stays above it, and tested otherwise.</source>
+        <translation>Просувається до межі конуса, який за картою порожній над коміркою; нижче його вершини комірку пропускають, якщо промінь лишається над нею, інакше перевіряють.</translation>
+    </message>
+    <message>
+        <source>packed: four square cones per cell, compact and fast; texel: one round cone per cell, as game engines store them. Using sectors, a precision or a map file selects texel</source>
+        <translation>packed: чотири квадратні конуси на комірку, компактно й швидко; texel: один круглий конус на комірку, як в ігрових рушіях. Сектори, точність зберігання або файл карти вибирають texel</translation>
+    </message>
+    <message>
+        <source>number of azimuth sectors with separate slopes</source>
+        <translation>кількість азимутальних секторів з окремими нахилами конусів</translation>
+    </message>
+    <message>
+        <source>storage format of the cones</source>
+        <translation>формат зберігання конусів</translation>
+    </message>
+    <message>
+        <source>Steps to the edge of the interpolated cone a fixed number of times.</source>
+        <translation>Просувається до межі інтерпольованого конуса; кількість кроків стала.</translation>
+    </message>
+    <message>
+        <source>Steps to the edge of wider cones, in which a ray crosses the surface at most once; then bisects the last step.</source>
+        <translation>Ширші конуси: точка виходу променя з конуса може лежати під поверхнею, але перетинає він її щонайбільше раз; далі останній крок ділять навпіл.</translation>
+    </message>
+    <message>
+        <source>number of bisections of the last step</source>
+        <translation>кількість поділів останнього кроку навпіл</translation>
+    </message>
+    <message>
+        <source>search radius for the obstacles that limit a cone</source>
+        <translation>до якої відстані шукають перешкоди для конуса</translation>
+    </message>
+    <message>
+        <source>number of azimuths along which cones are measured</source>
+        <translation>кількість напрямків, уздовж яких вимірюють конуси</translation>
+    </message>
+    <message>
+        <source>A triangle mesh whose vertices lie at the heights; frames rasterise it with a depth buffer.</source>
+        <translation>Сітка трикутників, вершини якої підняті на висоти карти (displacement mapping); кадр растеризують із буфером глибини.</translation>
+    </message>
+    <message>
+        <source>number of quads along each side of the texture</source>
+        <translation>кількість чотирикутників уздовж кожної сторони текстури</translation>
+    </message>
+    <message>
+        <source>Sphere tracing with trilinearly interpolated distances until the ray reaches the surface.</source>
+        <translation>Метод Доннеллі: трасування сферами за трилінійно інтерпольованими відстанями, доки промінь не дійде до поверхні.</translation>
+    </message>
+    <message>
+        <source>Sphere tracing with distances that are safe for whole voxels; near the surface the cells themselves are tested.</source>
+        <translation>Трасування сферами з відстанями, що справджуються для всього об’єму вокселя; біля поверхні перевіряють самі комірки.</translation>
+    </message>
+    <message>
+        <source>The refined map as published, computed from sampled rays; can overshoot at walls.</source>
+        <translation>Уточнена карта зі статей без змін, за вибірковими променями; біля стінок можливий проскок за поверхню.</translation>
+    </message>
+    <message>
+        <source>Sphere tracing with the larger distances that are valid for rays from above; safe for whole voxels.</source>
+        <translation>Трасування сферами з більшими відстанями для видових променів згори; вони справджуються для всього об’єму вокселя.</translation>
+    </message>
+    <message>
+        <source>number of voxel layers in the slab</source>
+        <translation>кількість вокселів за висотою товщі рельєфу</translation>
+    </message>
+    <message>
+        <source>storage format of the distances</source>
+        <translation>формат зберігання відстаней</translation>
+    </message>
+    <message>
+        <source>lowest elevation of the rays for which the map is valid</source>
+        <translation>кут піднесення найпологішого променя, для якого карта справджується</translation>
+    </message>
+    <message>
+        <source>number of azimuth sectors in which the occluders of a voxel are searched</source>
+        <translation>кількість азимутальних секторів, у яких шукають перешкоди, що перекривають воксель</translation>
+    </message>
+    <message>
+        <source>number of azimuth sectors with separate distances (a divisor of horizons)</source>
+        <translation>кількість азимутальних секторів з окремими відстанями (дільник кількості секторів горизонту)</translation>
+    </message>
+    <message>
+        <source>number of rays sampled from each voxel</source>
+        <translation>кількість вибіркових променів із кожного вокселя</translation>
+    </message>
+    <message>
+        <source>start of a step by the stored distance. exit: where the ray leaves the voxel; classic: the ray&apos;s current point</source>
+        <translation>початок кроку на збережену відстань. exit: точка виходу променя з вокселя; classic: поточна точка</translation>
+    </message>
+    <message>
+        <source>end of the march: at the surface, where the distance is below `within`, or only after all iterations</source>
+        <translation>де закінчується трасування: на поверхні, там, де відстань менша за `within`, або лише після всіх ітерацій</translation>
+    </message>
+    <message>
+        <source>distance below which stop=distance ends the march</source>
+        <translation>відстань, за якої закінчує stop=distance</translation>
+    </message>
+    <message>
+        <source>largest number of steps (stop=never takes all of them)</source>
+        <translation>найбільша кількість кроків; за stop=never виконуються всі</translation>
+    </message>
+    <message>
+        <source>target of the Euclidean distances: the surface, or the centre of the nearest solid voxel</source>
+        <translation>до чого вимірюють евклідові відстані: до поверхні чи до центра найближчого заповненого вокселя</translation>
+    </message>
+    <message>
+        <source>map used for tracing</source>
+        <translation>карта, за якою виконується трасування</translation>
+    </message>
+    <message>
+        <source>largest number of steps</source>
+        <translation>найбільша кількість кроків</translation>
+    </message>
+    <message>
+        <source>Tests every cell that the ray crosses, in order; the reference for all other methods.</source>
+        <translation>Перевіряє по черзі кожну комірку, яку перетинає промінь: еталон, з яким порівнюють інші методи.</translation>
+    </message>
+    <message>
+        <source>Plain texturing without relief; lighting uses the flat polygon.</source>
+        <translation>Звичайне текстурування: без рельєфу, освітлення як у полігона.</translation>
+    </message>
+    <message>
+        <source>The surface stays flat; lighting uses the slopes of the heights.</source>
+        <translation>Геометрія лишається плоскою; освітлення враховує нахили карти висот (bump mapping).</translation>
+    </message>
+    <message>
+        <source>The surface stays flat; lighting uses a normal map, either given or computed from the heights.</source>
+        <translation>Геометрія лишається плоскою; освітлення враховує карту нормалей, задану або обчислену з висот (normal mapping).</translation>
+    </message>
+    <message>
+        <source>number of layers in the slab</source>
+        <translation>кількість шарів у товщі рельєфу</translation>
+    </message>
+    <message>
+        <source>number of bisections of the last layer</source>
+        <translation>кількість поділів останнього шару навпіл</translation>
+    </message>
+    <message>
+        <source>Layers of equal depth; the answer is the first one below the surface.</source>
+        <translation>Шари однакової товщини; відповідь — перший шар, нижчий за поверхню.</translation>
+    </message>
+    <message>
+        <source>Layers of equal depth, then a straight line between the last two.</source>
+        <translation>Шари однакової товщини, потім пряма між двома останніми.</translation>
+    </message>
+    <message>
+        <source>Layers of equal depth, then bisection of the last one.</source>
+        <translation>Шари однакової товщини, потім ділення останнього навпіл.</translation>
+    </message>
+    <message>
+        <source>Skips areas below the ray with a pyramid of maxima; iterative, without a stack.</source>
+        <translation>Пропускає ділянки, що лежать нижче за промінь, за допомогою MIP-піраміди максимальних значень; ітеративно, без стека.</translation>
+    </message>
+    <message>
+        <source>Skips areas below the ray with a pyramid of maxima; recursive, as in the paper.</source>
+        <translation>Пропускає ділянки, що лежать нижче за промінь, за допомогою MIP-піраміди максимальних значень; рекурсивно, як у [MIP18].</translation>
+    </message>
+    <message>
+        <source>One sample: the ray advances to the height sampled where it enters.</source>
+        <translation>Зміщення за один відлік: промінь продовжують до висоти, прочитаної в точці входу.</translation>
+    </message>
+    <message>
+        <source>One sample, with the shift limited to the depth of the relief.</source>
+        <translation>Один відлік, з обмеженням зміщення: воно не довше за глибину рельєфу.</translation>
+    </message>
+    <message>
+        <source>base level: above 0, this level of the mean pyramid is traced instead of the heights (the top level if there are fewer); auto: the highest level whose texels are no wider than the narrowest pixel of the view</source>
+        <translation>базовий MIP-рівень: якщо більший за 0, замість висот трасують рівень MIP-піраміди середніх значень (останній, якщо рівнів менше); auto: найвищий рівень, текселі якого не ширші за найвужчу проєкцію пікселя цього ракурсу</translation>
+    </message>
+    <message>
+        <source>One level of the max pyramid marks the segments worth testing; the inner method searches them, and its guarantee holds. This mostly takes more steps than the inner method alone: compare the two.</source>
+        <translation>Один рівень MIP-піраміди максимальних значень виділяє відрізки, які варто перевірити; їх досліджує внутрішній метод, і діє його гарантія. Кроків здебільшого більше, ніж у самого внутрішнього методу: порівняйте обидва.</translation>
+    </message>
+    <message>
+        <source>middle level (the top level if there are fewer)</source>
+        <translation>середній рівень (найвищий, якщо рівнів менше)</translation>
+    </message>
+    <message>
+        <source>method that searches the segments; its own options are given as inner.NAME</source>
+        <translation>метод усередині відрізків; його параметри: inner.НАЗВА</translation>
+    </message>
+    <message>
+        <source>u and v are linear along the row, without perspective; deliberately wrong.</source>
+        <translation>Афінне текстурування: u, v змінюються вздовж рядка лінійно, без перспективи; навмисно неправильно.</translation>
+    </message>
+    <message>
+        <source>(A x + B y + C) / (G x + H y + I); the denominator is computed separately for u and v.</source>
+        <translation>Метод Хекберта: (A x + B y + C) / (G x + H y + I), знаменник обчислюється окремо для u та для v.</translation>
+    </message>
+    <message>
+        <source>(u_t + A n) / (u_b + G n); the terms that are constant along a row are computed once.</source>
+        <translation>(u_t + A n) / (u_b + G n): сталі для рядка частини чисельника та знаменника обчислено один раз ([PERSP]).</translation>
+    </message>
+    <message>
+        <source>elevation of the camera above the horizontal</source>
+        <translation>кут камери над горизонтом</translation>
+    </message>
+    <message>
+        <source>rotation of the camera to the right (0: in front)</source>
+        <translation>наскільки камера повернута праворуч, 0 — спереду</translation>
+    </message>
+    <message>
+        <source>distance from the camera to its target</source>
+        <translation>від камери до того, на що вона спрямована</translation>
+    </message>
+    <message>
+        <source>direction from which the light comes (0: from the front)</source>
+        <translation>звідки падає світло, 0 — спереду</translation>
+    </message>
+    <message>
+        <source>elevation of the light above the horizontal</source>
+        <translation>кут світла над горизонтом</translation>
+    </message>
+    <message>
+        <source>share of ambient light, from all directions</source>
+        <translation>частка світла, що йде звідусіль</translation>
+    </message>
+    <message>
+        <source>strength of the directional light</source>
+        <translation>сила світла, що падає з одного напрямку</translation>
+    </message>
+    <message>
+        <source>largest hit error allowed to save work (the actual error is measured)</source>
+        <translation>допустима похибка точки перетину там, де це заощаджує обчислення; фактичну похибку вимірюють</translation>
+    </message>
+    <message>
+        <source>model of a display pixel: the weight function of the samples</source>
+        <translation>модель пікселя екрана: вагова функція вибірок</translation>
+    </message>
+    <message>
+        <source>the heights as read from the file</source>
+        <translation>висоти, як їх прочитано</translation>
+    </message>
+    <message>
+        <source>heights rounded to a number of bits, as in files of integers</source>
+        <translation>висоти, округлені до заданої кількості бітів, як у файлах цілих чисел</translation>
+    </message>
+    <message>
+        <source>bits per height: 2^bits uniform values from 0 to 1</source>
+        <translation>бітів на висоту: 2 у степені цього числа значень, рівномірно від 0 до 1</translation>
+    </message>
+    <message>
+        <source>Divides every m pixels and interpolates u and v linearly in between; m is given, or the largest that keeps a given error.</source>
+        <translation>Ділення через кожні m пікселів, між ними u та v лінійні; m задане або найбільше, за якого похибка не перевищує заданої.</translation>
+    </message>
+    <message>
+        <source>w += A, q += G, with a separate denominator for u and v. Restarts from an exact value every anchor pixels; otherwise the error accumulates.</source>
+        <translation>w += A, q += G, знаменник окремо для u та для v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
+    </message>
+    <message>
+        <source>As incremental, but with one q for u and v. Restarts from an exact value every anchor pixels; otherwise the error accumulates.</source>
+        <translation>Те саме з одним q для u та v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
+    </message>
+    <message>
+        <source>As incremental, but with one 1 / q for u and v. Restarts from an exact value every anchor pixels; otherwise the error accumulates.</source>
+        <translation>Те саме з одним 1 / q для u та v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
+    </message>
+    <message>
+        <source>Computes pixel n from pixel n - k, in k streams at once; 2, 4, 8, 16 and 32 streams use SIMD. Restarts from an exact value every anchor pixels; otherwise the error accumulates.</source>
+        <translation>Піксель n із пікселя n - k, k потоків одночасно; 2, 4, 8, 16 та 32 обчислюються у векторних регістрах (SIMD). Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
+    </message>
+    <message>
+        <source>Computes from both ends of the row towards its middle. Restarts from an exact value every anchor pixels; otherwise the error accumulates.</source>
+        <translation>Від обох кінців рядка до середини. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
+    </message>
+    <message>
+        <source>Interleaved streams; several threads share the rows. Restarts from an exact value every anchor pixels; otherwise the error accumulates.</source>
+        <translation>Почергові потоки в рядку; самі рядки паралельно растеризує кілька потоків процесора. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
+    </message>
+    <message>
+        <source>number of samples along each side of a pixel</source>
+        <translation>вибірок уздовж кожної сторони пікселя</translation>
+    </message>
+    <message>
+        <source>width of the picture</source>
+        <translation>ширина зображення</translation>
+    </message>
+    <message>
+        <source>height of the picture</source>
+        <translation>висота зображення</translation>
     </message>
 </context>
 </TS>

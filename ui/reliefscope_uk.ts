@@ -162,10 +162,6 @@
         <translation>Закладки</translation>
     </message>
     <message>
-        <source>Enter goes there, F2 gives another name</source>
-        <translation>Enter веде туди, F2 дає іншу назву</translation>
-    </message>
-    <message>
         <source>&amp;Go there</source>
         <translation>&amp;Перейти</translation>
     </message>
@@ -180,6 +176,10 @@
     <message>
         <source>Rename bookmark</source>
         <translation>Перейменувати закладку</translation>
+    </message>
+    <message>
+        <source>Enter goes to the bookmark, F2 renames it</source>
+        <translation>Enter переходить до закладки, F2 перейменовує її</translation>
     </message>
 </context>
 <context>
@@ -208,12 +208,8 @@
         <translation>Де зупиняються кроки</translation>
     </message>
     <message>
-        <source>Playing and running stop at the step at which this begins to hold</source>
-        <translation>Відтворення й перехід зупиняються на кроці, з якого умова справджується</translation>
-    </message>
-    <message>
         <source>level below</source>
-        <translation>рівень нижче</translation>
+        <translation>рівень менший за</translation>
     </message>
     <message>
         <source>texel</source>
@@ -268,20 +264,24 @@
         <translation>Вилучити точку зупинки</translation>
     </message>
     <message>
-        <source>Set breakpoint on or off</source>
+        <source>Remove the breakpoint: %1</source>
+        <translation>Вилучити точку зупинки: %1</translation>
+    </message>
+    <message>
+        <source>Playing and running stop at the first step that meets this condition</source>
+        <translation>Відтворення й перехід зупиняються на першому кроці, для якого справджується ця умова</translation>
+    </message>
+    <message>
+        <source>Turn breakpoint on or off</source>
         <translation>Увімкнути чи вимкнути точку зупинки</translation>
     </message>
     <message>
-        <source>Stops here; press to set it off</source>
+        <source>Stops here; press to turn it off</source>
         <translation>Зупиняє; натисніть, щоб вимкнути</translation>
     </message>
     <message>
-        <source>Is off; press to set it on</source>
+        <source>Is off; press to turn it on</source>
         <translation>Вимкнена; натисніть, щоб увімкнути</translation>
-    </message>
-    <message>
-        <source>Remove the breakpoint: %1</source>
-        <translation>Вилучити точку зупинки: %1</translation>
     </message>
 </context>
 <context>
@@ -289,10 +289,6 @@
     <message>
         <source>Charts: other view</source>
         <translation>Діаграми: інший вигляд</translation>
-    </message>
-    <message>
-        <source>%1 · click: a pixel of them</source>
-        <translation>%1 · клацніть: один із цих пікселів</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -303,48 +299,20 @@
         <translation>виміряти</translation>
     </message>
     <message>
-        <source>Measure run time and error of the methods on this view&apos;s rays; or cancel it (Esc)</source>
-        <translation>Виміряти час роботи й похибку методів на променях цього ракурсу або зупинити вимірювання (Esc)</translation>
-    </message>
-    <message>
         <source>live</source>
         <translation>наживо</translation>
-    </message>
-    <message>
-        <source>Measure again by itself when the view changes</source>
-        <translation>Вимірювати знову, щойно зміниться ракурс</translation>
     </message>
     <message>
         <source>with maps</source>
         <translation>із картами</translation>
     </message>
     <message>
-        <source>Methods with distance and cone maps, too: building these takes its time</source>
-        <translation>Також методи з картами відстаней і конусів: їх побудова потребує часу</translation>
-    </message>
-    <message>
-        <source>Which error stands on the vertical axis</source>
-        <translation>Яка похибка на вертикальній осі</translation>
-    </message>
-    <message>
         <source>mean error</source>
         <translation>середня похибка</translation>
     </message>
     <message>
-        <source>error of 95%</source>
-        <translation>похибка для 95&#xa0;% променів</translation>
-    </message>
-    <message>
-        <source>error of 99.99%</source>
-        <translation>похибка для 99.99&#xa0;% променів</translation>
-    </message>
-    <message>
         <source>largest error</source>
         <translation>найбільша похибка</translation>
-    </message>
-    <message>
-        <source>Which charts are shown</source>
-        <translation>Які діаграми показано</translation>
     </message>
     <message>
         <source>all charts</source>
@@ -365,10 +333,6 @@
     <message>
         <source>Choose method and its worst pixel</source>
         <translation>Вибрати метод і його найгірший піксель</translation>
-    </message>
-    <message>
-        <source>%1: %2 ns a ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
-        <translation>%1: %2 нс на промінь ± %3&#xa0;%, похибка в середньому %4, найбільша %5, кроків %6</translation>
     </message>
     <message numerus="yes">
         <source> · wrong outcome: %n rays</source>
@@ -442,6 +406,42 @@
             <numerusform>%n кроків</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Measure run time and error of the methods on this view&apos;s rays, or cancel the measurement (Esc)</source>
+        <translation>Виміряти час роботи й похибку методів на променях цього ракурсу або зупинити вимірювання (Esc)</translation>
+    </message>
+    <message>
+        <source>Measure again automatically when the view changes</source>
+        <translation>Вимірювати знову автоматично, коли змінюється ракурс</translation>
+    </message>
+    <message>
+        <source>Also measure methods with distance and cone maps, which take time to build</source>
+        <translation>Вимірювати також методи з картами відстаней і конусів, побудова яких потребує часу</translation>
+    </message>
+    <message>
+        <source>Error on the vertical axis</source>
+        <translation>Похибка на вертикальній осі</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95-й процентиль</translation>
+    </message>
+    <message>
+        <source>99.99th percentile</source>
+        <translation>99,99-й процентиль</translation>
+    </message>
+    <message>
+        <source>Charts to show</source>
+        <translation>Діаграми, які показано</translation>
+    </message>
+    <message>
+        <source>%1: %2 ns per ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
+        <translation>%1: %2 нс на промінь ± %3 %, похибка в середньому %4, найбільша %5, кроків %6</translation>
+    </message>
+    <message>
+        <source>%1 · click to choose such a pixel</source>
+        <translation>%1 · клацніть, щоб вибрати такий піксель</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ComparePictures</name>
@@ -458,16 +458,12 @@
         <translation>роздільник %1 з %2</translation>
     </message>
     <message>
-        <source>Compare: the pictures beside each other</source>
+        <source>Compare: the pictures side by side</source>
         <translation>Порівняння: зображення поруч</translation>
     </message>
 </context>
 <context>
     <name>reliefui::CompareText</name>
-    <message>
-        <source>does not know this surface</source>
-        <translation>не працює з такою поверхнею</translation>
-    </message>
     <message>
         <source>(%1, %2) λ %3</source>
         <translation>(%1, %2) λ %3</translation>
@@ -475,6 +471,10 @@
     <message>
         <source>, steps: %1</source>
         <translation>, кроків: %1</translation>
+    </message>
+    <message>
+        <source>does not support this surface</source>
+        <translation>не працює з такою поверхнею</translation>
     </message>
 </context>
 <context>
@@ -512,22 +512,6 @@
         <translation>різниця</translation>
     </message>
     <message>
-        <source>Which difference of the colours is shown</source>
-        <translation>Яку різницю кольорів показано</translation>
-    </message>
-    <message>
-        <source> a second</source>
-        <translation> за секунду</translation>
-    </message>
-    <message>
-        <source>Pictures a second</source>
-        <translation>Зображень за секунду</translation>
-    </message>
-    <message>
-        <source>One after the other; A, B, C, D show one alone</source>
-        <translation>Одне за одним; A, B, C, D показують лише одне</translation>
-    </message>
-    <message>
         <source>against</source>
         <translation>відносно</translation>
     </message>
@@ -542,10 +526,6 @@
     <message>
         <source>Speed of flicker</source>
         <translation>Швидкість мерехтіння</translation>
-    </message>
-    <message>
-        <source>Way of comparing</source>
-        <translation>Спосіб порівняння</translation>
     </message>
     <message>
         <source>Difference</source>
@@ -565,20 +545,8 @@
         <translation>Порівнюється: %1</translation>
     </message>
     <message>
-        <source>Set another one beside these</source>
-        <translation>Поставити поруч ще одне</translation>
-    </message>
-    <message>
-        <source>Leave out the last one</source>
-        <translation>Прибрати останнє</translation>
-    </message>
-    <message>
         <source>The options of each</source>
         <translation>Параметри кожного</translation>
-    </message>
-    <message>
-        <source>What the pictures differ in</source>
-        <translation>Чим відрізняються зображення</translation>
     </message>
     <message>
         <source>methods</source>
@@ -597,38 +565,6 @@
         <translation>висоти</translation>
     </message>
     <message>
-        <source>How the pictures are set against each other</source>
-        <translation>Спосіб порівняння зображень</translation>
-    </message>
-    <message>
-        <source>What the pictures are measured against</source>
-        <translation>Відносно чого вимірюються зображення</translation>
-    </message>
-    <message>
-        <source>Methods, filters, coordinates or heights beside each other</source>
-        <translation>Методи, фільтри, координати чи висоти поруч</translation>
-    </message>
-    <message>
-        <source>What is compared</source>
-        <translation>Що порівнюється</translation>
-    </message>
-    <message>
-        <source>Compare with another one</source>
-        <translation>Порівняти ще з одним</translation>
-    </message>
-    <message>
-        <source>Compare with one less</source>
-        <translation>Порівняти з одним менше</translation>
-    </message>
-    <message>
-        <source>%1 is A already: %2 is set beside it.</source>
-        <translation>%1 — це вже A: поруч поставлено %2.</translation>
-    </message>
-    <message>
-        <source>%1 is A already, and has no option to set it against itself.</source>
-        <translation>%1 — це вже A, і в нього немає параметра, щоб порівняти його з самим собою.</translation>
-    </message>
-    <message>
         <source>Compare: %1</source>
         <translation>Порівняння: %1</translation>
     </message>
@@ -637,16 +573,76 @@
         <translation>Поміняти місцями з A</translation>
     </message>
     <message>
-        <source>Make %1 the one that all panes show (A)</source>
-        <translation>Зробити %1 тим, що показують усі панелі (A)</translation>
+        <source>Add another one to the comparison</source>
+        <translation>Додати до порівняння ще одне</translation>
+    </message>
+    <message>
+        <source>Remove the last one</source>
+        <translation>Прибрати останнє</translation>
+    </message>
+    <message>
+        <source>Property in which the pictures differ</source>
+        <translation>Властивість, якою відрізняються зображення</translation>
+    </message>
+    <message>
+        <source>How the pictures are compared</source>
+        <translation>Спосіб порівняння зображень</translation>
+    </message>
+    <message>
+        <source>Difference of the colours to show</source>
+        <translation>Різниця кольорів, яку показано</translation>
+    </message>
+    <message>
+        <source> per second</source>
+        <translation> за секунду</translation>
+    </message>
+    <message>
+        <source>Pictures per second</source>
+        <translation>Зображень за секунду</translation>
+    </message>
+    <message>
+        <source>Show one after the other; A, B, C, D show a single one</source>
+        <translation>Показувати одне за одним; A, B, C, D показують лише одне</translation>
+    </message>
+    <message>
+        <source>Reference for measuring the pictures</source>
+        <translation>Еталон, відносно якого вимірюються зображення</translation>
+    </message>
+    <message>
+        <source>Compare methods, filters, coordinates or heights</source>
+        <translation>Порівняти методи, фільтри, координати або висоти</translation>
+    </message>
+    <message>
+        <source>Kind of comparison</source>
+        <translation>Предмет порівняння</translation>
+    </message>
+    <message>
+        <source>Add to comparison</source>
+        <translation>Додати до порівняння</translation>
+    </message>
+    <message>
+        <source>Remove from comparison</source>
+        <translation>Прибрати з порівняння</translation>
+    </message>
+    <message>
+        <source>%1 is already A; %2 is added instead.</source>
+        <translation>%1 — це вже A; натомість додано %2.</translation>
+    </message>
+    <message>
+        <source>%1 is already A and has no option by which to compare it with itself.</source>
+        <translation>%1 — це вже A, і в нього немає параметра, щоб порівняти його з самим собою.</translation>
+    </message>
+    <message>
+        <source>Comparison mode</source>
+        <translation>Спосіб порівняння</translation>
+    </message>
+    <message>
+        <source>Make %1 the one (A) that all panes show</source>
+        <translation>Зробити %1 варіантом A, який показують усі панелі</translation>
     </message>
 </context>
 <context>
     <name>reliefui::DistanceText</name>
-    <message>
-        <source>heights a texel</source>
-        <translation>одиниць висоти на тексель</translation>
-    </message>
     <message>
         <source>texels</source>
         <translation>текселів</translation>
@@ -658,6 +654,10 @@
     <message>
         <source>lines at powers of ten</source>
         <translation>лінії на степенях десяти</translation>
+    </message>
+    <message>
+        <source>height per texel</source>
+        <translation>одиниць висоти на тексель</translation>
     </message>
 </context>
 <context>
@@ -671,24 +671,12 @@
         <translation>Карта відстаней</translation>
     </message>
     <message>
-        <source>The map that is shown</source>
-        <translation>Карта, яку показано</translation>
-    </message>
-    <message>
-        <source>Another map that is taken away: what is left is where they differ</source>
-        <translation>Інша карта, яку віднімають: лишається різниця між ними</translation>
-    </message>
-    <message>
-        <source>Azimuth sector of the rays that the values are for</source>
-        <translation>Азимутальний сектор променів, для яких ці значення</translation>
-    </message>
-    <message>
         <source>the method&apos;s map</source>
         <translation>карта методу</translation>
     </message>
     <message>
         <source>no difference</source>
-        <translation>без різниці</translation>
+        <translation>не віднімати</translation>
     </message>
     <message>
         <source>lines</source>
@@ -703,16 +691,8 @@
         <translation>біля променя</translation>
     </message>
     <message>
-        <source>Only the surroundings of the ray</source>
-        <translation>Лише околиця променя</translation>
-    </message>
-    <message>
         <source>fit</source>
         <translation>усе</translation>
-    </message>
-    <message>
-        <source>Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances of a point</source>
-        <translation>Показати весь зріз (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок, клацання з Ctrl показує відстані в точці</translation>
     </message>
     <message>
         <source>Slices at constant x, seen along the rows</source>
@@ -729,10 +709,6 @@
     <message>
         <source>Slice</source>
         <translation>Зріз</translation>
-    </message>
-    <message>
-        <source>Which slice is shown</source>
-        <translation>Який зріз показано</translation>
     </message>
     <message>
         <source>at the step</source>
@@ -779,10 +755,6 @@
         <translation>у рельєфі</translation>
     </message>
     <message>
-        <source>at the surface: to be tested</source>
-        <translation>біля поверхні: комірку перевіряють</translation>
-    </message>
-    <message>
         <source>texel (%1, %2): </source>
         <translation>тексель (%1, %2): </translation>
     </message>
@@ -807,10 +779,6 @@
         <translation>Експортувати карту відстаней</translation>
     </message>
     <message>
-        <source>The map was not built: it was cancelled.</source>
-        <translation>Карту не побудовано: побудову зупинено.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 з %2</translation>
     </message>
@@ -828,8 +796,40 @@
         <translation>Відстані</translation>
     </message>
     <message>
-        <source>A slice through what the method has stored</source>
-        <translation>Зріз того, що метод обчислив наперед</translation>
+        <source>Map to show</source>
+        <translation>Карта, яку показано</translation>
+    </message>
+    <message>
+        <source>Map to subtract, which shows where the two differ</source>
+        <translation>Карта, яку віднімають, щоб побачити, де ці дві відрізняються</translation>
+    </message>
+    <message>
+        <source>Azimuth sector of the rays for which the values are valid</source>
+        <translation>Азимутальний сектор променів, для яких справджуються ці значення</translation>
+    </message>
+    <message>
+        <source>Show only the surroundings of the ray</source>
+        <translation>Показувати лише околицю променя</translation>
+    </message>
+    <message>
+        <source>Show all of the slice (R); wheel zooms, drag moves, click chooses a step, Ctrl+click shows the distances at a point</source>
+        <translation>Показати весь зріз (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок, клацання з Ctrl показує відстані в точці</translation>
+    </message>
+    <message>
+        <source>Slice to show</source>
+        <translation>Зріз, який показано</translation>
+    </message>
+    <message>
+        <source>at the surface: the cell is tested</source>
+        <translation>біля поверхні: комірку перевіряють</translation>
+    </message>
+    <message>
+        <source>A slice through the map that the method uses</source>
+        <translation>Зріз карти, яку використовує метод</translation>
+    </message>
+    <message>
+        <source>Building the map was cancelled.</source>
+        <translation>Карту не побудовано: побудову зупинено.</translation>
     </message>
 </context>
 <context>
@@ -862,10 +862,6 @@
         <translation>Експортувати рельєф, накреслений вручну</translation>
     </message>
     <message>
-        <source>What to start from; the colours of the picture are left out</source>
-        <translation>З чого почати; кольори зображення не використовуються</translation>
-    </message>
-    <message>
         <source>start from…</source>
         <translation>почати з…</translation>
     </message>
@@ -878,16 +874,8 @@
         <translation>рівнини</translation>
     </message>
     <message>
-        <source>Texels a side</source>
-        <translation>Текселів на сторону</translation>
-    </message>
-    <message>
         <source>profile</source>
         <translation>профіль</translation>
-    </message>
-    <message>
-        <source>One row that all others repeat, drawn from the side</source>
-        <translation>Один рядок, який повторюють усі інші, вигляд збоку</translation>
     </message>
     <message>
         <source>height </source>
@@ -918,12 +906,24 @@
         <translation>Висота текселя</translation>
     </message>
     <message>
-        <source>Height of the chosen texel, 0 to 1: digits, Enter or a double click there</source>
-        <translation>Висота вибраного текселя, від 0 до 1: цифри, Enter або подвійне клацання на ньому</translation>
-    </message>
-    <message>
         <source>A small relief, drawn texel by texel</source>
         <translation>Невеликий рельєф, накреслений тексель за текселем</translation>
+    </message>
+    <message>
+        <source>Relief to start from; the colours of the picture are not used</source>
+        <translation>Рельєф, з якого почати; кольори зображення не використовуються</translation>
+    </message>
+    <message>
+        <source>Texels per side</source>
+        <translation>Текселів на сторону</translation>
+    </message>
+    <message>
+        <source>A single row, which all others repeat, drawn from the side</source>
+        <translation>Один рядок, який повторюють усі інші, накреслений збоку</translation>
+    </message>
+    <message>
+        <source>Height of the chosen texel, 0 to 1; type digits, press Enter or double-click the texel</source>
+        <translation>Висота вибраного текселя, від 0 до 1; введіть цифри, натисніть Enter або двічі клацніть тексель</translation>
     </message>
 </context>
 <context>
@@ -940,48 +940,12 @@
         <translation>Двобій</translation>
     </message>
     <message>
-        <source>Steps of the methods in lock step</source>
-        <translation>Кроки методів синхронно</translation>
-    </message>
-    <message>
         <source>What each method did</source>
         <translation>Що зробив кожен метод</translation>
     </message>
     <message>
-        <source>No duel: it was cancelled, or failed.</source>
-        <translation>Двобою немає: його зупинено або він не вдався.</translation>
-    </message>
-    <message>
         <source>Preparing: %1, %2 %</source>
         <translation>Підготовка: %1, %2&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Method against it, number %1</source>
-        <translation>Метод-суперник %1</translation>
-    </message>
-    <message>
-        <source>A method that is set against it; those of the comparison are the same</source>
-        <translation>Метод-суперник; у порівнянні методи ті самі</translation>
-    </message>
-    <message>
-        <source>All at their first step</source>
-        <translation>Усі на першому кроці</translation>
-    </message>
-    <message>
-        <source>Back in lock step</source>
-        <translation>Назад синхронно</translation>
-    </message>
-    <message>
-        <source>On in lock step: those furthest behind take their next step</source>
-        <translation>Уперед синхронно: крок роблять методи, що відстали найбільше</translation>
-    </message>
-    <message>
-        <source>All at their answers</source>
-        <translation>Усі на своїх відповідях</translation>
-    </message>
-    <message>
-        <source>To the first step that the exact answer contradicts (Ctrl+D)</source>
-        <translation>До першого кроку, якому суперечить точна відповідь (Ctrl+D)</translation>
     </message>
     <message>
         <source>%1  against</source>
@@ -1004,10 +968,6 @@
         <translation>біля променя</translation>
     </message>
     <message>
-        <source>Only the heights that the ray comes through</source>
-        <translation>Лише висоти, через які проходить промінь</translation>
-    </message>
-    <message>
         <source>%1, step %2</source>
         <translation>%1, крок %2</translation>
     </message>
@@ -1020,12 +980,52 @@
         <translation>Кілька методів на одному промені, крок за кроком</translation>
     </message>
     <message>
-        <source>against %1, as no other method is compared</source>
-        <translation>відносно %1, бо іншого методу для порівняння немає</translation>
-    </message>
-    <message>
         <source>divergence</source>
         <translation>розбіжність</translation>
+    </message>
+    <message>
+        <source>Opponent number %1</source>
+        <translation>Метод-суперник %1</translation>
+    </message>
+    <message>
+        <source>Method to compete with; the compare pane uses the same methods</source>
+        <translation>Метод-суперник; на панелі порівняння ті самі методи</translation>
+    </message>
+    <message>
+        <source>All methods to their first step</source>
+        <translation>Усі методи — на перший крок</translation>
+    </message>
+    <message>
+        <source>One step back in lockstep</source>
+        <translation>Синхронно на крок назад</translation>
+    </message>
+    <message>
+        <source>One step forward in lockstep: the methods furthest behind take their next step</source>
+        <translation>Синхронно на крок уперед: крок роблять методи, що відстали найбільше</translation>
+    </message>
+    <message>
+        <source>All methods to their answers</source>
+        <translation>Усі методи — до своїх відповідей</translation>
+    </message>
+    <message>
+        <source>Go to the first step that contradicts the exact answer (Ctrl+D)</source>
+        <translation>Перейти до першого кроку, який суперечить точній відповіді (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Show only the heights that the ray passes</source>
+        <translation>Показувати лише висоти, через які проходить промінь</translation>
+    </message>
+    <message>
+        <source>Steps of the methods in lockstep</source>
+        <translation>Кроки методів синхронно</translation>
+    </message>
+    <message>
+        <source>There is no duel, because it was cancelled or failed.</source>
+        <translation>Двобою немає: його зупинено або він не вдався.</translation>
+    </message>
+    <message>
+        <source>against %1, because no other method is chosen</source>
+        <translation>відносно %1, бо іншого методу для порівняння немає</translation>
     </message>
 </context>
 <context>
@@ -1037,10 +1037,6 @@
     <message>
         <source>Distances at this point</source>
         <translation>Відстані в цій точці</translation>
-    </message>
-    <message>
-        <source>Forget the point</source>
-        <translation>Прибрати точку</translation>
     </message>
     <message>
         <source>Distances at a point</source>
@@ -1063,10 +1059,6 @@
         <translation>Ширина, пікселі:</translation>
     </message>
     <message>
-        <source>On paper; letters and lines are as large on any width</source>
-        <translation>На папері; літери й лінії однакові за будь-якої ширини</translation>
-    </message>
-    <message>
         <source>Width, mm:</source>
         <translation>Ширина, мм:</translation>
     </message>
@@ -1079,12 +1071,20 @@
         <translation>Світле на темному, як у вікні</translation>
     </message>
     <message>
-        <source>Cancelled: %1 is not written.</source>
-        <translation>Скасовано: %1 не записано.</translation>
-    </message>
-    <message>
         <source>This pane shows nothing yet that can be exported.</source>
         <translation>На цій панелі поки немає чого експортувати.</translation>
+    </message>
+    <message>
+        <source>Width on paper; letters and lines have the same size at any width</source>
+        <translation>Ширина на папері; літери й лінії мають той самий розмір за будь-якої ширини</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 was not written.</source>
+        <translation>Зупинено: %1 не записано.</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Прибрати точку</translation>
     </message>
 </context>
 <context>
@@ -1103,10 +1103,6 @@
     <message>
         <source>Footprint</source>
         <translation>Проєкція пікселя</translation>
-    </message>
-    <message>
-        <source>The ellipses of the pixels around: how they overlap</source>
-        <translation>Еліпси сусідніх пікселів: як вони накладаються</translation>
     </message>
     <message>
         <source>Neighbours</source>
@@ -1131,10 +1127,6 @@
     <message>
         <source>Show all of the footprint (R); wheel zooms, drag moves</source>
         <translation>Показати всю проєкцію (R); коліщатко змінює масштаб, перетягування пересуває</translation>
-    </message>
-    <message>
-        <source>level %1, texel (%2, %3): does not count</source>
-        <translation>рівень %1, тексель (%2, %3): не враховується</translation>
     </message>
     <message>
         <source>level %1, texel (%2, %3)</source>
@@ -1190,12 +1182,20 @@
         <translation>коефіцієнти</translation>
     </message>
     <message>
-        <source>The weight function and the map of weights, where the pane has room for them</source>
-        <translation>Вагова функція і карта вагових коефіцієнтів, якщо на панелі вистачає місця</translation>
-    </message>
-    <message>
         <source>Footprint: weights</source>
         <translation>Проєкція пікселя: вагові коефіцієнти</translation>
+    </message>
+    <message>
+        <source>Show the ellipses of neighbouring pixels and how they overlap</source>
+        <translation>Показати еліпси сусідніх пікселів і їхнє накладання</translation>
+    </message>
+    <message>
+        <source>Show the weight function and the weight map, if the pane has room for them</source>
+        <translation>Показати вагову функцію і карту вагових коефіцієнтів, якщо на панелі вистачає місця</translation>
+    </message>
+    <message>
+        <source>level %1, texel (%2, %3): is not counted</source>
+        <translation>рівень %1, тексель (%2, %3): не враховується</translation>
     </message>
 </context>
 <context>
@@ -1205,12 +1205,12 @@
         <translation>Формули</translation>
     </message>
     <message>
-        <source>The papers&apos; equations with the numbers of the chosen pixel and step put in</source>
-        <translation>Рівняння зі статей із підставленими числами вибраного пікселя та кроку</translation>
-    </message>
-    <message>
         <source>Export the formulas</source>
         <translation>Експортувати формули</translation>
+    </message>
+    <message>
+        <source>The papers&apos; equations with the values of the chosen pixel and step</source>
+        <translation>Рівняння зі статей зі значеннями вибраного пікселя та кроку</translation>
     </message>
 </context>
 <context>
@@ -1261,10 +1261,6 @@
         <translation>Непомічений шпиль: шари проти MIP-піраміди максимальних значень</translation>
     </message>
     <message>
-        <source>With sixteen layers the surface is read at sixteen points of the ray only: a spike between two of them goes unnoticed. The maximum pyramid misses no hit.</source>
-        <translation>За шістнадцяти шарів висоту поверхні перевіряють лише в шістнадцяти точках променя; шпиль між двома з них лишається непоміченим. MIP-піраміда максимальних значень не пропускає жодного перетину.</translation>
-    </message>
-    <message>
         <source>Not refined: the last layer is the answer</source>
         <translation>Не уточнено: відповідь — останній шар</translation>
     </message>
@@ -1293,40 +1289,20 @@
         <translation>Ненадійна карта: розширені конуси</translation>
     </message>
     <message>
-        <source>In a relaxed cone the ray may enter the relief once, so steps are longer; at a narrow ledge it has already come out behind it, and the hit is lost. A plain cone is always empty.</source>
-        <translation>У такому конусі промінь може раз зайти під поверхню, тому кроки довші; на вузькому виступі він виходить уже за ним, і перетин утрачено. Звичайний конус завжди порожній.</translation>
-    </message>
-    <message>
         <source>Grazing rays: more steps, and layers become visible ([DIST17])</source>
         <translation>Напрямок погляду, близький до дотичного: більше кроків, видно шаруватість ([DIST17])</translation>
-    </message>
-    <message>
-        <source>At six degrees to the ground neighbouring layers meet the ray many texels apart. Compare the methods, and look at the number of steps (choose “Steps” in the result).</source>
-        <translation>За кута шість градусів до поверхні сусідні шари перетинають промінь у точках, віддалених на багато текселів. Порівняйте методи й перегляньте кількість кроків (вид зображення «Кроки»).</translation>
     </message>
     <message>
         <source>Footprint: texels that the relief hides</source>
         <translation>Проєкція пікселя: текселі, перекриті рельєфом</translation>
     </message>
     <message>
-        <source>The ellipse, the projection of the pixel on the slanted relief, covers texels that cannot be seen as well; the filter elliptical-visible finds them by tracing back and leaves them out ([TEX]).</source>
-        <translation>Еліпс — проєкція пікселя на похилий рельєф — охоплює і невидимі текселі; фільтр elliptical-visible зворотним трасуванням визначає їх і не враховує ([TEX]).</translation>
-    </message>
-    <message>
         <source>Distance map: each step is as long as the stored distance</source>
-        <translation>Карта відстаней: крок завдовжки зі збережену відстань</translation>
-    </message>
-    <message>
-        <source>The slice shows how far each voxel is from the surface. At every stop the ray goes on by that distance: five steps to the floor, and with the refined map of the next lesson four. The last circle reaches below the floor: between the centres of voxels distances are interpolated.</source>
-        <translation>Зріз показує, як далеко від поверхні лежить кожен воксель. У кожній точці зупинки промінь просувається на цю відстань: п’ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між центрами вокселів відстані інтерпольовано.</translation>
+        <translation>Карта відстаней: довжина кроку дорівнює збереженій відстані</translation>
     </message>
     <message>
         <source>Refined distance: 3 texels or 4</source>
         <translation>Уточнена відстань: 3 текселі чи 4</translation>
-    </message>
-    <message>
-        <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C; the nearest hit of all others is on the floor, 4 texels below: the refined distance. Ctrl+click asks about another point.</source>
-        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які перетнули б цю стіну ближче ніж за 4 текселі від C, перетинають праву стіну ще до точки C; найближчий перетин усіх інших — на дні, на 4 текселі нижче: це уточнена відстань. Клацання з Ctrl показує відстані в іншій точці.</translation>
     </message>
     <message>
         <source>Unsafe map: interpolated distances</source>
@@ -1335,6 +1311,30 @@
     <message>
         <source>Distances are stored for the centres of voxels and interpolated between them; near a wall the interpolated distance is larger than the true one. The conservative map holds for the whole volume of a voxel.</source>
         <translation>Відстані збережено для центрів вокселів і між ними інтерпольовано; біля стінки інтерпольована відстань більша за справжню. Консервативна карта відстаней справджується для всього об’єму вокселя.</translation>
+    </message>
+    <message>
+        <source>With sixteen layers the surface is sampled at only sixteen points of the ray, so a spike between two of them goes unnoticed. The maximum pyramid misses no hit.</source>
+        <translation>За шістнадцяти шарів висоту поверхні перевіряють лише в шістнадцяти точках променя; шпиль між двома з них лишається непоміченим. MIP-піраміда максимальних значень не пропускає жодного перетину.</translation>
+    </message>
+    <message>
+        <source>In a relaxed cone the ray may enter the relief once, so steps are longer. Behind a narrow ledge it has already left the relief again, and the hit is lost. A plain cone is always empty.</source>
+        <translation>У розширеному конусі промінь може один раз зайти під поверхню, тому кроки довші; вузький виступ він може пройти наскрізь, і перетин утрачено. Звичайний конус завжди порожній.</translation>
+    </message>
+    <message>
+        <source>At six degrees to the ground the ray meets neighbouring layers many texels apart. Compare the methods and their numbers of steps (choose “Steps” in the result).</source>
+        <translation>За кута шість градусів до поверхні сусідні шари перетинають промінь у точках, віддалених на багато текселів. Порівняйте методи й перегляньте кількість кроків (вид зображення «Кроки»).</translation>
+    </message>
+    <message>
+        <source>The ellipse, which is the projection of the pixel on the slanted relief, also covers texels that cannot be seen; the filter elliptical-visible finds them by back-tracing and leaves them out ([TEX]).</source>
+        <translation>Еліпс — проєкція пікселя на похилий рельєф — охоплює і невидимі текселі; фільтр elliptical-visible зворотним трасуванням визначає їх і не враховує ([TEX]).</translation>
+    </message>
+    <message>
+        <source>The slice shows the distance of each voxel from the surface. At every step the ray advances by that distance: it takes five steps to the floor, and four with the refined map of the next lesson. The last circle reaches below the floor, because distances are interpolated between the centres of voxels.</source>
+        <translation>Зріз показує, як далеко від поверхні лежить кожен воксель. У кожній точці зупинки промінь просувається на цю відстань: п’ять кроків до дна, а з уточненою картою з наступного уроку — чотири. Останнє коло сягає нижче дна: між центрами вокселів відстані інтерпольовано.</translation>
+    </message>
+    <message>
+        <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C. The nearest hit of all other rays is on the floor, 4 texels below; this is the refined distance. Ctrl+click shows the distances at another point.</source>
+        <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які перетнули б цю стіну ближче ніж за 4 текселі від C, перетинають праву стіну ще до точки C; найближчий перетин усіх інших — на дні, на 4 текселі нижче: це уточнена відстань. Клацання з Ctrl показує відстані в іншій точці.</translation>
     </message>
 </context>
 <context>
@@ -1356,20 +1356,12 @@
         <translation>Найдовші па&amp;узи…</translation>
     </message>
     <message>
-        <source>What held the window&apos;s thread longest</source>
-        <translation>Що найдовше затримувало потік вікна (назви частин — англійською)</translation>
-    </message>
-    <message>
         <source>Longest pauses</source>
         <translation>Найдовші паузи</translation>
     </message>
     <message>
         <source>Layer of the result</source>
         <translation>Вид зображення</translation>
-    </message>
-    <message>
-        <source>What the result shows of each pixel</source>
-        <translation>Що показує результат для кожного пікселя</translation>
     </message>
     <message>
         <source>Reliefscope</source>
@@ -1464,10 +1456,6 @@
         <translation>&amp;Зберегти сценарій…</translation>
     </message>
     <message>
-        <source>Save what is looked at and how, to open it again</source>
-        <translation>Зберегти, на що і як дивимося, щоб відкрити знову</translation>
-    </message>
-    <message>
         <source>Save &amp;picture…</source>
         <translation>Зберегти з&amp;ображення…</translation>
     </message>
@@ -1500,10 +1488,6 @@
         <translation>&amp;Повторити</translation>
     </message>
     <message>
-        <source>Redo what was undone</source>
-        <translation>Повторити скасоване</translation>
-    </message>
-    <message>
         <source>&amp;Copy as command</source>
         <translation>&amp;Копіювати як команду</translation>
     </message>
@@ -1524,10 +1508,6 @@
         <translation>З&amp;упинити</translation>
     </message>
     <message>
-        <source>Cancel what is running</source>
-        <translation>Зупинити те, що виконується</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Вигляд</translation>
     </message>
@@ -1544,16 +1524,8 @@
         <translation>Початкове &amp;розташування</translation>
     </message>
     <message>
-        <source>Put the panes where they were at first</source>
-        <translation>Повернути панелі на початкові місця</translation>
-    </message>
-    <message>
         <source>Show the &amp;whole picture</source>
         <translation>Показати &amp;все зображення</translation>
-    </message>
-    <message>
-        <source>No zoom in the result (R there)</source>
-        <translation>Без збільшення в результаті (там — R)</translation>
     </message>
     <message>
         <source>Ligh&amp;t theme</source>
@@ -1580,32 +1552,16 @@
         <translation>&amp;Перший крок</translation>
     </message>
     <message>
-        <source>To the first step of the ray</source>
-        <translation>До першого кроку променя</translation>
-    </message>
-    <message>
         <source>&amp;Previous step</source>
         <translation>Попередні&amp;й крок</translation>
-    </message>
-    <message>
-        <source>One step back</source>
-        <translation>На крок назад</translation>
     </message>
     <message>
         <source>&amp;Next step</source>
         <translation>&amp;Наступний крок</translation>
     </message>
     <message>
-        <source>One step on</source>
-        <translation>На крок уперед</translation>
-    </message>
-    <message>
         <source>&amp;Last step</source>
         <translation>&amp;Останній крок</translation>
-    </message>
-    <message>
-        <source>To the last step of the ray</source>
-        <translation>До останнього кроку променя</translation>
     </message>
     <message>
         <source>Pla&amp;y</source>
@@ -1632,16 +1588,8 @@
         <translation>&amp;Миша та клавіші</translation>
     </message>
     <message>
-        <source>What mouse and keys do</source>
-        <translation>Що роблять миша та клавіші</translation>
-    </message>
-    <message>
         <source>&amp;About Reliefscope</source>
         <translation>&amp;Про Reliefscope</translation>
-    </message>
-    <message>
-        <source>What this is</source>
-        <translation>Що це таке</translation>
     </message>
     <message>
         <source>%1 – Reliefscope</source>
@@ -1760,10 +1708,6 @@
         <translation>проєктор</translation>
     </message>
     <message>
-        <source>cancel what is running</source>
-        <translation>зупинити те, що виконується</translation>
-    </message>
-    <message>
         <source>Mouse and keys</source>
         <translation>Миша та клавіші</translation>
     </message>
@@ -1804,40 +1748,20 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Крок без з&amp;аходу на нижчі рівні</translation>
     </message>
     <message>
-        <source>Over what lies on finer levels</source>
-        <translation>Обійти те, що відбувається на нижчих рівнях</translation>
-    </message>
-    <message>
         <source>Step &amp;back over a level</source>
         <translation>Назад без за&amp;ходу на нижчі рівні</translation>
-    </message>
-    <message>
-        <source>Back over what lies on finer levels</source>
-        <translation>Назад без заходу на нижчі рівні</translation>
     </message>
     <message>
         <source>&amp;Run to the next breakpoint</source>
         <translation>До наступної &amp;точки зупинки</translation>
     </message>
     <message>
-        <source>On to the step at which a condition begins to hold</source>
-        <translation>Уперед до кроку, з якого справджується умова</translation>
-    </message>
-    <message>
         <source>Run bac&amp;k to a breakpoint</source>
         <translation>Назад до точки &amp;зупинки</translation>
     </message>
     <message>
-        <source>Back to the breakpoint before</source>
-        <translation>Назад до попередньої точки зупинки</translation>
-    </message>
-    <message>
         <source>&amp;Stop at this texel</source>
         <translation>З&amp;упинятися на цьому текселі</translation>
-    </message>
-    <message>
-        <source>Set a breakpoint at the texel of the chosen step, or take it away</source>
-        <translation>Поставити точку зупинки на текселі вибраного кроку або вилучити її</translation>
     </message>
     <message>
         <source>G&amp;uess the hit</source>
@@ -1878,10 +1802,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Ctrl + click in the profile or the distance map</source>
         <translation>Ctrl + клацання у профілі чи карті відстаней</translation>
-    </message>
-    <message>
-        <source>distances at that point; there again: forget it</source>
-        <translation>відстані в цій точці; там само ще раз: прибрати її</translation>
     </message>
     <message>
         <source>Next pixel &amp;worth seeing</source>
@@ -1944,10 +1864,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Н&amp;азви…</translation>
     </message>
     <message>
-        <source>Name bookmarks, remove them</source>
-        <translation>Назвати чи вилучити закладки</translation>
-    </message>
-    <message>
         <source>Rays of another tracer: s0,t0,a,b in texels</source>
         <translation>Промені іншого трасувальника: s0,t0,a,b у текселях</translation>
     </message>
@@ -1976,10 +1892,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Перша роз&amp;біжність двобою</translation>
     </message>
     <message>
-        <source>To the first step that the exact answer contradicts</source>
-        <translation>До першого кроку, якому суперечить точна відповідь</translation>
-    </message>
-    <message>
         <source>Export figure…</source>
         <translation>Експортувати рисунок…</translation>
     </message>
@@ -1992,24 +1904,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>&amp;Експортувати панель…</translation>
     </message>
     <message>
-        <source>Export the pane with the keyboard as SVG, PDF or PNG</source>
-        <translation>Експортувати панель, у якій клавіатура, як SVG, PDF або PNG</translation>
-    </message>
-    <message>
         <source>Play fas&amp;ter</source>
         <translation>Відтворювати &amp;швидше</translation>
     </message>
     <message>
-        <source>More steps a second</source>
-        <translation>Більше кроків на секунду</translation>
-    </message>
-    <message>
         <source>Play slo&amp;wer</source>
         <translation>Відтворювати пов&amp;ільніше</translation>
-    </message>
-    <message>
-        <source>Fewer steps a second</source>
-        <translation>Менше кроків на секунду</translation>
     </message>
     <message>
         <source>&amp;Lessons</source>
@@ -2056,16 +1956,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Tab, стрілки</translation>
     </message>
     <message>
-        <source>go to a control, change it; Enter in a number: back to the view</source>
-        <translation>перейти до елемента керування, змінити його; Enter у числі: назад до зображення</translation>
-    </message>
-    <message>
         <source>T&amp;each</source>
         <translation>Виклада&amp;ння</translation>
-    </message>
-    <message>
-        <source>One pane large, the picture in a corner, the step in words</source>
-        <translation>Одна панель великою, зображення в кутку, крок словами</translation>
     </message>
     <message>
         <source>Layo&amp;uts of your own</source>
@@ -2076,16 +1968,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>&amp;Зберегти це розташування…</translation>
     </message>
     <message>
-        <source>Keep where the panes are, under a name</source>
-        <translation>Запам’ятати розташування панелей під назвою</translation>
-    </message>
-    <message>
         <source>&amp;First view</source>
         <translation>П&amp;очатковий ракурс</translation>
     </message>
     <message>
         <source>The camera as it was when the scene was opened</source>
-        <translation>Камера, якою вона була, коли відкрили сцену</translation>
+        <translation>Камера такою, якою була під час відкриття сцени</translation>
     </message>
     <message>
         <source>La&amp;nguage</source>
@@ -2096,28 +1984,16 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Мова вікна</translation>
     </message>
     <message>
-        <source>As the system</source>
-        <translation>Як у системі</translation>
-    </message>
-    <message>
         <source>Show rays from the&amp;ir end</source>
         <translation>Показувати промені з кін&amp;ця</translation>
     </message>
     <message>
-        <source>A pixel that is chosen shows the last step of its ray, not the first</source>
-        <translation>Вибраний піксель показує останній крок свого променя, а не перший</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s first view</source>
-        <translation>початковий ракурс камери</translation>
-    </message>
-    <message>
         <source>teach: one pane large, the picture in a corner</source>
-        <translation>викладання: одна панель великою, зображення в кутку</translation>
+        <translation>викладання: одна велика панель, зображення в кутку</translation>
     </message>
     <message>
         <source>Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full stop); drag the picture to look around. F1 lists all keys.</source>
-        <translation>Вітаємо. Три перші дії: клацніть піксель, щоб вибрати його промінь; крокуйте ним клавішами , та . (кома, крапка); тягніть зображення, щоб оглянути сцену. F1 показує всі клавіші.</translation>
+        <translation>Вітаємо. Три перші дії: клацніть піксель, щоб вибрати його промінь; крокуйте ним клавішами «,» та «.» (кома, крапка); тягніть зображення, щоб оглянути сцену. F1 показує всі клавіші.</translation>
     </message>
     <message>
         <source>Nothing to export: no pixel is chosen. Click one in the result.</source>
@@ -2132,24 +2008,148 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Експортувати нема чого: промінь вибраного пікселя не перетинає рельєфу. Клацніть інший піксель.</translation>
     </message>
     <message>
-        <source>Nothing to export: one picture alone. Press + in the compare pane.</source>
-        <translation>Експортувати нема чого: зображення лише одне. Натисніть + на панелі порівняння.</translation>
-    </message>
-    <message>
-        <source>The manual is not here: %1 makes it, in %2.</source>
-        <translation>Посібника тут немає: його створює %1, у %2.</translation>
-    </message>
-    <message>
-        <source>No browser could be started; the manual is %1</source>
-        <translation>Браузер не вдалося запустити; посібник: %1</translation>
-    </message>
-    <message>
         <source>Man&amp;ual</source>
         <translation>Посі&amp;бник</translation>
     </message>
     <message>
         <source>The guide, the methods and the commands, in the browser</source>
         <translation>Посібник, методи й команди у браузері</translation>
+    </message>
+    <message>
+        <source>Property of the pixels that the result shows</source>
+        <translation>Властивість пікселів, яку показує результат</translation>
+    </message>
+    <message>
+        <source>Nothing to export: there is only one picture. Press + in the compare pane.</source>
+        <translation>Експортувати нема чого: зображення лише одне. Натисніть + на панелі порівняння.</translation>
+    </message>
+    <message>
+        <source>The manual has not been built; %1 builds it in %2.</source>
+        <translation>Посібника не створено; його створює %1 у %2.</translation>
+    </message>
+    <message>
+        <source>The browser could not be started; the manual is %1</source>
+        <translation>Браузер не вдалося запустити; посібник: %1</translation>
+    </message>
+    <message>
+        <source>Save pictures, view and settings, to open them again</source>
+        <translation>Зберегти зображення, ракурс і налаштування, щоб відкрити їх знову</translation>
+    </message>
+    <message>
+        <source>Export the pane that has the keyboard focus as SVG, PDF or PNG</source>
+        <translation>Експортувати панель, на якій фокус клавіатури, як SVG, PDF або PNG</translation>
+    </message>
+    <message>
+        <source>Redo the last undone change</source>
+        <translation>Повторити останню скасовану зміну</translation>
+    </message>
+    <message>
+        <source>Cancel the running work</source>
+        <translation>Зупинити поточну роботу</translation>
+    </message>
+    <message>
+        <source>Show one pane large, the picture in a corner and the step in words</source>
+        <translation>Показати одну панель великою, зображення в кутку, а крок словами</translation>
+    </message>
+    <message>
+        <source>Restore the original layout of the panes</source>
+        <translation>Відновити початкове розташування панелей</translation>
+    </message>
+    <message>
+        <source>Save the layout of the panes under a name</source>
+        <translation>Зберегти розташування панелей під назвою</translation>
+    </message>
+    <message>
+        <source>Reset the zoom of the result (R in the result)</source>
+        <translation>Скинути масштаб результату (R на результаті)</translation>
+    </message>
+    <message>
+        <source>As in the system</source>
+        <translation>Як у системі</translation>
+    </message>
+    <message>
+        <source>Go to the first step of the ray</source>
+        <translation>Перейти до першого кроку променя</translation>
+    </message>
+    <message>
+        <source>Go one step back</source>
+        <translation>На крок назад</translation>
+    </message>
+    <message>
+        <source>Go one step forward</source>
+        <translation>На крок уперед</translation>
+    </message>
+    <message>
+        <source>Go to the last step of the ray</source>
+        <translation>Перейти до останнього кроку променя</translation>
+    </message>
+    <message>
+        <source>More steps per second</source>
+        <translation>Більше кроків на секунду</translation>
+    </message>
+    <message>
+        <source>Fewer steps per second</source>
+        <translation>Менше кроків на секунду</translation>
+    </message>
+    <message>
+        <source>Go forward, skipping steps on finer levels</source>
+        <translation>Уперед, пропускаючи кроки на нижчих рівнях</translation>
+    </message>
+    <message>
+        <source>Go back, skipping steps on finer levels</source>
+        <translation>Назад, пропускаючи кроки на нижчих рівнях</translation>
+    </message>
+    <message>
+        <source>Go to the next step that meets a breakpoint condition</source>
+        <translation>Перейти до наступного кроку, на якому справджується умова зупинки</translation>
+    </message>
+    <message>
+        <source>Go back to the previous breakpoint</source>
+        <translation>Повернутися до попередньої точки зупинки</translation>
+    </message>
+    <message>
+        <source>Set a breakpoint at the texel of the chosen step, or remove it</source>
+        <translation>Поставити точку зупинки на текселі вибраного кроку або вилучити її</translation>
+    </message>
+    <message>
+        <source>Show the last step of the ray instead of the first when a pixel is chosen</source>
+        <translation>Після вибору пікселя показувати останній крок його променя, а не перший</translation>
+    </message>
+    <message>
+        <source>List the mouse actions and keys</source>
+        <translation>Перелік дій миші та клавіш</translation>
+    </message>
+    <message>
+        <source>Work that blocked the window longest</source>
+        <translation>Робота, яка найдовше затримувала вікно (назви — англійською)</translation>
+    </message>
+    <message>
+        <source>About this program</source>
+        <translation>Про цю програму</translation>
+    </message>
+    <message>
+        <source>first view of the camera</source>
+        <translation>початковий ракурс камери</translation>
+    </message>
+    <message>
+        <source>show the distances at that point; again: remove the point</source>
+        <translation>показати відстані в цій точці; ще раз: прибрати точку</translation>
+    </message>
+    <message>
+        <source>go to a control and change it; Enter in a number field: back to the view</source>
+        <translation>перейти до елемента керування та змінити його; Enter у полі числа: назад до зображення</translation>
+    </message>
+    <message>
+        <source>cancel the running work</source>
+        <translation>зупинити поточну роботу</translation>
+    </message>
+    <message>
+        <source>Go to the first step that contradicts the exact answer</source>
+        <translation>Перейти до першого кроку, який суперечить точній відповіді</translation>
+    </message>
+    <message>
+        <source>Rename and remove bookmarks</source>
+        <translation>Перейменувати чи вилучити закладки</translation>
     </message>
 </context>
 <context>
@@ -2188,7 +2188,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 <context>
     <name>reliefui::OffscreenGl</name>
     <message>
-        <source>no OpenGL on this machine draws without a window</source>
+        <source>this machine has no OpenGL that draws without a window</source>
         <translation>на цій машині OpenGL не малює без вікна</translation>
     </message>
 </context>
@@ -2208,18 +2208,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Ray of the file</source>
         <translation>Промінь із файлу</translation>
-    </message>
-    <message>
-        <source>Which ray of the file is looked at, counted from 0</source>
-        <translation>Який промінь файлу показано, лік від 0</translation>
-    </message>
-    <message>
-        <source>Whose steps are shown</source>
-        <translation>Чиї кроки показано</translation>
-    </message>
-    <message>
-        <source>Whose steps all panes show; the duel sets both side by side</source>
-        <translation>Чиї кроки показують усі панелі; двобій ставить обидва поруч</translation>
     </message>
     <message>
         <source>Close the other tracer&apos;s files</source>
@@ -2244,6 +2232,18 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>steps of %1</source>
         <translation>кроки: %1</translation>
+    </message>
+    <message>
+        <source>Ray of the file to show, numbered from 0</source>
+        <translation>Промінь файлу, який показано, нумерація від 0</translation>
+    </message>
+    <message>
+        <source>Tracer whose steps are shown</source>
+        <translation>Трасувальник, чиї кроки показано</translation>
+    </message>
+    <message>
+        <source>Tracer whose steps all panes show; the duel shows both</source>
+        <translation>Трасувальник, чиї кроки показують усі панелі; двобій показує обидва</translation>
     </message>
 </context>
 <context>
@@ -2276,12 +2276,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
 <context>
     <name>reliefui::PauseLog</name>
     <message>
-        <source>%1 ms, of them %2 ms of painting: %3</source>
-        <translation>%1 мс, з них %2 мс на малювання: %3</translation>
-    </message>
-    <message>
         <source>longest pause of the window: </source>
         <translation>найдовша пауза вікна: </translation>
+    </message>
+    <message>
+        <source>%1 ms, of which %2 ms of painting: %3</source>
+        <translation>%1 мс, з них %2 мс на малювання: %3</translation>
     </message>
 </context>
 <context>
@@ -2338,10 +2338,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Без: %1</translation>
     </message>
     <message>
-        <source>Do without this picture</source>
-        <translation>Обійтися без цього зображення</translation>
-    </message>
-    <message>
         <source>Procedural relief</source>
         <translation>Процедурний рельєф</translation>
     </message>
@@ -2366,10 +2362,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Зерно процедурного рельєфу</translation>
     </message>
     <message>
-        <source>Seed: another number, another relief</source>
-        <translation>Зерно: інше число — інший рельєф</translation>
-    </message>
-    <message>
         <source>procedural relief</source>
         <translation>процедурний рельєф</translation>
     </message>
@@ -2381,16 +2373,20 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>relief drawn by hand</source>
         <translation>рельєф, накреслений вручну</translation>
     </message>
+    <message>
+        <source>Use no picture here</source>
+        <translation>Не використовувати зображення</translation>
+    </message>
+    <message>
+        <source>Seed: each number gives another relief</source>
+        <translation>Зерно: кожне число дає інший рельєф</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::PixelFinder</name>
     <message>
         <source>The picture is not complete yet</source>
         <translation>Зображення ще не готове</translation>
-    </message>
-    <message>
-        <source>Looking for pixels …</source>
-        <translation>Пошук пікселів…</translation>
     </message>
     <message>
         <source>Every hit is the exact one</source>
@@ -2418,22 +2414,26 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>%1 texels from %2</source>
-        <translation>на %1 текселя від %2</translation>
+        <translation>на %1 текс. від %2</translation>
     </message>
     <message>
         <source>%1 texels past the surface</source>
-        <translation>на %1 текселя за поверхнею</translation>
+        <translation>на %1 текс. за поверхнею</translation>
     </message>
     <message>
         <source>%1 texels from the exact hit</source>
-        <translation>на %1 текселя від точного перетину</translation>
+        <translation>за %1 текс. від точного перетину</translation>
     </message>
     <message>
         <source>%1 and %2 agree everywhere</source>
         <translation>%1 і %2 всюди дають те саме</translation>
     </message>
     <message>
-        <source>another outcome than %1</source>
+        <source>Searching for pixels …</source>
+        <translation>Пошук пікселів…</translation>
+    </message>
+    <message>
+        <source>outcome differs from that of %1</source>
         <translation>інший результат пошуку, ніж у %1</translation>
     </message>
 </context>
@@ -2452,32 +2452,16 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>усі рівні</translation>
     </message>
     <message>
-        <source>The maxima of all levels, not only of those that the ray asked</source>
-        <translation>Максимуми всіх рівнів, а не лише тих, на яких ішло трасування</translation>
-    </message>
-    <message>
         <source>near the ray</source>
         <translation>біля променя</translation>
-    </message>
-    <message>
-        <source>Only the heights that the ray comes through</source>
-        <translation>Лише висоти, через які проходить промінь</translation>
     </message>
     <message>
         <source>true aspect</source>
         <translation>справжні пропорції</translation>
     </message>
     <message>
-        <source>A texel as long across as upwards: the relief&apos;s true shape</source>
-        <translation>Однаковий масштаб по горизонталі та вертикалі: справжня форма рельєфу</translation>
-    </message>
-    <message>
         <source>fit</source>
         <translation>усе</translation>
-    </message>
-    <message>
-        <source>Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click asks for the distances of a point</source>
-        <translation>Показати весь промінь (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок, клацання з Ctrl показує відстані в точці</translation>
     </message>
     <message>
         <source>λ %1</source>
@@ -2512,12 +2496,28 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>де перетин?</translation>
     </message>
     <message>
-        <source>Hide the answer; a click guesses where the ray hits, then it is shown (G)</source>
-        <translation>Приховати відповідь; клацніть там, де очікуєте перетин, і її буде показано (G)</translation>
+        <source>Section of the relief along the ray</source>
+        <translation>Зріз рельєфу вздовж видового променя</translation>
     </message>
     <message>
-        <source>The relief under the ray, cut along it</source>
-        <translation>Зріз рельєфу вздовж видового променя</translation>
+        <source>Show the maxima of all levels, not only of those that the ray visited</source>
+        <translation>Показати максимуми всіх рівнів, а не лише тих, на яких ішло трасування</translation>
+    </message>
+    <message>
+        <source>Show only the heights that the ray passes</source>
+        <translation>Показувати лише висоти, через які проходить промінь</translation>
+    </message>
+    <message>
+        <source>Use one scale across and upwards, which shows the relief&apos;s true shape</source>
+        <translation>Однаковий масштаб по горизонталі та вертикалі, який показує справжню форму рельєфу</translation>
+    </message>
+    <message>
+        <source>Hide the answer until a click guesses where the ray hits (G)</source>
+        <translation>Приховати відповідь, доки ви не клацнете там, де очікуєте перетин (G)</translation>
+    </message>
+    <message>
+        <source>Show all of the ray (R); wheel zooms, drag moves, click chooses a step, Ctrl+click shows the distances at a point</source>
+        <translation>Показати весь промінь (R); коліщатко змінює масштаб, перетягування пересуває, клацання вибирає крок, клацання з Ctrl показує відстані в точці</translation>
     </message>
 </context>
 <context>
@@ -2536,10 +2536,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>all</source>
         <translation>усі</translation>
-    </message>
-    <message>
-        <source>Maxima, means and minima beside each other</source>
-        <translation>Максимуми, середні й мінімуми поруч</translation>
     </message>
     <message>
         <source>3-D</source>
@@ -2563,16 +2559,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>макс.</translation>
     </message>
     <message>
-        <source>The highest point under each texel: what lets the ray skip</source>
-        <translation>Найвища точка під кожним текселем: завдяки їй пропускаються порожні ділянки</translation>
-    </message>
-    <message>
         <source>mean</source>
         <translation>середнє</translation>
-    </message>
-    <message>
-        <source>The mean under each texel: what colours are filtered with</source>
-        <translation>Середнє під кожним текселем: за ним фільтрують кольори</translation>
     </message>
     <message>
         <source>follow</source>
@@ -2619,20 +2607,28 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Експортувати MIP-піраміду</translation>
     </message>
     <message>
-        <source>The levels of the pyramid and the texels that the ray looked at</source>
+        <source>The levels of the pyramid and the texels that the ray visited</source>
         <translation>Рівні MIP-піраміди й текселі, які перевірено під час трасування</translation>
     </message>
     <message>
-        <source>The levels above each other, each texel a slab of its own size, and the way of the ray</source>
+        <source>The highest point under each texel, by which the ray skips texels</source>
+        <translation>Найвища точка під кожним текселем: завдяки їй пропускаються порожні ділянки</translation>
+    </message>
+    <message>
+        <source>The mean under each texel, with which colours are filtered</source>
+        <translation>Середнє під кожним текселем: за ним фільтрують кольори</translation>
+    </message>
+    <message>
+        <source>Show maxima, means and minima side by side</source>
+        <translation>Показати максимуми, середні й мінімуми поруч</translation>
+    </message>
+    <message>
+        <source>The levels one above another, with a slab for each texel, and the path of the ray</source>
         <translation>Рівні один над одним: кожен тексель — плита власного розміру; шлях променя між рівнями</translation>
     </message>
 </context>
 <context>
     <name>reliefui::RangeBox</name>
-    <message>
-        <source>How values become colours</source>
-        <translation>Як значення стають кольорами</translation>
-    </message>
     <message>
         <source>linear</source>
         <translation>лінійно</translation>
@@ -2642,32 +2638,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>логарифмічна шкала</translation>
     </message>
     <message>
-        <source>Where the colours begin and end</source>
-        <translation>Де кольори починаються й закінчуються</translation>
-    </message>
-    <message>
         <source>all values</source>
         <translation>усі значення</translation>
     </message>
     <message>
         <source>percentiles</source>
         <translation>процентилі</translation>
-    </message>
-    <message>
-        <source>own ends</source>
-        <translation>власні межі</translation>
-    </message>
-    <message>
-        <source>Where the colours begin</source>
-        <translation>Де кольори починаються</translation>
-    </message>
-    <message>
-        <source>Where the colours end</source>
-        <translation>Де кольори закінчуються</translation>
-    </message>
-    <message>
-        <source>only what is more than</source>
-        <translation>лише те, що понад</translation>
     </message>
     <message>
         <source>Values up to it share one colour; the legend counts those above it</source>
@@ -2680,10 +2656,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Standard</source>
         <translation>Стандартно</translation>
-    </message>
-    <message>
-        <source>The range with which this picture begins</source>
-        <translation>Діапазон, з яким починає це зображення</translation>
     </message>
     <message>
         <source>from</source>
@@ -2701,16 +2673,44 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>both sides</source>
         <translation>обидва боки</translation>
     </message>
+    <message>
+        <source>Mapping of values to colours</source>
+        <translation>Відображення значень у кольори</translation>
+    </message>
+    <message>
+        <source>Ends of the colour range</source>
+        <translation>Межі діапазону кольорів</translation>
+    </message>
+    <message>
+        <source>custom ends</source>
+        <translation>власні межі</translation>
+    </message>
+    <message>
+        <source>Lower end of the colour range</source>
+        <translation>Нижня межа діапазону кольорів</translation>
+    </message>
+    <message>
+        <source>Upper end of the colour range</source>
+        <translation>Верхня межа діапазону кольорів</translation>
+    </message>
+    <message>
+        <source>only values above</source>
+        <translation>лише значення понад</translation>
+    </message>
+    <message>
+        <source>Reset to the default range of this picture</source>
+        <translation>Повернути типовий діапазон цього зображення</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::RangeButton</name>
     <message>
-        <source>Range of the colours: linear, logarithmic, percentiles, own ends, a threshold; a click on the bar of colours opens it as well</source>
-        <translation>Діапазон кольорів: лінійний, логарифмічний, процентилі, власні межі, поріг; клацання на смузі кольорів також відкриває його</translation>
-    </message>
-    <message>
         <source>Range of the colours</source>
         <translation>Діапазон кольорів</translation>
+    </message>
+    <message>
+        <source>Range of the colours: linear, logarithmic, percentiles, custom ends, a threshold; a click on the colour bar also opens it</source>
+        <translation>Діапазон кольорів: лінійний, логарифмічний, процентилі, власні межі, поріг; клацання на смузі кольорів також відкриває його</translation>
     </message>
 </context>
 <context>
@@ -2738,10 +2738,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
             <numerusform>%1 пікс.</numerusform>
             <numerusform>%1 пікс.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>own range</source>
-        <translation>власні межі</translation>
     </message>
     <message>
         <source>percentiles %1 to %2</source>
@@ -2779,6 +2775,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>more than %1: %2% (%3)</source>
         <translation>понад %1: %2 % (%3)</translation>
     </message>
+    <message>
+        <source>custom range</source>
+        <translation>власні межі</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::RenderWorker</name>
@@ -2794,24 +2794,24 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Відновити</translation>
     </message>
     <message>
-        <source>Open what was open then, with its bookmarks and panes; can be undone</source>
-        <translation>Відкрити те, що було відкрито тоді, із закладками й панелями; можна скасувати</translation>
-    </message>
-    <message>
         <source>Discard</source>
         <translation>Відкинути</translation>
     </message>
     <message>
-        <source>Delete what was saved of it</source>
-        <translation>Видалити збережене</translation>
+        <source>Open that session again, with its bookmarks and panes; can be undone</source>
+        <translation>Знову відкрити той сеанс із закладками й панелями; можна скасувати</translation>
     </message>
     <message>
-        <source>The last start ended before its picture was there. What it was to open was not tried again; it can be restored.</source>
-        <translation>Минулий запуск обірвався ще до появи зображення. Те, що він мав відкрити, тепер не відкрито; його можна відновити.</translation>
+        <source>Delete the saved session</source>
+        <translation>Видалити збережений сеанс</translation>
     </message>
     <message>
-        <source>Reliefscope ended unexpectedly; what was open can be restored as it was on %1.</source>
-        <translation>Reliefscope завершився неочікувано; відкрите тоді можна відновити таким, яким воно було %1.</translation>
+        <source>The last start ended before its first picture was drawn. Its session was not opened again; it can be restored.</source>
+        <translation>Минулий запуск завершився, перш ніж з’явилося перше зображення. Його сеанс не відкрито знову; сеанс можна відновити.</translation>
+    </message>
+    <message>
+        <source>Reliefscope ended unexpectedly; the session can be restored as it was on %1.</source>
+        <translation>Reliefscope завершився неочікувано; сеанс можна відновити таким, яким він був %1.</translation>
     </message>
 </context>
 <context>
@@ -2953,10 +2953,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>u %1, v %2</translation>
     </message>
     <message>
-        <source>nothing to show: only the filter elliptical-visible asks what the relief hides</source>
-        <translation>показувати нема чого: перекриття рельєфом перевіряє лише фільтр elliptical-visible</translation>
-    </message>
-    <message>
         <source>footprint: major over minor axis</source>
         <translation>проєкція пікселя: відношення великої осі до малої</translation>
     </message>
@@ -2988,6 +2984,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>texels</source>
         <translation>текселів</translation>
     </message>
+    <message>
+        <source>nothing to show: only the filter elliptical-visible determines what the relief hides</source>
+        <translation>показувати нема чого: перекриття рельєфом перевіряє лише фільтр elliptical-visible</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ResultView</name>
@@ -3008,8 +3008,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Результат</translation>
     </message>
     <message>
-        <source>The picture, or a layer of it: choose a pixel to see how it came about</source>
-        <translation>Зображення або інший його вид: виберіть піксель, щоб побачити, як його отримано</translation>
+        <source>The picture or one of its layers; choose a pixel to see how it was computed</source>
+        <translation>Зображення або один із його видів; виберіть піксель, щоб побачити, як його обчислено</translation>
     </message>
 </context>
 <context>
@@ -3027,14 +3027,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>варіанти</translation>
     </message>
     <message>
-        <source>Which variants are compared, and their options</source>
-        <translation>Які варіанти порівнюються, та їхні параметри</translation>
-    </message>
-    <message>
-        <source>How many pixels the picture is wide: on long rows rounding adds up</source>
-        <translation>Скільки пікселів завширшки зображення: на довгих рядках похибка заокруглення накопичується</translation>
-    </message>
-    <message>
         <source>the picture&apos;s width</source>
         <translation>ширина зображення</translation>
     </message>
@@ -3045,10 +3037,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
             <numerusform>%n пікселі</numerusform>
             <numerusform>%n пікселів</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The numbers that the variants compute in</source>
-        <translation>Числа, якими обчислюють варіанти</translation>
     </message>
     <message>
         <source>log</source>
@@ -3087,20 +3075,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>похибка ≤ </translation>
     </message>
     <message>
-        <source>m as given</source>
-        <translation>m як задано</translation>
-    </message>
-    <message>
-        <source>The longest span that keeps this error, texels</source>
-        <translation>Найдовший відрізок, на якому похибка не перевищує заданої, у текселях</translation>
-    </message>
-    <message>
         <source>anchor </source>
         <translation>перезапуск </translation>
-    </message>
-    <message>
-        <source>Pixels between exact restarts; 0: never; auto: as keeps 1/256 texel</source>
-        <translation>Пікселів між точними перезапусками; 0: ніколи; авто: щоб похибка не перевищувала 1/256 текселя</translation>
     </message>
     <message>
         <source>anchor: auto</source>
@@ -3123,16 +3099,40 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation> · потік %1 із %2</translation>
     </message>
     <message>
-        <source> · made anew here</source>
-        <translation> · тут перезапуск із точного значення</translation>
-    </message>
-    <message>
         <source>Export the rows</source>
         <translation>Експортувати рядки</translation>
     </message>
     <message>
         <source>Texture coordinates along the pixel&apos;s row, computed in several ways</source>
         <translation>Текстурні координати вздовж рядка растеризації, обчислені кількома способами</translation>
+    </message>
+    <message>
+        <source>Variants to compare, and their options</source>
+        <translation>Варіанти для порівняння та їхні параметри</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels; on long rows rounding errors accumulate</source>
+        <translation>Ширина зображення у пікселях; на довгих рядках похибки заокруглення накопичуються</translation>
+    </message>
+    <message>
+        <source>Type of the numbers with which the variants compute</source>
+        <translation>Тип чисел, якими обчислюють варіанти</translation>
+    </message>
+    <message>
+        <source>given m</source>
+        <translation>задане m</translation>
+    </message>
+    <message>
+        <source>Largest error, texels, which determines the span</source>
+        <translation>Найбільша похибка, у текселях: за нею визначається довжина відрізка</translation>
+    </message>
+    <message>
+        <source>Pixels between exact restarts; 0: never; auto: chosen to keep an error of 1/256 texel</source>
+        <translation>Пікселів між точними перезапусками; 0: ніколи; авто: щоб похибка не перевищувала 1/256 текселя</translation>
+    </message>
+    <message>
+        <source> · restart here</source>
+        <translation> · тут перезапуск із точного значення</translation>
     </message>
 </context>
 <context>
@@ -3158,20 +3158,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Ракурс</translation>
     </message>
     <message>
-        <source>Views that are asked for often; dragging in the picture gives any other</source>
-        <translation>Часто потрібні ракурси; будь-який інший дає перетягування на зображенні</translation>
-    </message>
-    <message>
         <source>presets…</source>
         <translation>готові…</translation>
     </message>
     <message>
         <source>defaults</source>
         <translation>типові</translation>
-    </message>
-    <message>
-        <source>All options of the method as it has them by itself</source>
-        <translation>Повернути всі параметри методу до типових значень</translation>
     </message>
     <message>
         <source>Defaults of the method</source>
@@ -3206,10 +3198,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Поверхня</translation>
     </message>
     <message>
-        <source>How heights are read between texels: a smooth patch, or a box a texel</source>
-        <translation>Які висоти між текселями: гладка ділянка (білінійна інтерполяція) або стовпчик на тексель</translation>
-    </message>
-    <message>
         <source>Outside</source>
         <translation>Поза краєм</translation>
     </message>
@@ -3218,20 +3206,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Координати</translation>
     </message>
     <message>
-        <source>How texture coordinates are made along a row of pixels: direct is exact; affine bends walls, subspan bends them between its divisions</source>
-        <translation>Як обчислюються текстурні координати вздовж рядка растеризації: direct — точно; affine викривлює стіни, subspan викривлює їх між своїми діленнями</translation>
-    </message>
-    <message>
-        <source>What lies beyond the picture&apos;s rim: the picture again, its rim, or nothing</source>
-        <translation>Що лежить за краєм зображення: знову зображення, його край або нічого</translation>
-    </message>
-    <message>
         <source>Scene</source>
         <translation>Сцена</translation>
-    </message>
-    <message>
-        <source>What the relief is laid on</source>
-        <translation>На що накладено рельєф</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;. %2</source>
@@ -3246,16 +3222,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>карти %1 МіБ</translation>
     </message>
     <message>
-        <source>What the method promises with these options, the surfaces it can work on, and the memory of its maps beside the heights</source>
-        <translation>Що метод гарантує з цими параметрами, на яких поверхнях працює і скільки пам’яті займають його карти, окрім висот</translation>
-    </message>
-    <message>
         <source>Shadows</source>
         <translation>Тіні</translation>
-    </message>
-    <message>
-        <source>The relief keeps the light off itself</source>
-        <translation>Рельєф сам себе затінює</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -3264,6 +3232,38 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Pictures, method, filter, camera and light</source>
         <translation>Зображення, метод, фільтр, камера та світло</translation>
+    </message>
+    <message>
+        <source>Surface between texels: a smooth patch, or one box per texel</source>
+        <translation>Поверхня між текселями: гладка ділянка (білінійна інтерполяція) або стовпчик на тексель</translation>
+    </message>
+    <message>
+        <source>Relief beyond the picture&apos;s rim: the picture again, the heights of its rim, or none</source>
+        <translation>Рельєф за краєм зображення: знову зображення, висоти його краю або нічого</translation>
+    </message>
+    <message>
+        <source>Surface that carries the relief</source>
+        <translation>Поверхня, на яку накладено рельєф</translation>
+    </message>
+    <message>
+        <source>Common views; drag in the picture for any other</source>
+        <translation>Поширені ракурси; для будь-якого іншого перетягніть зображення</translation>
+    </message>
+    <message>
+        <source>Set all options of the method to their defaults</source>
+        <translation>Повернути всі параметри методу до типових значень</translation>
+    </message>
+    <message>
+        <source>The relief casts shadows on itself</source>
+        <translation>Рельєф кидає тіні сам на себе</translation>
+    </message>
+    <message>
+        <source>Method for texture coordinates along a row of pixels: direct is exact; affine bends walls; subspan bends them between its divisions</source>
+        <translation>Як обчислюються текстурні координати вздовж рядка растеризації: direct — точно; affine викривлює стіни, subspan викривлює їх між своїми діленнями</translation>
+    </message>
+    <message>
+        <source>Guarantee of the method with these options, the surfaces that it supports, and the memory of its maps besides the heights</source>
+        <translation>Гарантія методу з цими параметрами, поверхні, які він підтримує, і пам’ять його карт, окрім висот</translation>
     </message>
 </context>
 <context>
@@ -3281,24 +3281,12 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>виміряно: похибка кольору (лінійного) в середньому %1, найбільша %2</translation>
     </message>
     <message>
-        <source>What the last frame did not compute</source>
-        <translation>Чого не обчислював останній кадр</translation>
-    </message>
-    <message>
         <source>Not computed</source>
         <translation>Не обчислено</translation>
     </message>
     <message>
-        <source>How many</source>
-        <translation>Скільки</translation>
-    </message>
-    <message>
         <source>Why</source>
         <translation>Чому</translation>
-    </message>
-    <message>
-        <source>Lossless: not a bit changes</source>
-        <translation>Без втрат: не змінюється жоден біт</translation>
     </message>
     <message>
         <source>Bounded by %1 texels</source>
@@ -3317,8 +3305,20 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Пропущене</translation>
     </message>
     <message>
-        <source>What the picture did without, and why</source>
-        <translation>Що для зображення не обчислювалося і чому</translation>
+        <source>Count</source>
+        <translation>Кількість</translation>
+    </message>
+    <message>
+        <source>Lossless: the picture does not change</source>
+        <translation>Без втрат: зображення не змінюється</translation>
+    </message>
+    <message>
+        <source>Work that was skipped for the picture, and why</source>
+        <translation>Робота, яку для зображення пропущено, і чому</translation>
+    </message>
+    <message>
+        <source>Work that the last frame skipped</source>
+        <translation>Робота, яку пропустив останній кадр</translation>
     </message>
 </context>
 <context>
@@ -3371,15 +3371,15 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>%1: запис неможливий</translation>
     </message>
     <message>
-        <source>What you do is not saved while you work: %1</source>
-        <translation>Зміни не зберігаються під час роботи: %1</translation>
+        <source>Your work is not saved automatically: %1</source>
+        <translation>Ваша робота не зберігається автоматично: %1</translation>
     </message>
 </context>
 <context>
     <name>reliefui::StatusLine</name>
     <message>
         <source>drawn by %1</source>
-        <translation>зображення: %1</translation>
+        <translation>сформовано: %1</translation>
     </message>
     <message>
         <source>Drawn by %1, which is faster and has the same hits; the time shown is that of %1. The steps shown are those of %2.
@@ -3416,14 +3416,6 @@ Click to switch the method to %1</source>
         <translation>Зупинити</translation>
     </message>
     <message>
-        <source>Cancel what is running (Esc)</source>
-        <translation>Зупинити те, що виконується (Esc)</translation>
-    </message>
-    <message>
-        <source>Cancel what is running</source>
-        <translation>Зупинити те, що виконується</translation>
-    </message>
-    <message>
         <source>no pixel chosen</source>
         <translation>піксель не вибрано</translation>
     </message>
@@ -3449,7 +3441,7 @@ Click to switch the method to %1</source>
     </message>
     <message>
         <source>, %1 texels from the exact hit</source>
-        <translation>, за %1 текселя від точного перетину</translation>
+        <translation>, за %1 текс. від точного перетину</translation>
     </message>
     <message>
         <source>frame %1 ms</source>
@@ -3480,16 +3472,8 @@ Click to switch the method to %1</source>
         <translation>кроків: %1, вибірок: %2</translation>
     </message>
     <message>
-        <source>Click: what was skipped, and why</source>
-        <translation>Клацання: що пропущено і чому</translation>
-    </message>
-    <message>
         <source>ray %1 of the file</source>
         <translation>промінь %1 із файлу</translation>
-    </message>
-    <message>
-        <source>hidden until somebody has guessed</source>
-        <translation>приховано, доки хтось не зробить припущення</translation>
     </message>
     <message>
         <source>figure: %1</source>
@@ -3502,6 +3486,22 @@ Click to switch the method to %1</source>
     <message>
         <source>footprint axes ±%1 %</source>
         <translation>осі проєкцій ±%1 %</translation>
+    </message>
+    <message>
+        <source>Click to see what was skipped, and why</source>
+        <translation>Клацніть, щоб побачити, що пропущено і чому</translation>
+    </message>
+    <message>
+        <source>Cancel the running work (Esc)</source>
+        <translation>Зупинити поточну роботу (Esc)</translation>
+    </message>
+    <message>
+        <source>Cancel the running work</source>
+        <translation>Зупинити поточну роботу</translation>
+    </message>
+    <message>
+        <source>hidden until you guess</source>
+        <translation>приховано до вашого припущення</translation>
     </message>
 </context>
 <context>
@@ -3543,10 +3543,6 @@ Click to switch the method to %1</source>
         <translation>Крок променя</translation>
     </message>
     <message>
-        <source>Step of the ray: , and . go back and on</source>
-        <translation>Крок променя: клавіші «,» та «.» — назад і вперед</translation>
-    </message>
-    <message>
         <source>step %1 of %2</source>
         <translation>крок %1 з %2</translation>
     </message>
@@ -3563,24 +3559,28 @@ Click to switch the method to %1</source>
         <translation>Швидкість відтворення</translation>
     </message>
     <message>
-        <source>Step over what lies on finer levels</source>
-        <translation>Крок без заходу на нижчі рівні</translation>
-    </message>
-    <message>
         <source>Run to the next breakpoint</source>
         <translation>До наступної точки зупинки</translation>
     </message>
     <message>
-        <source>hidden until somebody has guessed</source>
-        <translation>приховано, доки хтось не зробить припущення</translation>
+        <source>/s</source>
+        <translation>/с</translation>
     </message>
     <message>
-        <source>Steps a second while playing; ] faster, [ slower</source>
+        <source>Step over the steps on finer levels</source>
+        <translation>Крок без заходу на нижчі рівні</translation>
+    </message>
+    <message>
+        <source>Step of the ray; , and . go back and forward</source>
+        <translation>Крок променя; клавіші «,» та «.» — назад і вперед</translation>
+    </message>
+    <message>
+        <source>Steps per second while playing; ] faster, [ slower</source>
         <translation>Кроків на секунду під час відтворення; ] швидше, [ повільніше</translation>
     </message>
     <message>
-        <source>/s</source>
-        <translation>/с</translation>
+        <source>hidden until you guess</source>
+        <translation>приховано до вашого припущення</translation>
     </message>
 </context>
 <context>
@@ -3642,12 +3642,12 @@ Click to switch the method to %1</source>
         <translation>значення, за яким прийнято рішення; тут — максимум текселя</translation>
     </message>
     <message>
-        <source>what the tracer decided</source>
+        <source>decision of the tracer</source>
         <translation>рішення методу</translation>
     </message>
     <message>
-        <source>where it went on</source>
-        <translation>звідки продовжено</translation>
+        <source>where the ray continued</source>
+        <translation>місце, звідки продовжено промінь</translation>
     </message>
 </context>
 <context>
@@ -3657,16 +3657,16 @@ Click to switch the method to %1</source>
         <translation>Вибраний крок словами</translation>
     </message>
     <message>
-        <source>The steps of the chosen pixel&apos;s ray will stand here.</source>
-        <translation>Тут стоятимуть кроки променя вибраного пікселя.</translation>
-    </message>
-    <message>
         <source>This method logged no step.</source>
         <translation>Цей метод не записав жодного кроку.</translation>
     </message>
     <message>
         <source>No polygon covers the chosen pixel: click on the relief.</source>
         <translation>Вибраного пікселя не накриває жоден полігон: клацніть на рельєфі.</translation>
+    </message>
+    <message>
+        <source>The steps of the chosen pixel&apos;s ray will appear here.</source>
+        <translation>Тут з’являться кроки променя вибраного пікселя.</translation>
     </message>
 </context>
 <context>
@@ -3719,12 +3719,12 @@ Click to switch the method to %1</source>
         <translation>Фільтр</translation>
     </message>
     <message>
-        <source>How the colour is read at the hit</source>
-        <translation>Як визначають колір у точці перетину</translation>
-    </message>
-    <message>
         <source>no search</source>
         <translation>без пошуку</translation>
+    </message>
+    <message>
+        <source>How the colour is sampled at the hit</source>
+        <translation>Спосіб вибірки кольору в точці перетину</translation>
     </message>
 </context>
 <context>
@@ -3752,10 +3752,6 @@ Click to switch the method to %1</source>
     <message>
         <source>steps by phase</source>
         <translation>кроки за фазою</translation>
-    </message>
-    <message>
-        <source>What the colours of the steps say</source>
-        <translation>Що означають кольори кроків</translation>
     </message>
     <message>
         <source>heights × %1</source>
@@ -3790,10 +3786,6 @@ Click to switch the method to %1</source>
         <translation>%1: поверхня на %2</translation>
     </message>
     <message>
-        <source>%1: %2 texels promised free</source>
-        <translation>%1: за картою вільно на %2 текселя</translation>
-    </message>
-    <message>
         <source>%1: cone of slope %2</source>
         <translation>%1: конус із нахилом %2</translation>
     </message>
@@ -3817,6 +3809,14 @@ Click to switch the method to %1</source>
     <message>
         <source>The ray through the relief, in space</source>
         <translation>Видовий промінь крізь рельєф у просторі</translation>
+    </message>
+    <message>
+        <source>%1: %2 texels of free space</source>
+        <translation>%1: за картою вільно на %2 текселя</translation>
+    </message>
+    <message>
+        <source>Meaning of the steps&apos; colours</source>
+        <translation>Значення кольорів кроків</translation>
     </message>
 </context>
 <context>
