@@ -97,15 +97,15 @@ struct ItemPainter {
     }
     void fillCells(const Cells& cells, const CellRange& range) const {
         // In vector output each cell extends under its neighbours, which are painted later: viewers antialias edges,
-        // and the background would show through as hairlines.
-        const double under = onPixels() ? 0 : 0.5;
+        // and the background would show through as hairlines. Half a cell, since a viewer's pixels may be large.
+        const double under = onPixels() ? 0 : 0.5 * map.scale;
         const Box all = map.toScreen(cells.clip);
         painter.setRenderHint(QPainter::Antialiasing, false);
         for (int j = range.j0; j < range.j1; ++j) {
             for (int i = range.i0; i < range.i1; ++i) {
                 Box box = seenOf(cells, i, j);
-                box.x1 = std::min(box.x1 + under, all.x1);
-                box.y1 = std::min(box.y1 + under, all.y1);
+                box.x1 = std::min(box.x1 + under * cells.cellWidth, all.x1);
+                box.y1 = std::min(box.y1 + under * cells.cellHeight, all.y1);
                 painter.fillRect(qrect(box), toColor(colorOf(cells, i, j)));
             }
         }

@@ -93,18 +93,31 @@ QSizeF pageSize(const Figure& figure, const FigurePage& page) {
     return {page.widthMm, page.widthMm * figure.aspect(page) + caption.height / kUnits * kMmPerPoint};
 }
 
-// A file that refuses further writes after cancellation, which also ends the compression of a large picture.
-class StoppedFile : public QFile {
+// A file that refuses further writes after cancellation, which also ends the compression of a large picture; and that
+// remembers failed writes, which Qt's writers of SVG and PDF ignore and QFile::close() forgets.
+class FigureOutput : public QFile {
   public:
-    StoppedFile(const std::string& path, const relief::Work& work) : QFile(QString::fromStdString(path)), work_(work) {}
+    FigureOutput(const std::string& path, const relief::Work& work)
+        : QFile(QString::fromStdString(path)), work_(work) {}
+
+    // Writes what is buffered and closes the file. Returns false if anything could not be written.
+    bool finish() {
+        const bool flushed = flush();
+        complete_ = complete_ && flushed && error() == QFileDevice::NoError;
+        close();
+        return complete_ && error() == QFileDevice::NoError;
+    }
 
   protected:
     qint64 writeData(const char* data, qint64 size) override {
-        return work_.stopped() ? -1 : QFile::writeData(data, size);
+        const qint64 written = work_.stopped() ? -1 : QFile::writeData(data, size);
+        complete_ = complete_ && written == size;
+        return written;
     }
 
   private:
     const relief::Work& work_;
+    bool complete_ = true;
 };
 
 void writeSvg(const Figure& figure, const FigurePage& page, QIODevice& file, const QSize& size) {
@@ -278,7 +291,7 @@ void writeFigure(const Figure& requested, const FigurePage& page, const std::str
     const Figure& figure = prepared ? *prepared : requested;
     work.throwIfStopped();
     relief::AtomicFile target(path);
-    StoppedFile file(target.temporaryPath(), work);
+    FigureOutput file(target.temporaryPath(), work);
     const std::string ending = endingOf(path);
     bool done = file.open(QIODevice::WriteOnly);
     if (ending == ".png") {
@@ -291,10 +304,9 @@ void writeFigure(const Figure& requested, const FigurePage& page, const std::str
             writePdf(figure, page, file, mm);
         }
     }
-    file.close();
+    const bool written = file.finish();
     work.throwIfStopped();
-    // Qt does not report a full disk; an empty file counts as an error.
-    if (!done || file.error() != QFileDevice::NoError || file.size() == 0) {
+    if (!done || !written || file.size() == 0) {
         throw relief::WorkError(path, Message(MessageId::DiskFull));
     }
     target.commit();

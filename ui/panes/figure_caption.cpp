@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "measuring/bench/measured_method.h"
+#include "scenario/variation.h"
 
 namespace reliefui {
 
@@ -18,6 +19,12 @@ std::string heightsOf(const relief::Pictures& pictures) {
     if (pictures.height.empty() || !pictures.drawn.empty()) return name;
     const std::filesystem::path path(name);
     return (path.parent_path().filename() / path.filename()).string();
+}
+
+// The filter with its settings, also those that are no options of the filter.
+std::string filterOf(const relief::Scenario& scenario) {
+    constexpr auto kFilter = relief::CompareSubject::Filters;
+    return relief::variationText(kFilter, relief::ownVariation(scenario, kFilter));
 }
 
 }  // namespace
@@ -44,8 +51,7 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
             text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray + 1}, {"file", file}}));
         } else {
             text += " · " + (methods.empty() ? relief::methodText(s.method) : methods) + " · " +
-                    say(Message(MessageId::CaptionFilter,
-                                {{"filter", filters.empty() ? relief::filterText(s.filter) : filters}}));
+                    say(Message(MessageId::CaptionFilter, {{"filter", filters.empty() ? filterOf(s) : filters}}));
             if (s.mapping != "direct") text += " · " + s.mapping;
             if (s.camera.kind == relief::Camera::Kind::Orbit) {
                 text += " · " + say(Message(MessageId::CaptionElevation,

@@ -60,11 +60,13 @@ void addDistanceAxes(DistancePicture& picture, relief::Language language) {
         upwards.to = frame.at(Point{0, (1 - upwards.high) * frame.slab}).y;
     }
     axes.left(upwards);
+    const Message title = titleOf(picture, language);
+    const double wide = textWidth(relief::sentence(title, language), chart::kTextSize, true);
     drawing.add({}, Role::Title,
                 Label{.at = {plot.x1, plot.y0},
-                      .text = titleOf(picture, language),
+                      .text = title,
                       .anchor = Anchor::Right,
-                      .size = chart::kTextSize,
+                      .size = chart::fittingSize(wide, plot.x1 - frame.whole.x0),
                       .offset = {0, -9}},
                 Emphasis::Strong);
 }

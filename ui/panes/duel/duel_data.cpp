@@ -68,13 +68,6 @@ std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
     const PixelTrace& shown = snapshot->trace;
     const relief::HeightField& field = snapshot->request->field;
     duel->exact = shown.exact;
-    // The method's name, with its options if another run has the same name.
-    const auto nameOf = [&](const relief::MethodChoice& method) {
-        std::vector<relief::MethodChoice> all = rivals;
-        all.push_back(snapshot->scenario.method);
-        const auto same = std::count_if(all.begin(), all.end(), [&](const auto& m) { return m.name == method.name; });
-        return same > 1 ? relief::shortMethodName(method) : method.name;
-    };
     const auto trace = [&](const relief::MethodChoice& method) {
         relief::RayBlock rays;
         rays.push(shown.ray);
@@ -82,13 +75,13 @@ std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
         relief::StepLog log;
         const relief::MethodChoice inView = relief::methodOfView(*snapshot->request, method);
         relief::makeTracer(inView, field, *snapshot->maps, work)->trace(rays, hits, log, work);
-        duel->runs.push_back({nameOf(method), hits[0], std::move(log.steps)});
+        duel->runs.push_back({relief::shortMethodName(method), hits[0], std::move(log.steps)});
     };
     if (shown.fromFile) {
         trace(snapshot->scenario.method);
     } else {
         const relief::MethodChoice& method = snapshot->scenario.method;
-        duel->runs.push_back({nameOf(method), shown.hit, shown.steps});
+        duel->runs.push_back({relief::shortMethodName(method), shown.hit, shown.steps});
     }
     for (const relief::MethodChoice& rival : rivals) {
         if (relief::supports(rival, field.surface(), field.address())) trace(rival);

@@ -28,7 +28,7 @@ constexpr double kNumberSize = 0.8;
 constexpr double kLeastNameSize = 0.65;
 constexpr double kNameGap = 8;       // between a name and its track
 constexpr double kMostNames = 0.3;   // as a share of the width
-constexpr double kLeastWidth = 260;  // with names next to the tracks
+constexpr double kLeastWidth = 200;  // with names next to the tracks
 constexpr double kMostTracks = 0.5;  // as a share of the height; the tracks remain distinguishable
 constexpr double kLeastTrack = 13;
 

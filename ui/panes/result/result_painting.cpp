@@ -81,15 +81,23 @@ void panel(QPainter& painter, const QRect& box, const Style& style) {
     painter.setPen(toColor(style.text()));
 }
 
+// width: most pixels that the legend may take; longer texts are wrapped.
 QSize paintSwatches(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style,
-                    const QFontMetrics& metrics) {
+                    const QFontMetrics& metrics, double width) {
     const std::vector<Swatch> list = swatches(layer);
-    const int line = metrics.height() + scaled(4, style);
+    const int between = scaled(4, style);
     const int patch = metrics.height();
     const int pad = scaled(8, style);
-    int widest = 0;
-    for (const Swatch& s : list) widest = std::max(widest, metrics.horizontalAdvance(s.text));
-    const QSize size(3 * pad + patch + widest, 2 * pad + line * static_cast<int>(list.size()));
+    const int room = std::max(1, static_cast<int>(width) - 4 * pad - patch);
+    const auto extent = [&](const Swatch& s) {
+        return metrics.boundingRect(QRect(0, 0, room, 1 << 15), Qt::TextWordWrap, s.text).size();
+    };
+    int widest = 0, height = 0;
+    for (const Swatch& s : list) {
+        widest = std::max(widest, extent(s).width());
+        height += std::max(patch, extent(s).height()) + between;
+    }
+    const QSize size(3 * pad + patch + widest, 2 * pad + height);
     if (painter == nullptr) return size;
     const QRect box(bottomLeft - QPoint(0, size.height()), size);
     panel(*painter, box, style);
@@ -98,9 +106,10 @@ QSize paintSwatches(QPainter* painter, const LayerPicture& layer, QPoint bottomL
         const QRect square(box.left() + pad, y, patch, patch);
         painter->fillRect(square, s.color);
         if (s.hatched) painter->fillRect(square, QBrush(s.hatch, Qt::BDiagPattern));
-        painter->drawText(QRect(square.right() + pad, y, widest + pad, patch), Qt::AlignVCenter | Qt::AlignLeft,
-                          s.text);
-        y += line;
+        const int high = std::max(patch, extent(s).height());
+        painter->drawText(QRect(square.right() + pad, y, std::min(widest + pad, room), high),
+                          Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, s.text);
+        y += high + between;
     }
     return size;
 }
@@ -274,11 +283,12 @@ QSize paintLegend(QPainter* painter, const LayerPicture& layer, QPoint bottomLef
     const double points = (width - 2 * scaled(8, style)) / style.pixelsPerPoint();
     if (layer.layer == Layer::Error) {
         const QSize scale = paintScale(painter, layer, bottomLeft, style, points);
-        const QSize kinds = paintSwatches(painter, layer, bottomLeft - QPoint(0, scale.height()), style, metrics);
+        const QSize kinds =
+            paintSwatches(painter, layer, bottomLeft - QPoint(0, scale.height()), style, metrics, width);
         return {std::max(scale.width(), kinds.width()), scale.height() + kinds.height()};
     }
     return layer.values ? paintScale(painter, layer, bottomLeft, style, points)
-                        : paintSwatches(painter, layer, bottomLeft, style, metrics);
+                        : paintSwatches(painter, layer, bottomLeft, style, metrics, width);
 }
 
 QSize scaleSize(const LayerPicture& layer, const Style& style, double width) {

@@ -43,6 +43,7 @@ struct TraceFigure : SpaceFigure {
 
 std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                           const TraceOptions& options) {
+    requireRay("trace", *snapshot);
     auto figure = std::make_shared<TraceFigure>();
     figure->snapshot = std::move(snapshot);
     figure->step = step;
