@@ -47,6 +47,29 @@ relief::HeightField field(int width, int height, relief::Surface surface = relie
         std::make_shared<const relief::FloatImage>(relief::makeRelief("fractal", width, height, 3)), surface, address);
 }
 
+// A choice is announced later; by then the form may show another method, such as that of a lesson just opened.
+TEST(OptionsForm, AChoiceOfControlsThatAreGoneIsDropped) {
+    const auto describe = [](const char* name) {
+        const auto& all = relief::tracerList();
+        return *std::find_if(all.begin(), all.end(), [&](const auto& method) { return method.name == name; });
+    };
+    OptionsForm form;
+    form.show(describe("hybrid"), {"hybrid", {}});
+    QStringList announced;
+    QObject::connect(&form, &OptionsForm::changed, [&](const QString& name) { announced << name; });
+    auto* const box = form.findChild<QComboBox*>();
+    ASSERT_NE(box, nullptr);
+    Q_EMIT box->activated(0);
+    form.show(describe("layers"), {"layers", {}});
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(announced.isEmpty());
+    form.show(describe("hybrid"), {"hybrid", {}});
+    Q_EMIT form.findChild<QComboBox*>()->activated(0);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(announced.size(), 1);
+}
+
 TEST_F(WindowTest, EveryMethodIsOfferedAndShown) {
     relief::Scenario scenario = smallScenario();
     openWindow(scenario);

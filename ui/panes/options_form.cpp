@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QSignalBlocker>
 
 #include "panes/core_texts.h"
@@ -91,10 +92,13 @@ void OptionsForm::addControl(const Control& control) {
     label->setBuddy(choices);
     form_->addRow(label, choices);
     // Queued, because choosing another nested method recreates the controls while this one is still emitting its
-    // signal.
+    // signal. Until then the controls may have been recreated for another reason.
     connect(
         choices, qOverload<int>(&QComboBox::activated), this,
-        [this, name, choices](int) { Q_EMIT changed(name, choices->currentText(), false); }, Qt::QueuedConnection);
+        [this, name, box = QPointer<QComboBox>(choices)](int) {
+            if (box) Q_EMIT changed(name, box->currentText(), false);
+        },
+        Qt::QueuedConnection);
 }
 
 // Adds a check box for each word that may replace the number; if none is checked, the number applies.
