@@ -35,6 +35,8 @@ PyramidStack::PyramidStack(QWidget* parent)
     widget_->setMouseTracking(true);
     window_->SetMultiSamples(0);
     window_->AddRenderer(scene_.renderer());
+    // VTK lays out no text in a window one pixel wide or high, and then complains that its texture is empty.
+    widget_->setMinimumSize(2, 2);
     widget_->setRenderWindow(window_);
     widget_->interactor()->SetInteractorStyle(nullptr);
     widget_->installEventFilter(this);

@@ -39,6 +39,8 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     widget_->setFocusPolicy(Qt::StrongFocus);
     window_->SetMultiSamples(0);
     picture_.addTo(window_);
+    // VTK lays out no text in a window one pixel wide or high, and then complains that its texture is empty.
+    widget_->setMinimumSize(2, 2);
     widget_->setRenderWindow(window_);
     widget_->interactor()->SetInteractorStyle(nullptr);
     widget_->installEventFilter(this);
