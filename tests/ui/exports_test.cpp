@@ -8,7 +8,9 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include "../small_disk.h"
 #include "golden.h"
+#include "panes/figure.h"
 #include "panes/pyramid/pyramid_view.h"
 #include "panes/steps/step_table.h"
 #include "panes/trace/trace3d_view.h"
@@ -290,7 +292,7 @@ TEST(Exports, nothingToDrawIsAnError) {
     scenario.comparison.others.clear();
     const QString file = folder.filePath(QStringLiteral("empty.json"));
     relief::saveScenario(file.toStdString(), scenario);
-    const QString path = folder.filePath(QStringLiteral("figure.svg"));
+    const QString path = folder.filePath(QStringLiteral("figure.png"));
     const auto refused = [&](const QString& view, const QString& hint, const QStringList& more = {}) {
         QString complaint;
         const int status = exportFigure(
@@ -301,7 +303,7 @@ TEST(Exports, nothingToDrawIsAnError) {
         EXPECT_FALSE(QFile::exists(path)) << view.toStdString();
     };
     const QString pixel = QStringLiteral("--pixel X,Y");
-    for (const char* const view : {"profile", "footprint", "rows", "steps", "duel"}) {
+    for (const char* const view : {"profile", "footprint", "rows", "steps", "duel", "trace"}) {
         refused(QString::fromLatin1(view), pixel);
     }
     refused(QStringLiteral("compare"), QStringLiteral("--tracers A,B"));
@@ -309,6 +311,30 @@ TEST(Exports, nothingToDrawIsAnError) {
     scenario.camera.distance = 20;
     relief::saveScenario(file.toStdString(), scenario);
     refused(QStringLiteral("profile"), pixel, {QStringLiteral("--pixel"), QStringLiteral("0,0")});  // the sky
+}
+
+// Qt's writers of SVG and PDF report no failed write.
+TEST(Exports, aFullDiskLeavesTheOldFigure) {
+    const QTemporaryDir folder;
+    const auto lines = paintedFigure(
+        [](QPainter& painter, const Box& page, const Style&) {
+            for (int i = 0; i < 20000; ++i) painter.drawLine(QLineF(0, i, page.width(), (i * 7919) % 1000));
+        },
+        {});
+    relief::Work work;
+    for (const char* const name : {"figure.svg", "figure.pdf", "figure.png"}) {
+        const QString path = folder.filePath(QLatin1String(name));
+        QFile old(path);
+        ASSERT_TRUE(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+        old.close();
+        {
+            const relief::test::SmallDisk disk(20000);
+            EXPECT_THROW(writeFigure(*lines, {}, path.toStdString(), work), relief::WorkError) << name;
+        }
+        EXPECT_EQ(contents(path), "old") << name;
+        EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).count(QLatin1String(name)), 1);
+    }
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 3) << "temporary files are left";
 }
 
 // Arguments choose pixel, methods and size; the result equals the picture of that size, also inside a PDF.

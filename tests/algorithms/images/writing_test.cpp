@@ -1,16 +1,15 @@
 // Written files read back equal; after a failed write the old file is unchanged and no temporary file remains.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <thread>
 
+#include "../../small_disk.h"
 #include "images/system_error.h"
 #include "relief/files.h"
 #include "relief/reliefs.h"
@@ -19,32 +18,10 @@
 namespace relief {
 namespace {
 
+using test::SmallDisk;
 using testing::bytesOf;
 using testing::faultOf;
 using testing::TemporaryFolder;
-
-// Limits the size of files written by this process to `bytes` during the object's lifetime, which simulates a full
-// disk.
-class SmallDisk {
-  public:
-    explicit SmallDisk(rlim_t bytes) {
-        before_ = std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &limit_);
-        rlimit small = limit_;
-        small.rlim_cur = bytes;
-        ::setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~SmallDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &limit_);
-        std::signal(SIGXFSZ, before_);
-    }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-
-  private:
-    rlimit limit_{};
-    void (*before_)(int) = nullptr;
-};
 
 FloatImage back(const std::string& path) {
     Work work(1);
