@@ -2024,8 +2024,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Експортувати нема чого: зображення лише одне. Натисніть + на панелі порівняння.</translation>
     </message>
     <message>
-        <source>The manual has not been built; %1 builds it in %2.</source>
-        <translation>Посібника не створено; його створює %1 у %2.</translation>
+        <source>The manual is not here: it is built by %1, before the programs are installed.</source>
+        <translation>Посібника тут немає: його створює %1 перед встановленням програм.</translation>
     </message>
     <message>
         <source>The browser could not be started; the manual is %1</source>

@@ -22,6 +22,15 @@ GUIDE = ["README.md", "app/README.md", "ui/README.md", "algorithms/CONCEPTS.md",
          "algorithms/relief/margins.md", "datasets/README.md", "tests/README.md", "tests/benchmarks/RESULTS.md",
          "tests/benchmarks/EXPERIMENTS.md", "tests/benchmarks/build_time.md", "tests/uncovered.md",
          "app/manual/CHANGELOG.md", "app/manual/CONTRIBUTING.md", "app/manual/CITATION.md"]
+# Pages that stand below another one in the navigation.
+BELOW = {"algorithms/README.md": ["algorithms/notation.md", "algorithms/relief/README.md", "algorithms/SIMD.md",
+                                  "algorithms/relief/margins.md"],
+         "tests/README.md": ["tests/benchmarks/RESULTS.md", "tests/benchmarks/EXPERIMENTS.md",
+                             "tests/benchmarks/build_time.md", "tests/uncovered.md"],
+         "app/README.md": ["app/manual/CHANGELOG.md", "app/manual/CONTRIBUTING.md", "app/manual/CITATION.md"]}
+STYLE = """.contents img { max-width: 100%; height: auto; }
+.contents table.markdownTable { display: block; overflow-x: auto; max-width: 100%; }
+"""
 
 
 def page_id(path):
@@ -64,7 +73,8 @@ def guide_page(path):
             line = re.sub(r"!\[([^\]]*)\]\(([^)]+)\)", lambda m: f"![{m.group(1)}]({os.path.basename(m.group(2))})", line)
             line = re.sub(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)", lambda m: link(path, m), line)
         lines.append(line)
-    return "\n".join(lines)
+    below = [f"- @subpage {page_id(page)}" for page in BELOW.get(path, [])]
+    return "\n".join(lines + (["", "Further pages:", ""] + below if below else [])) + "\n"
 
 
 def opening_comment(path):
@@ -90,45 +100,58 @@ def header_of(name, kinds):
     return None
 
 
-def method_sections(entries, folders, label):
-    text = ""
-    for entry in entries:
-        name = entry["name"]
-        title = f"{name}: {entry['title']}" if "title" in entry else name
-        text += f"\n## {title} {{#{label}_{name.replace('-', '_')}}}\n\n{entry['help'][0].upper()}{entry['help'][1:].rstrip('.')}.\n\n"
+def number(value):
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def span(option):
+    """Returns the values that an option accepts: a range with its unit, words, or both."""
+    words = ", ".join(map(str, option.get("choices") or []))
+    if "low" not in option or option["low"] == option.get("high"):
+        return words
+    numbers = f"{number(option['low'])} to {number(option['high'])} {option.get('unit', '')}".strip()
+    return f"{numbers} or {words}" if words else numbers
+
+
+def list_pages(parent, intro, entries, folders, label):
+    """Returns a page for each entry and one that lists them, so that the search and the navigation know them by name."""
+    names = [(entry["name"], f"{label}_{entry['name'].replace('-', '_')}") for entry in entries]
+    made = {f"page_{parent.lower()}.md": f"# {parent} {{#page_{parent.lower()}}}\n\n{intro}\n\n" +
+            "".join(f"- @subpage {page}\n" for _, page in names)}
+    for entry, (name, page) in zip(entries, names):
+        text = f"# {name + ': ' + entry['title'] if 'title' in entry else name} {{#{page}}}\n\n"
+        text += f"{entry['help'][0].upper()}{entry['help'][1:].rstrip('.')}.\n\n"
         facts = {"guarantee": "guarantee", "form": "implementation", "rays": "rays", "source": "source"}
         rows = [(shown, entry[key]) for key, shown in facts.items() if entry.get(key)]
         rows += [(key, ", ".join(entry[key])) for key in ("surfaces", "addresses", "maps") if entry.get(key)]
         header = header_of(name, folders)
         if header:
             rows.append(("header", f"`{header}`"))
-        text += "| | |\n| --- | --- |\n" + "".join(f"| {a} | {b} |\n" for a, b in rows)
+        text += "| property | value |\n| --- | --- |\n" + "".join(f"| {a} | {b} |\n" for a, b in rows)
         if header:
             text += "\n" + opening_comment(header) + "\n"
         if entry.get("options"):
-            text += "\n| option | range | default | meaning |\n| --- | --- | --- | --- |\n"
+            text += "\n| option | values | default | meaning |\n| --- | --- | --- | --- |\n"
             for option in entry["options"]:
-                values = option.get("choices") or []
-                span = ", ".join(map(str, values)) if values else f"{option.get('low', '')} to {option.get('high', '')}"
-                span += f" {option['unit']}" if option.get("unit") and not values else ""
-                text += f"| `{option['name']}` | {span} | {option.get('default', '')} | {option['help']} |\n"
-    return text
+                text += f"| `{option['name']}` | {span(option)} | {option.get('default', '')} | {option['help']} |\n"
+        made[page + ".md"] = text
+    return made
 
 
 def generated_pages():
     listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=True, text=True, check=True).stdout)
-    methods = "# Methods {#page_methods}\n\nWhat the headers of the methods say, with the options that `relief list` names.\n"
-    methods += method_sections(listed["tracers"], ["algorithms/relief/methods", "algorithms/relief/tracers"], "tracer")
-    methods += "\n# Filters {#page_filters}\n\nHow colours are sampled (`--filter`).\n"
-    methods += method_sections(listed["filters"], ["algorithms/filtering/methods"], "filter")
+    made = list_pages("Methods", "What the headers of the methods say, with the options that `relief list` names.",
+                      listed["tracers"], ["algorithms/relief/methods", "algorithms/relief/tracers"], "tracer")
+    made |= list_pages("Filters", "How colours are sampled (`--filter`).", listed["filters"],
+                       ["algorithms/filtering/methods"], "filter")
     page = subprocess.run([relief, "--help"], capture_output=True, text=True, check=True).stdout
     commands = "# Commands {#page_commands}\n\nThe help page of each command, as `relief COMMAND --help` prints it.\n\n"
-    commands += "## relief {#command_relief}\n\n~~~{.txt}\n" + page + "~~~\n"
-    for name in re.findall(r"(?m)^  ([a-z]+) ", page.split("Commands:")[1].split("\n\n")[0]):
+    commands += "~~~{.unparsed}\n" + page + "~~~\n\n"
+    for name, summary in re.findall(r"(?m)^  ([a-z]+) +(.*)", page.split("Commands:")[1].split("\n\n")[0]):
         text = subprocess.run([relief, name, "--help"], capture_output=True, text=True, check=True).stdout
-        commands += f"\n## relief {name} {{#command_{name}}}\n\n~~~{{.txt}}\n{text}~~~\n"
-    return {"methods.md": methods.split("\n# Filters")[0], "filters.md": "# Filters" + methods.split("\n# Filters")[1],
-            "commands.md": commands}
+        made[f"command_{name}.md"] = f"# {name}: {summary} {{#command_{name}}}\n\n~~~{{.unparsed}}\n{text}~~~\n"
+        commands += f"- @subpage command_{name}\n"
+    return made | {"page_commands.md": commands}
 
 
 def documented(text):
@@ -168,10 +191,12 @@ def main():
         if name.endswith(".h"):
             inputs.append(write(f"relief/{name}", documented(open(os.path.join(folder, name), encoding="utf-8").read())))
     shutil.copy(os.path.join(folder, "messages.def"), os.path.join(pages, "relief"))
+    style = write("../manual.css", STYLE)
     settings = {
         "PROJECT_NAME": "Reliefscope", "PROJECT_BRIEF": '"Exact relief texturing, every step shown"',
         "OUTPUT_DIRECTORY": f'"{out}"', "INPUT": " ".join(f'"{i}"' for i in inputs),
-        "USE_MDFILE_AS_MAINPAGE": f'"{inputs[0]}"', "STRIP_FROM_PATH": f'"{pages}"',
+        "USE_MDFILE_AS_MAINPAGE": f'"{inputs[0]}"', "STRIP_FROM_PATH": f'"{pages}"', "STRIP_FROM_INC_PATH": f'"{pages}"',
+        "HTML_EXTRA_STYLESHEET": f'"{style}"',
         "IMAGE_PATH": f'"{root}/app/manual/pictures" "{root}/ui"', "GENERATE_LATEX": "NO", "EXTRACT_ALL": "YES",
         "JAVADOC_AUTOBRIEF": "YES", "AUTOLINK_SUPPORT": "NO", "GENERATE_TREEVIEW": "YES", "TOC_INCLUDE_HEADINGS": "2",
         "HIDE_UNDOC_RELATIONS": "YES", "SORT_MEMBER_DOCS": "NO", "SHOW_INCLUDE_FILES": "NO", "VERBATIM_HEADERS": "NO",

@@ -234,8 +234,8 @@ void MainWindow::showManual() {
     const QString page = manualPage(QApplication::applicationDirPath());
     if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
     report(page.isEmpty()
-               ? tr("The manual has not been built; %1 builds it in %2.")
-                     .arg(QStringLiteral("cmake --build build --target manual"), QStringLiteral("build/manual/html"))
+               ? tr("The manual is not here: it is built by %1, before the programs are installed.")
+                     .arg(QStringLiteral("cmake --build build --target manual"))
                : tr("The browser could not be started; the manual is %1").arg(page),
            false);
 }
