@@ -24,6 +24,7 @@ Message systemMessage(int error, FileAccess access, const std::string& folder) {
     const bool writing = access == FileAccess::Write;
     if (error == EACCES || error == EPERM)
         return Message(writing ? MessageId::FileNoWritePermission : MessageId::FileNoReadPermission);
+    if (error == EROFS) return Message(MessageId::FileSystemReadOnly);
     if (error == EISDIR) return Message(MessageId::FileIsDirectory);
     if (error == ENOSPC || error == EDQUOT) return Message(MessageId::DiskFull);
     if (error == ENOENT && writing) return Message(MessageId::FolderMissing, {{"folder", folder}});

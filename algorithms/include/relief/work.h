@@ -110,7 +110,7 @@ class WholeProgress {
     bool outermost_;
 };
 
-// The context of one task. It must outlive the calls that use it. Thread safe except for setStop().
+// The context of one task. It must outlive the calls that use it. Thread safe.
 class Work {
   public:
     Work() : Work(0) {}
@@ -126,7 +126,6 @@ class Work {
     void throwIfStopped() const {
         if (stopped()) throw Cancelled();
     }
-    void setStop(std::stop_token stop) { stop_ = std::move(stop); }
     Progress& progress() { return progress_; }
     Counters& counters() { return counters_; }
     ThreadTeam& threads() { return threads_; }

@@ -255,6 +255,7 @@ TEST(Writing, AFullDiskAndAFullQuotaAreNoSpace) {
     for (const int error : {ENOSPC, EDQUOT}) {
         EXPECT_EQ(systemMessage(error, FileAccess::Write).id, MessageId::DiskFull) << error;
     }
+    EXPECT_EQ(systemMessage(EROFS, FileAccess::Write).id, MessageId::FileSystemReadOnly);
 }
 
 TEST(Writing, TextFilesAsBytes) {
