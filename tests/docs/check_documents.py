@@ -3,10 +3,11 @@
 
     check_documents.py SOURCES BIN [PAGE...]
 
-Every relative link must lead to a file (and heading), every file named in backticks must exist, and every command line that begins
-with relief or reliefscope is run in a temporary folder, in the order of the page. A comment after a command states what to expect:
-"# status 1" is the exit status (default 0); a comment with "minute" or "hour" marks a long command, which is stopped after some
-seconds and only must not be refused. Exit status 1 if there is any fault; each is reported with its page and line.
+Every relative link must lead to a file (and heading), every file named in backticks must exist, every function and camel-case name in
+backticks must occur in the sources, and every command line that begins with relief or reliefscope is run in a temporary folder, in the
+order of the page. A comment after a command states what to expect: "# status 1" is the exit status (default 0); a comment with "minute"
+or "hour" marks a long command, which is stopped after some seconds and only must not be refused. Exit status 1 if there is any fault;
+each is reported with its page and line.
 """
 import os
 import re
@@ -50,11 +51,13 @@ class Checker:
     def __init__(self, root, bin_folder):
         self.root, self.bin = root, bin_folder
         self.faults, self.links, self.files, self.commands = [], 0, 0, 0
-        self.pages, self.names = {}, set()
+        self.pages, self.names, self.words = {}, set(), set()
         for folder, folders, files in os.walk(root):
             folders[:] = [f for f in folders if f != ".git" and not f.startswith("build")]
             self.names.update(files)
             for name in files:
+                if re.search(r"\.(?:h|cpp|inc|def|py|sh|cmake)$|^CMakeLists\.txt$", name):
+                    self.words.update(re.findall(r"\w+", open(os.path.join(folder, name), encoding="utf-8").read()))
                 if name.endswith(".md"):
                     path = os.path.relpath(os.path.join(folder, name), root)
                     self.pages[path] = Page(root, path)
@@ -100,6 +103,14 @@ class Checker:
                     self.files += 1
                     if not (self.exists(page, word) if "/" in word else word in self.names):
                         self.fault(page, number, f"no such file: {word}")
+
+    def check_names(self, page):
+        """Checks that functions, `name()`, and names such as `FigureView` occur in the sources."""
+        for number, line in page.prose:
+            for text in re.findall(r"`([^`]+)`", line):
+                for name in re.findall(r"\b\w+(?=\()|\b[A-Za-z]+[a-z][A-Z]\w*", text):
+                    if name not in self.words:
+                        self.fault(page, number, f"no such name in the sources: {name}")
 
     def check_script(self, page, number, line):
         """Checks that the options of app/run and tests/run occur in the scripts."""
@@ -163,6 +174,7 @@ def main():
         page = checker.pages[path]
         checker.check_links(page)
         checker.check_files(page)
+        checker.check_names(page)
         checker.check_commands(page)
     print("\n".join(checker.faults))
     print(f"{len(checker.pages)} pages: {checker.links} links, {checker.files} named files, {checker.commands} commands, "

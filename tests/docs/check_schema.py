@@ -101,8 +101,11 @@ listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=Tr
 for key, names in (("tracers", schema["definitions"]["method"]["properties"]["name"]["enum"]),
                    ("filters", schema["properties"]["filter"]["enum"]),
                    ("reliefs", schema["properties"]["pictures"]["properties"]["recipe"]["properties"]["name"]["enum"])):
-    if [entry["name"] for entry in listed[key]] != names:
-        faults.append(f"{key}: the schema has {names}")
+    program = [entry["name"] for entry in listed[key]]
+    if program != names:
+        missing, extra = [n for n in program if n not in names], [n for n in names if n not in program]
+        faults.append(f"scenario.schema.json, {key}: missing {missing}, not in the program {extra}; the program's order is\n"
+                      f"    {json.dumps(program)}")
 
 print("\n".join(faults))
 print(f"{len(files)} scenarios of files and {len(given)} written are valid, {refused} changed ones refused: {len(faults)} faults")

@@ -53,9 +53,15 @@ void expectGolden(const QString& picture, const std::string& name) {
     if (const char* wish = std::getenv("RELIEF_GOLDEN"); wish != nullptr && std::string(wish) == "write") {
         return copyOver(picture, storedFile(name));
     }
+    const auto kept = std::filesystem::temp_directory_path() / ("relief-" + name + ".png");
+    if (!std::filesystem::exists(storedFile(name))) {
+        copyOver(picture, kept);
+        ADD_FAILURE() << "there is no " << storedFile(name) << " yet; look at " << kept
+                      << ", then run this test with RELIEF_GOLDEN=write, which stores it";
+        return;
+    }
     const GoldenDifference most = goldenDifference(picture, name);
     if (most.flip <= kGoldenBound) return;
-    const auto kept = std::filesystem::temp_directory_path() / ("relief-" + name + ".png");
     copyOver(picture, kept);
     ADD_FAILURE() << name << " is not as stored: FLIP " << most.flip << " at " << most.x << ", " << most.y
                   << "; it is in " << kept << " (with RELIEF_GOLDEN=write it is stored)";

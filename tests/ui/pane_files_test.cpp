@@ -1,5 +1,6 @@
 // The state of the window's panes in scenario files.
 #include <cmath>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ Scenario parsed(const std::string& text) {
     return parseWindowScenario(text, "s.json", kReaders);
 }
 
-// Every state differs from its default.
+// Every state differs from its default, in each of its members. A new state is added here.
 Scenario allOther() {
     Scenario scenario;
     setState(scenario, PyramidPane{"all", true, false, true});
@@ -40,6 +41,11 @@ Scenario allOther() {
     return scenario;
 }
 
+relief::Json readJson(const std::string& path) {
+    std::ifstream file(path);
+    return relief::Json::parse(file);
+}
+
 TEST(PaneFiles, writtenAndReadTheyAreTheSame) {
     const Scenario scenario = allOther();
     ASSERT_EQ(stateOf<PyramidPane>(scenario), (PyramidPane{"all", true, false, true}));
@@ -49,13 +55,24 @@ TEST(PaneFiles, writtenAndReadTheyAreTheSame) {
     EXPECT_EQ(relief::scenarioText(parsed(text)), text);
 }
 
-// Each of the eight states and the colour ranges has a reader, and there are no others.
-TEST(PaneFiles, everyStateHasAReader) {
-    EXPECT_EQ(kReaders.size(), 9U);
-    for (const char* const name :
-         {PyramidPane::kName, ProfilePane::kName, DistancePane::kName, FootprintPane::kName, RowsPane::kName,
-          ChartsPane::kName, TracePane::kName, PointState::kName, RangesState::kName}) {
-        EXPECT_TRUE(kReaders.contains(name)) << name;
+// Each state of the panes in the list is tested here, and described by the schema of scenarios. The colour ranges are
+// tested in range_box_test.cpp.
+TEST(PaneFiles, everyStateIsTestedAndDescribed) {
+    const relief::Json states = relief::Json::parse(allOther().ui);
+    const relief::Json schema = readJson(RELIEF_SOURCE "/algorithms/scenario/scenario.schema.json");
+    const relief::Json& described = schema.at("properties").at("ui").at("properties");
+    for (const auto& [name, reader] : kReaders) {
+        EXPECT_TRUE(described.contains(name)) << name << " is not in algorithms/scenario/scenario.schema.json, ui";
+        if (name == RangesState::kName) continue;
+        EXPECT_TRUE(states.contains(name)) << "add the state " << name << " to allOther()";
+    }
+    for (const auto& [name, state] : states.items()) {
+        EXPECT_TRUE(kReaders.contains(name)) << "no pane in windows/pane_list.cpp reads the state " << name;
+        if (!described.contains(name)) continue;
+        for (const auto& [key, value] : state.items()) {
+            EXPECT_TRUE(described.at(name).at("properties").contains(key))
+                << name << "/" << key << " is not in algorithms/scenario/scenario.schema.json, ui";
+        }
     }
 }
 

@@ -148,12 +148,13 @@ TEST(Ukrainian, NamesOfChangesAndPartsAreTranslatedAgain) {
         for (auto all = changes.globalMatch(source); all.hasNext();) {
             const QString call = all.next().captured(1);
             EXPECT_FALSE(call.contains(QStringLiteral("tr(\"")) && !call.contains(QStringLiteral("changeName(")))
-                << path.toStdString() << ": " << call.toStdString();
+                << path.toStdString() << ": changeName() must translate this name: " << call.toStdString();
             found += call.contains(QStringLiteral("changeName(")) ? 1 : 0;
         }
         for (auto all = parts.globalMatch(source); all.hasNext();) {
             const QString part = all.next().captured(1);
-            EXPECT_TRUE(named.contains(QStringLiteral("\"parts\", \"%1\"").arg(part))) << part.toStdString();
+            EXPECT_TRUE(named.contains(QStringLiteral("\"parts\", \"%1\"").arg(part)))
+                << "the list in ui/workspace/pause_log.cpp lacks: " << part.toStdString();
         }
     }
     EXPECT_GT(found, 30);
@@ -226,7 +227,8 @@ TEST(Ukrainian, TheAlgorithmsDescribeThemselvesInIt) {
     QTranslator translator;
     ASSERT_TRUE(translator.load(QStringLiteral(":/translations/reliefscope_uk.qm")));
     const auto expectText = [&](const std::string& english) {
-        EXPECT_TRUE(english.empty() || isUkrainian(translator.translate("core", english.c_str()))) << english;
+        EXPECT_TRUE(english.empty() || isUkrainian(translator.translate("core", english.c_str())))
+            << "ui/algorithms_uk.ts has no translation of: " << english;
     };
     const auto expectOption = [&](const relief::OptionDescription& option) {
         std::string title = option.name;
@@ -238,6 +240,7 @@ TEST(Ukrainian, TheAlgorithmsDescribeThemselvesInIt) {
     };
     for (const relief::ScenarioNumber& number : relief::scenarioNumbers()) expectOption(number.description);
     for (const relief::MethodDescription& method : relief::tracerList()) {
+        expectText(method.title);
         expectText(method.help);
         for (const relief::OptionDescription& option : method.options) expectOption(option);
     }

@@ -24,9 +24,21 @@ namespace reliefui {
 
 std::vector<PaneKind> paneList() {
     return {
-        resultPane(),  tracePane(),    pyramidPane(),   timePane(),    scenePane(),
-        profilePane(), distancePane(), footprintPane(), rowsPane(),    chartsPane(),
-        comparePane(), drawnPane(),    duelPane(),      skippedPane(), formulaPane(),
+        resultPane(),     //
+        tracePane(),      //
+        pyramidPane(),    //
+        timePane(),       //
+        scenePane(),      //
+        profilePane(),    //
+        distancePane(),   //
+        footprintPane(),  //
+        rowsPane(),       //
+        chartsPane(),     //
+        comparePane(),    //
+        drawnPane(),      //
+        duelPane(),       //
+        skippedPane(),    //
+        formulaPane(),    //
     };
 }
 

@@ -119,7 +119,8 @@ TEST(Guarantees, approximateMethodsAreNoWorseThanRecorded) {
                 if (record != nullptr) out << key << "," << numberText(wrong / kRateRays) << "\n";
                 const auto known = recorded.find(key);
                 if (known == recorded.end()) {
-                    ADD_FAILURE() << key << " has no recorded rate; measured now: " << wrong / kRateRays;
+                    ADD_FAILURE() << "no recorded rate; if it is right, add to wrong_rates.csv:\n"
+                                  << key << "," << numberText(wrong / kRateRays);
                     continue;
                 }
                 EXPECT_LE(wrong, kWorse * known->second * kRateRays + kFewRays) << key;

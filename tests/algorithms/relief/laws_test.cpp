@@ -127,7 +127,9 @@ TEST_F(Laws, wholeTexelShiftsCommuteUnderRepeat) {
                 ASSERT_EQ(a.outcome, b.outcome);
                 // Maps are float: a slope measured at sampled points may be rounded to a neighbouring value.
                 const bool measured = one->guarantee() == Guarantee::Approximate && one->bytes() > 0;
-                EXPECT_NEAR(a.lambda, b.lambda, measured ? 1e-6 : 1e-13) << describe(ray);
+                EXPECT_NEAR(a.lambda, b.lambda, measured ? 1e-6 : 1e-13)
+                    << "ray " << describe(ray) << " over the picture and over the shifted one; a method that computes "
+                    << "its next sample from heights amplifies the rounding of s0 + lambda a";
             }
         }
     }
