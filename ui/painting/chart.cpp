@@ -203,9 +203,9 @@ void Axes::below(const Scale& scale, const std::optional<Message>& title) const 
     }
 }
 
-void Axes::corner(Message title) const {
+void Axes::corner(Message title, double reserved) const {
     const double x = std::max(room_.x0, plot_.x0 - kLeft * unit_);
-    const double size = fittingSize(widthOf(title), (room_.x1 - x) / unit_ - 4);
+    const double size = fittingSize(widthOf(title), (room_.x1 - x) / unit_ - 4 - reserved);
     drawing_.add({}, Role::Legend,
                  Label{.at = {x, plot_.y0},
                        .text = std::move(title),

@@ -80,8 +80,8 @@ class Axes {
     // and numbers that would overlap it are left out.
     void below(const Scale& scale, const std::optional<relief::Message>& title = std::nullopt) const;
     // Title of the left axis, above the plot's upper left corner. It is left out where it would cover emphasised
-    // labels.
-    void corner(relief::Message title) const;
+    // labels. reserved: width, in points, that it leaves free at the right, for a text on the same line.
+    void corner(relief::Message title, double reserved = 0) const;
     // Draws the left and lower sides of the plot's frame.
     void sides() const;
 

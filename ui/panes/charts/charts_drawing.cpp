@@ -179,7 +179,8 @@ Rooms rooms(ChartsShown shown, double width, double height) {
     }
     // Next to the chart, one above the other; otherwise side by side.
     const Point middle = rest.center();
-    if (rest.width() > 1.3 * rest.height()) {
+    constexpr double kLeastTitle = 150;  // width in which the histograms' titles are legible
+    if (rest.width() > std::max(1.3 * rest.height(), 2 * kLeastTitle)) {
         out.steps = {rest.x0, rest.y0, middle.x - kGap / 2, rest.y1};
         out.errors = {middle.x + kGap / 2, rest.y0, rest.x1, rest.y1};
     } else {

@@ -24,7 +24,9 @@ Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame) {
     }
     const chart::Axes axes(drawing, {x, seen.y0, seen.x1, y}, all, unit);
     axes.sides();
-    axes.corner(Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(source.field->slabTexels(), 3)}}));
+    constexpr double kStepTitle = 110;  // width of "step 8: λ 0.61 → 0.61" at the right
+    axes.corner(Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(source.field->slabTexels(), 3)}}),
+                kStepTitle);
     const double low = std::max(frame.low, frame.heightAt(y));
     const double high = std::min(1.0, frame.heightAt(seen.y0));
     axes.left({low, high, frame.yAt(low), frame.yAt(high)});

@@ -262,7 +262,8 @@ TEST(BenchTracers, TheTableHasRateAndErrorOnOneLine) {
     const std::size_t line = text.find("  layers:layers=5");
     ASSERT_NE(line, std::string::npos) << text;
     const std::string words = text.substr(line, text.find('\n', line) - line);
-    // Two tables of a title, a head and a row; between and after them blank lines; three lines that explain the columns.
+    // Two tables of a title, a head and a row; between and after them blank lines; three lines that explain the
+    // columns.
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 * 3 + 1 + 1 + 3) << text;
     EXPECT_NE(text.find("Mrays/s"), std::string::npos);
     EXPECT_GT(words.size(), 60U) << words;
