@@ -60,8 +60,8 @@ TEST_F(DuelTest, MethodsAreComparedOnTheRay) {
     EXPECT_EQ(duel->runs[0].steps, snapshot()->trace.steps);
     EXPECT_EQ(duel->runs[1].hit.lambda, duel->exact.lambda) << "max-pyramid is exact";
     EXPECT_EQ(duel->judgements[1].kind, relief::Departure::None);
-    // Methods are shown by name, with options if two have the same name.
-    EXPECT_EQ(duel->runs[0].name, "layers");
+    // Methods are shown by name, with the options that were given.
+    EXPECT_EQ(duel->runs[0].name, "layers:layers=4");
     EXPECT_EQ(duel->runs[1].name, "max-pyramid");
     // Every method is mentioned.
     for (const relief::DuelRun& run : duel->runs) {
