@@ -45,6 +45,14 @@ if command -v pkg-config >/dev/null; then
     "$folder/plain" | grep '^hit at texel'
 fi
 
+# In a fresh checkout app/run explains itself without installing or building anything.
+mkdir -p "$folder/fresh/app"
+cp "$sources/app/run" "$sources/app/setup.sh" "$folder/fresh/app"
+"$folder/fresh/app/run" --help | grep -q '^Usage: app/run' || fail "app/run --help explains nothing"
+[ "$(ls "$folder/fresh")" = app ] || fail "app/run --help makes $(ls "$folder/fresh")"
+
+[ -s "$prefix/share/doc/reliefscope/scenario.schema.json" ] || fail "the schema of scenarios is not installed"
+
 # The programs run without access to the checkout's folders. Neither loads OpenImageIO or its dependencies at start.
 cd "$folder"
 share=$prefix/share
@@ -100,6 +108,8 @@ if [ -e "$prefix/bin/reliefscope" ]; then
     # shellcheck source=/dev/null
     . "$completions/reliefscope"
     becomes --screenshot reliefscope --screen
+    becomes footprint reliefscope --export foot
+    becomes refined-sampled reliefscope --map refined-
     for file in applications/reliefscope.desktop icons/hicolor/scalable/apps/reliefscope.svg; do
         [ -s "$share/$file" ] || fail "$file is not installed"
     done

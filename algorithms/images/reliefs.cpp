@@ -415,23 +415,32 @@ const std::vector<ReliefRecipe>& reliefRecipes() {
     return recipes;
 }
 
-FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed, Work* work) {
-    const auto maker =
-        std::find_if(kMakers.begin(), kMakers.end(), [&](const Maker& m) { return m.recipe.name == name; });
-    if (maker == kMakers.end()) {
-        std::string known;
-        for (const Maker& m : kMakers) known += (known.empty() ? "" : ", ") + std::string(m.recipe.name);
-        throw InputError({}, unknownName({"what", MessageId::WordRelief}, std::string(name), known));
+const ReliefRecipe& findRecipe(std::string_view name, const std::string& subject) {
+    std::string known;
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        if (recipe.name == name) return recipe;
+        known.append(known.empty() ? "" : ", ").append(recipe.name);
     }
-    const std::string subject(name);
+    throw InputError(subject, unknownName({"what", MessageId::WordRelief}, std::string(name), known));
+}
+
+void checkRecipeSize(const ReliefRecipe& recipe, int width, int height) {
+    const std::string subject(recipe.name);
     if (width < 1 || height < 1)
         throw InputError(subject, Message(MessageId::PictureEmpty, {{"width", width}, {"height", height}}));
-    const int fixed = maker->recipe.defaultSize;
-    if (!maker->recipe.anySize && (width != fixed || height != fixed))
+    const int fixed = recipe.defaultSize;
+    if (!recipe.anySize && (width != fixed || height != fixed))
         throw InputError(
             subject, Message(MessageId::ReliefSize, {{"wanted", std::to_string(fixed) + " x " + std::to_string(fixed)},
                                                      {"width", width},
                                                      {"height", height}}));
+}
+
+FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed, Work* work) {
+    checkRecipeSize(findRecipe(name, {}), width, height);
+    const auto maker =
+        std::find_if(kMakers.begin(), kMakers.end(), [&](const Maker& m) { return m.recipe.name == name; });
+    const std::string subject(name);
     // Some recipes accumulate in double first.
     requireMemory(byteProduct({static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
                                sizeof(double) + sizeof(float)}),

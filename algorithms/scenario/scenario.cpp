@@ -1,12 +1,14 @@
 #include "scenario/scenario.h"
 
-#include "scenario/row_methods.h"
-#include "scenario/scenario_checks.h"
-
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "relief/reliefs.h"
 #include "rendering/base_level.h"
 #include "rendering/pinhole.h"
+#include "scenario/row_methods.h"
+#include "scenario/scenario_checks.h"
 
 namespace relief {
 
@@ -139,6 +141,15 @@ void checkCount(MessageId what, std::size_t count, std::size_t limit, const std:
     throw InputError(subject, Message(MessageId::TooMany, {{"what", what}, {"count", count}, {"limit", limit}}));
 }
 
+constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
+
+// Throws InputError if the whole number is out of range.
+void checkWhole(const char* what, std::int64_t value, std::int64_t low, std::int64_t high, const std::string& subject) {
+    if (value >= low && value <= high) return;
+    const Message range = high == kUnlimited ? Message(MessageId::RangeAtLeast, {{"low", low}}) : rangeOf(low, high);
+    throw InputError(subject, Message(MessageId::OutOfRange, {{"what", what}, {"value", value}, {"range", range}}));
+}
+
 void checkNotes(const Scenario& scenario, const std::string& subject, const ScenarioCheck& run) {
     run({"breakpoints"}, [&] {
         checkCount(MessageId::WordBreakpoints, scenario.breakpoints.size(), kMostBreakpoints, subject);
@@ -149,6 +160,7 @@ void checkNotes(const Scenario& scenario, const std::string& subject, const Scen
         // The picture may have become smaller since the bookmark was set; its pixel is then clamped to the picture.
         for (const Bookmark& bookmark : scenario.bookmarks) {
             pinholeCamera(bookmark.camera, scenario.width, scenario.height);
+            checkWhole("step", bookmark.step, 0, kUnlimited, subject);
         }
     });
     run({"other-tracer", "ray"}, [&] {
@@ -170,20 +182,38 @@ std::vector<std::string> placeOf(const std::string& number) {
     return {"camera", number};
 }
 
-void checkPictures(const Pictures& pictures, const std::string& subject) {
-    if (pictures.drawn.empty()) return;
-    checkDrawn(pictures.drawn, subject);
-    if (!pictures.height.empty() || !pictures.recipe.empty()) {
-        throw InputError(subject, Message(MessageId::HeightsTwice));
+void checkPictures(const Pictures& pictures, const std::string& subject, const ScenarioCheck& run) {
+    run({"pictures", "max-pixels"},
+        [&] { checkWhole("max-pixels", pictures.reading.maxPixels, 1, kUnlimited, subject); });
+    if (!pictures.recipe.empty()) {
+        run({"pictures", "recipe", "width"},
+            [&] { checkWhole("width", pictures.recipeWidth, 1, kMaxPictureSide, subject); });
+        run({"pictures", "recipe", "height"},
+            [&] { checkWhole("height", pictures.recipeHeight, 1, kMaxPictureSide, subject); });
+        run({"pictures", "recipe"}, [&] {
+            checkRecipeSize(findRecipe(pictures.recipe, subject), pictures.recipeWidth, pictures.recipeHeight);
+        });
     }
+    if (pictures.drawn.empty()) return;
+    run({"pictures", "drawn"}, [&] {
+        checkDrawn(pictures.drawn, subject);
+        if (!pictures.height.empty() || !pictures.recipe.empty()) {
+            throw InputError(subject, Message(MessageId::HeightsTwice));
+        }
+    });
 }
 
-// Checks options one by one, each together with those before it: for hybrid, `inner` precedes the options of the inner
-// method.
+// Checks options one by one, each together with those before it. Those that select a method or a map come first,
+// because other options depend on them.
 void checkOptions(const Scenario& scenario, const std::string& subject, const ScenarioCheck& run) {
     MethodChoice method{scenario.method.name, {}};
     run({"method", "name"}, [&] { checkMethod(method, subject); });
-    for (const auto& [name, value] : scenario.method.options) {
+    std::vector<std::pair<std::string, std::string>> options(scenario.method.options.begin(),
+                                                             scenario.method.options.end());
+    std::ranges::stable_partition(options, [](const auto& option) {
+        return option.first == "inner" || option.first == kMapOption || option.first == "inner.map";
+    });
+    for (const auto& [name, value] : options) {
         method.options[name] = value;
         run({"method", "options", name}, [&] { checkMethod(method, subject); });
     }
@@ -213,7 +243,8 @@ void checkScenarioParts(const Scenario& scenario, const std::string& subject, co
                                               {{"what", "sky"}, {"value", channel}, {"range", rangeOf(0, 1000)}}));
         }
     });
-    run({"pictures", "drawn"}, [&] { checkPictures(scenario.pictures, subject); });
+    checkPictures(scenario.pictures, subject, run);
+    run({"step"}, [&] { checkWhole("step", scenario.step, 0, kUnlimited, subject); });
     checkOptions(scenario, subject, run);
     run({"compare"}, [&] { checkComparison(scenario.comparison, subject); });
     run({"mapping"}, [&] { parseMapping(scenario.mapping, subject.empty() ? "--mapping" : subject); });

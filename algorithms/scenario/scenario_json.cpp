@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "relief/reliefs.h"
 #include "scenario/json_reader.h"
 #include "scenario/row_methods.h"
 #include "scenario/scenario_checks.h"
@@ -53,7 +54,12 @@ void readPictures(Reader reader, Pictures& pictures, const std::filesystem::path
     }
     if (reader.has("recipe")) {
         Reader recipe = reader.child("recipe");
-        recipe.read("name", pictures.recipe);
+        if (!recipe.has("name")) recipe.fail("name", MessageId::WantAText);
+        recipe.named("name", [&](const std::string& name) {
+            const ReliefRecipe& known = findRecipe(name, {});
+            pictures.recipe = name;
+            pictures.recipeWidth = pictures.recipeHeight = known.defaultSize;
+        });
         recipe.readWhole("width", pictures.recipeWidth);
         recipe.readWhole("height", pictures.recipeHeight);
         recipe.readWhole("seed", pictures.seed);

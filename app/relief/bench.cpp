@@ -88,12 +88,7 @@ std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& 
     for (const Pictures& one : pictures) {
         maps.push_back({one, heightsName(one), nullptr});
         if (one.height.empty() && one.drawn.empty()) {
-            // A size can be invalid only for recipes of fixed size; these are small, so generating one here is a cheap
-            // check.
-            const auto& known = reliefRecipes();
-            const auto recipe =
-                std::find_if(known.begin(), known.end(), [&](const ReliefRecipe& r) { return r.name == one.recipe; });
-            if (!recipe->anySize) makeRelief(one.recipe, one.recipeWidth, one.recipeHeight, one.seed);
+            checkRecipeSize(findRecipe(one.recipe, {}), one.recipeWidth, one.recipeHeight);
             continue;
         }
         Scenario scenario;

@@ -176,6 +176,24 @@ complete -F _)" +
            name + " " + name + "\n";
 }
 
+// Returns the views that the help lists after "VIEW:", up to the next option: "result (PNG alone), profile, ...".
+Words viewsIn(const std::string& help) {
+    const std::string sign = " VIEW: ";
+    const std::size_t at = help.find(sign);
+    if (at == std::string::npos) return {};
+    std::istringstream words(help.substr(at + sign.size()));
+    Words views;
+    bool remark = false;
+    for (std::string word; words >> word && !word.starts_with("-");) {
+        remark = remark || word.starts_with("(");
+        const bool ends = word.ends_with(',');
+        if (ends) word.pop_back();
+        if (!remark) views.push_back(word);
+        if (word.ends_with(')')) remark = false;
+    }
+    return views;
+}
+
 }  // namespace
 
 std::string bashCompletion(const CLI::App& program) {
@@ -204,6 +222,7 @@ std::string bashCompletion(const CLI::App& program) {
 
 std::string bashCompletion(const std::string& help) {
     Completion completion{help.substr(0, help.find(':')), {}, {}, {}, {}};
+    const std::map<std::string, Words> byType{{"VIEW", viewsIn(help)}, {"KIND", mapKinds()}};
     std::istringstream lines(help);
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with("  -")) continue;
@@ -215,7 +234,13 @@ std::string bashCompletion(const std::string& help) {
             std::string type;
             const bool takes = words >> type && !type.starts_with("-") &&
                                std::any_of(type.begin(), type.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
-            addOption(completion, {word}, takes || choicesIn(type).size() > 1 ? type : "");
+            const auto known = byType.find(type);
+            if (known != byType.end()) {
+                completion.options.push_back(word);
+                completion.values[word] = known->second;
+            } else {
+                addOption(completion, {word}, takes || choicesIn(type).size() > 1 ? type : "");
+            }
             if (!takes) break;
         }
     }

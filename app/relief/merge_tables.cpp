@@ -14,20 +14,6 @@ namespace relief::app {
 
 namespace {
 
-// Takes the first CSV record off the text and returns it without its "\n". Returns std::nullopt if no complete record
-// is left.
-std::optional<std::string_view> takeRecord(std::string_view& text) {
-    bool quoted = false;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        if (text[at] == '"') quoted = !quoted;
-        if (text[at] != '\n' || quoted) continue;
-        const std::string_view record = text.substr(0, at);
-        text.remove_prefix(at + 1);
-        return record;
-    }
-    return std::nullopt;
-}
-
 template <class T>
 std::optional<Json> numberOf(const std::string& text) {
     T value{};

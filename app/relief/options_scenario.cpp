@@ -94,19 +94,11 @@ void applyRecipe(Pictures& pictures, const std::string& text, const std::string&
     const std::vector<std::string> parts = splitText(text, ':');
     if (parts[0] == kDrawn && parts.size() == 3) return applyDrawn(pictures, parts, option);
     pictures.drawn = {};
-    std::string known;
-    const ReliefRecipe* found = nullptr;
-    for (const ReliefRecipe& recipe : reliefRecipes()) {
-        if (recipe.name == parts[0]) found = &recipe;
-        known.append(known.empty() ? "" : ", ").append(recipe.name);
-    }
-    if (found == nullptr || parts.size() > 3) {
-        throw InputError(option,
-                         unknownName({"what", MessageId::WordRelief}, found == nullptr ? parts[0] : text, known));
-    }
+    // A text of more parts is no name either.
+    const ReliefRecipe& found = findRecipe(parts.size() > 3 ? text : parts[0], option);
     pictures.height.clear();
     pictures.recipe = parts[0];
-    pictures.recipeWidth = pictures.recipeHeight = found->defaultSize;
+    pictures.recipeWidth = pictures.recipeHeight = found.defaultSize;
     if (parts.size() > 1) {
         const SizeText size = parseSize(parts[1], option, kMaxPictureSide);
         pictures.recipeWidth = size.width;

@@ -1,7 +1,9 @@
 #include "arguments.h"
 
 #include <charconv>
+#include <sstream>
 #include <string_view>
+#include <vector>
 
 #include "panes/figure.h"
 #include "relief/describe.h"
@@ -34,6 +36,23 @@ int wholeNumber(const std::string& text, const std::string& subject) {
     const double number = parseNumber(text, subject);
     if (number >= 0 && number <= kMost && number == static_cast<int>(number)) return static_cast<int>(number);
     throw InputError(subject, Message(MessageId::NumberOutOfRange, {{"value", number}, {"range", "0, 1, 2, ..."}}));
+}
+
+// Returns all options that the help names.
+std::vector<std::string> optionNames() {
+    std::istringstream words(helpText({}));
+    std::vector<std::string> names;
+    for (std::string word; words >> word;) {
+        if (word.ends_with(',')) word.pop_back();
+        if (word.starts_with("--")) names.push_back(word);
+    }
+    return names;
+}
+
+InputError unknownArgument(const std::string& argument) {
+    const std::string near = argument.starts_with("--") ? nearestName(argument, optionNames()) : "";
+    if (near.empty()) return {argument, Message(MessageId::ArgumentUnknown, {{"help", kHelp}})};
+    return {argument, Message(MessageId::ArgumentNear, {{"near", near}, {"help", kHelp}})};
 }
 
 }  // namespace
@@ -115,7 +134,7 @@ Arguments parseArguments(int count, char** arguments) {
                 throw InputError(argument, Message(MessageId::NotASize, {{"text", size}}));
             }
         } else {
-            throw InputError(argument, Message(MessageId::ArgumentUnknown, {{"help", kHelp}}));
+            throw unknownArgument(argument);
         }
     }
     const auto needs = [](bool missing, const char* option, const char* other) {
@@ -180,7 +199,7 @@ Options, with defaults in parentheses
   --variants LIST       rows: up to four methods, spelled as for relief bench rows
                         (affine,direct,incremental:anchor=0,streams:streams=4)
   --row-width N         rows: width of the row, pixels (that of the picture)
-  --relief NAME         pareto, whose file is a JSON table of relief bench tracers: show only this relief
+  --relief NAME         pareto, whose file is a table of relief bench tracers (JSON, CSV): show only this relief
   --elevation DEG       pareto: show only this elevation
   --error MEASURE       pareto, charts: mean, p95, p9999 or max (mean)
   --width MM            width of the figure (160)

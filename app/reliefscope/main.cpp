@@ -115,7 +115,7 @@ std::vector<std::string> betweenCommas(const std::string& text) {
 std::shared_ptr<const reliefui::Figure> paretoChart(const Arguments& arguments) {
     auto source = std::make_shared<reliefui::ParetoSource>();
     if (!arguments.error.empty()) source->measure = parseErrorMeasure(arguments.error, "--error");
-    source->table = paretoTable(chosenRows(readBenchJson(arguments.file), arguments.relief, arguments.elevation));
+    source->table = paretoTable(chosenRows(readBenchTable(arguments.file), arguments.relief, arguments.elevation));
     source->title = reliefui::paretoTitle(source->table);
     auto charts = std::make_shared<reliefui::ChartsSource>();
     charts->shown = reliefui::ChartsShown::Pareto;
@@ -130,9 +130,7 @@ reliefui::Layer chosenLayer(const std::string& name) {
                                                  "normal", "uv",    "footprint", "hidden"};
     const auto at = std::find(kNames.begin(), kNames.end(), name);
     if (at != kNames.end()) return static_cast<reliefui::Layer>(at - kNames.begin());
-    throw InputError("--layer",
-                     Message(MessageId::UnknownName,
-                             {{"what", MessageId::WordLayer}, {"name", name}, {"known", commaList(kNames)}}));
+    throw InputError("--layer", unknownName({"what", MessageId::WordLayer}, name, commaList(kNames)));
 }
 
 // Command-line arguments take precedence over the scenario.
@@ -308,7 +306,7 @@ int run(int count, char** values, const Arguments& arguments) {
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
         const Message fault(MessageId::WindowNone, {{"why", problem}});
-        std::fprintf(stderr, "relief: %s\n", sentence(fault, reliefui::uiLanguage()).c_str());
+        std::fprintf(stderr, "reliefscope: %s\n", sentence(fault, reliefui::uiLanguage()).c_str());
         return kBadUsage;
     }
     if (arguments.checkDisplay) return 0;
@@ -356,7 +354,7 @@ int run(int count, char** values, const Arguments& arguments) {
         if (offer != nullptr) left = offer->unanswered();
         if (status != kOtherLanguage && keeper) {
             const std::string fault = keeper->end();
-            if (!fault.empty()) std::fprintf(stderr, "relief: %s\n", fault.c_str());
+            if (!fault.empty()) std::fprintf(stderr, "reliefscope: %s\n", fault.c_str());
             window.keepLayout();
         }
         shown = nullptr;
@@ -390,13 +388,13 @@ int main(int count, char** values) {
         }
         return run(count, values, arguments);
     } catch (const relief::WorkError& error) {
-        std::fprintf(stderr, "relief: %s\n", error.text(reliefui::uiLanguage()).c_str());
+        std::fprintf(stderr, "reliefscope: %s\n", error.text(reliefui::uiLanguage()).c_str());
         return kWorkFailed;
     } catch (const relief::InputError& error) {
-        std::fprintf(stderr, "relief: %s\n", error.text(reliefui::uiLanguage()).c_str());
+        std::fprintf(stderr, "reliefscope: %s\n", error.text(reliefui::uiLanguage()).c_str());
         return kBadUsage;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "relief: %s\n", error.what());
+        std::fprintf(stderr, "reliefscope: %s\n", error.what());
         return 1;
     }
 }

@@ -151,6 +151,17 @@ TEST_P(SpellingTest, OptionsOutOfPlaceAreRefused) {
     refuse({"--tracer", "layers", "--set", "layers=4", "--set", "layers=5"}, {"--set layers: is given more than once"});
     refuse({"--pixel-model", "gaussian"}, {"--pixel-model: needs --supersample"});
     refuse({"--map", write("m.tif", "x"), "--tracer", "exact"}, {"m.tif"});
+    // Options that depend on each other are checked where they were given.
+    refuse({"--tracer", "distance-refined:sectors=3"}, {"--tracer: sectors is 3"});
+    refuse({"--tracer", "distance-refined", "--set", "sectors=3"}, {"--set: sectors is 3"});
+    for (const char* const option : {"sectors=4", "horizons=8", "flattest=5"}) {
+        refuse({"--tracer", std::string("distance-conservative:") + option}, {"--tracer: ", "needs map=refined"});
+        refuse({"--tracer", std::string("hybrid:inner.") + option}, {"--tracer: ", "needs map=refined"});
+    }
+    runFine({"render", walls(), "--size", "8x8", "--tracer", "distance-conservative:map=refined:sectors=4:flattest=20",
+             "-o", path("x.png")});
+    expectRefusal({"bench", "tracers", "--relief", "city:16x16", "--tracers", "distance-conservative:sectors=4"}, 2,
+                  {"--tracers: sectors: needs map=refined"});
 }
 
 // The message names the file and the line for every kind of error.

@@ -78,10 +78,12 @@ with tempfile.TemporaryDirectory() as folder:
     refused = 0
     wrong = {("relief", "depth"): 5, ("camera", "fov"): 171, ("scene",): "ceiling", ("size",): [0, 3], ("reliefscope",): 2,
              ("method", "name"): "coen", ("relief", "address"): "mirror", ("light", "ambient"): "much", ("sky",): [0, 1],
+             ("pictures", "recipe", "name"): "ctiy", ("pictures", "max-pixels"): 0, ("step",): -1,
              ("compare", "rate"): 100, ("supersample",): 65, ("pictures", "invert"): 1}
     mutants = [(path + ("unknown",), 1) for path in objects(everything)
                if not {"options", "filter-options"} & set(path) and path[:1] not in (("ui",), ("panes",))]
-    for path, value in mutants + list(wrong.items()):
+    recipes = [(("pictures", "recipe"), recipe) for recipe in ({"name": "city", "width": 0}, {"name": "city", "height": 32769}, {})]
+    for path, value in mutants + list(wrong.items()) + recipes:
         scenario = copy.deepcopy(everything)
         place = scenario
         for key in path[:-1]:

@@ -13,6 +13,7 @@
 #include "painting/painter.h"
 #include "panes/charts/charts_drawing.h"
 #include "relief/errors.h"
+#include "relief/files.h"
 #include "rendering/error_layer.h"
 #include "scenario/scenario.h"
 #include "window_fixture.h"
@@ -279,6 +280,15 @@ TEST(Charts, TheProgramExportsThem) {
         EXPECT_EQ(run(QStringList{table} + view("pareto", file)), 0);
         EXPECT_TRUE(validFigure(file)) << ending;
     }
+    // The same table as CSV gives the same chart.
+    std::string csv = relief::benchCsvHeader();
+    for (const relief::BenchRow& row : madeUp()) csv += relief::benchCsvLine(row);
+    const QString asCsv = folder.filePath(QStringLiteral("bench.csv"));
+    relief::writeTextFile(asCsv.toStdString(), csv);
+    const QString fromCsv = folder.filePath(QStringLiteral("csv.svg"));
+    EXPECT_EQ(run(QStringList{asCsv} + view("pareto", fromCsv)), 0);
+    EXPECT_EQ(relief::readTextFile(fromCsv.toStdString()),
+              relief::readTextFile(folder.filePath(QStringLiteral("pareto.svg")).toStdString()));
     const QString charts = folder.filePath(QStringLiteral("charts.svg"));
     EXPECT_EQ(run(QStringList{scenario} + view("charts", charts)), 0);
     EXPECT_TRUE(validFigure(charts));
@@ -289,7 +299,7 @@ TEST(Charts, TheProgramExportsThem) {
           QStringList{table, QStringLiteral("--error"), QStringLiteral("median")}}) {
         QString error;
         EXPECT_EQ(run(arguments + view("pareto", none), &error), 2) << arguments.join(' ').toStdString();
-        EXPECT_TRUE(error.startsWith(QStringLiteral("relief: ")) && error.count('\n') == 1) << error.toStdString();
+        EXPECT_TRUE(error.startsWith(QStringLiteral("reliefscope: ")) && error.count('\n') == 1) << error.toStdString();
         EXPECT_FALSE(QFileInfo::exists(none));
     }
 }

@@ -60,8 +60,8 @@ TEST_F(DuelTest, MethodsAreComparedOnTheRay) {
     EXPECT_EQ(duel->runs[0].steps, snapshot()->trace.steps);
     EXPECT_EQ(duel->runs[1].hit.lambda, duel->exact.lambda) << "max-pyramid is exact";
     EXPECT_EQ(duel->judgements[1].kind, relief::Departure::None);
-    // Methods are shown by name, with options if two have the same name.
-    EXPECT_EQ(duel->runs[0].name, "layers");
+    // Methods are shown by name, with the options that were given.
+    EXPECT_EQ(duel->runs[0].name, "layers:layers=4");
     EXPECT_EQ(duel->runs[1].name, "max-pyramid");
     // Every method is mentioned.
     for (const relief::DuelRun& run : duel->runs) {
@@ -122,6 +122,36 @@ TEST_F(DuelTest, TheFirstDivergenceIsShownAndNamed) {
     waitForDuel();
     EXPECT_NE(view->duel(), before);
     EXPECT_EQ(view->duel()->runs[0].steps, snapshot()->trace.steps);
+}
+
+// The chosen method is the one to be explained, even where a rival goes wrong before it.
+TEST_F(DuelTest, TheChosenMethodsOwnDivergenceComesFirst) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "8"}}};
+    openDuel(scenario);
+    choose(0, QStringLiteral("exact"));
+    choose(1, QStringLiteral("offset"));
+    DuelView* const view = window_->pane<DuelView>();
+    const auto stepOf = [&](std::size_t run) { return view->duel()->judgements[run].step; };
+    const auto wrong = [&](std::size_t run) { return view->duel()->judgements[run].kind != relief::Departure::None; };
+    const auto later = [&] {
+        const auto& steps = view->duel()->steps;
+        return wrong(0) && wrong(2) && steps.momentOf(0, stepOf(0)) > steps.momentOf(2, stepOf(2));
+    };
+    for (int x = 20; x < 190 && !later(); x += 12) {
+        workspace_->choosePixel(x, 40 + x / 2);
+        waitForDuel();
+    }
+    ASSERT_TRUE(later()) << "offset goes wrong before layers nowhere: nothing is tested";
+    EXPECT_EQ(view->duel()->first, 0U);
+    QTest::keyClick(window_.get(), Qt::Key_D, Qt::ControlModifier);
+    EXPECT_EQ(this->scenario().step, static_cast<int>(stepOf(0)));
+    // Where the chosen method is right, the rival's error is shown.
+    relief::Scenario right = this->scenario();
+    right.method = {"max-pyramid", {}};
+    workspace_->change(right, QStringLiteral("method"));
+    waitForDuel();
+    EXPECT_EQ(view->duel()->first, 2U);
 }
 
 // On a projector, too, the longest name is not truncated, and half of the pane is left for the relief.

@@ -229,7 +229,7 @@ TEST(Figure, FaultsAreSaidInOneLine) {
     for (const auto& [arguments, status] : cases) {
         const Exported ran = exportFigure(arguments);
         EXPECT_EQ(ran.status, status) << arguments.join(' ').toStdString();
-        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("relief: ")) && ran.err.count('\n') == 1)
+        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("reliefscope: ")) && ran.err.count('\n') == 1)
             << ran.err.toStdString();
         EXPECT_FALSE(QFile::exists(good));
     }

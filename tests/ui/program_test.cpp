@@ -53,7 +53,7 @@ TEST(Program, WithoutADisplayItSaysSo) {
         const Ran ran = start(arguments, false);
         EXPECT_EQ(ran.status, 2);
         EXPECT_TRUE(oneLine(ran.err)) << ran.err.toStdString();
-        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("relief: "))) << ran.err.toStdString();
+        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("reliefscope: "))) << ran.err.toStdString();
     }
 }
 
@@ -77,6 +77,16 @@ TEST(Program, BadUsage) {
         EXPECT_EQ(ran.status, 2) << arguments.join(' ').toStdString();
         EXPECT_TRUE(oneLine(ran.err)) << ran.err.toStdString();
     }
+    const QStringList figure{QStringLiteral("-o"), QStringLiteral("x.svg")};
+    for (const auto& [option, near] : {std::pair("--expot", "--export"), std::pair("--export=", "--export"),
+                                       std::pair("--pixle", "--pixel"), std::pair("--nonsense", "")}) {
+        const Ran ran = start(QStringList{QString::fromLatin1(option), QStringLiteral("profile")} + figure, false);
+        EXPECT_EQ(ran.status, 2) << option;
+        const bool proposed = ran.err.contains(QStringLiteral("did you mean ") + QString::fromLatin1(near));
+        EXPECT_EQ(proposed, *near != '\0') << ran.err.toStdString();
+    }
+    const Ran view = start(QStringList{QStringLiteral("--export"), QStringLiteral("profle")} + figure, false);
+    EXPECT_TRUE(view.err.contains(QStringLiteral("did you mean \"profile\"?"))) << view.err.toStdString();
 }
 
 TEST_F(WindowTest, BadInputIsReportedBeforeAWindowOpens) {
@@ -87,7 +97,7 @@ TEST_F(WindowTest, BadInputIsReportedBeforeAWindowOpens) {
         const Ran ran = start({path});
         EXPECT_EQ(ran.status, 2);
         EXPECT_TRUE(oneLine(ran.err)) << ran.err.toStdString();
-        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("relief: ") + path + QStringLiteral(": ")))
+        EXPECT_TRUE(ran.err.startsWith(QStringLiteral("reliefscope: ") + path + QStringLiteral(": ")))
             << ran.err.toStdString();
     }
 }

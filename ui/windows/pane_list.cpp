@@ -62,9 +62,7 @@ FigureKind figureKind(const std::string& name) {
     std::vector<std::string> names;
     for (const FigureKind& kind : list) names.push_back(kind.name);
     throw relief::InputError(
-        "--export",
-        relief::Message(relief::MessageId::UnknownName,
-                        {{"what", relief::MessageId::WordView}, {"name", name}, {"known", relief::commaList(names)}}));
+        "--export", relief::unknownName({"what", relief::MessageId::WordView}, name, relief::commaList(names)));
 }
 
 }  // namespace reliefui

@@ -52,7 +52,7 @@ void grab(MainWindow& window, const QString& path) {
     const bool done = window.grab().save(path, "PNG");
     const relief::Message fault(relief::MessageId::SubjectSays,
                                 {{"subject", path.toStdString()}, {"why", relief::MessageId::WindowUnsaved}});
-    if (!done) std::fprintf(stderr, "relief: %s\n", relief::sentence(fault, uiLanguage()).c_str());
+    if (!done) std::fprintf(stderr, "reliefscope: %s\n", relief::sentence(fault, uiLanguage()).c_str());
     QApplication::exit(done ? 0 : 1);
 }
 

@@ -20,6 +20,10 @@ struct ReliefRecipe {
 
 // Returns the recipes: bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8, paper-walls.
 const std::vector<ReliefRecipe>& reliefRecipes();
+// Returns the recipe of this name. Throws InputError naming the subject, with the known names.
+const ReliefRecipe& findRecipe(std::string_view name, const std::string& subject);
+// Throws InputError naming the recipe if the recipe does not support this size in texels.
+void checkRecipeSize(const ReliefRecipe& recipe, int width, int height);
 
 // Makes a relief with heights in [0, 1], which tiles seamlessly if the recipe allows it. work: receives progress by
 // rows and may stop the call; null: neither. Throws InputError for an unknown name or a size that the recipe does not

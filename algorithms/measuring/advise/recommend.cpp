@@ -37,7 +37,8 @@ class Elimination {
 
     std::vector<AdviceTrial> run(std::size_t& stillClose) {
         const std::vector<MethodChoice> forms =
-            options_.forms.empty() ? adviceForms(options_.field, lowest(), options_.maxSteps) : options_.forms;
+            options_.forms.empty() ? adviceForms(options_.field, lowest(), options_.maxSteps, options_.form)
+                                   : options_.forms;
         // Each form is one step, and so is each round of the remaining forms; building maps and tracing rays are nested
         // stages.
         WholeProgress progress(work_.progress(), "recommend", static_cast<std::int64_t>(forms.size()) + kRounds);

@@ -52,8 +52,9 @@ struct AdviceOptions {
 
 // Returns every tracer with its default options and with the option values that are worth measuring. lowest: lowest
 // elevation of the views, degrees. maxSteps: step limit per ray, 0: none; numbers of layers and iterations that just
-// keep this limit are included.
-std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps = 0);
+// keep this limit are included. form: Scalar leaves out maps that cannot be stored in a file.
+std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps = 0,
+                                      Form form = Form::Simd);
 
 enum class Verdict : std::uint8_t { Kept, Error, Steps, Memory, BuildTime, Refused, Slow };
 std::string_view verdictName(Verdict verdict);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "measuring/advise/recommend.h"
+#include "relief/tracers/map_choice.h"
 
 namespace relief {
 
@@ -74,10 +75,21 @@ void addForms(const MeasuredMethod& method, double lowest, std::int64_t maxSteps
 
 }  // namespace
 
-std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps) {
+std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps, Form form) {
     std::vector<MethodChoice> forms;
     for (const MeasuredMethod& method : defaultMethods()) addForms(method, lowest, maxSteps, forms);
-    std::erase_if(forms, [&](const MethodChoice& form) { return !supports(form, field.surface(), field.address()); });
+    std::erase_if(forms, [&](const MethodChoice& choice) {
+        return !isAccepted(choice) || !supports(choice, field.surface(), field.address());
+    });
+    if (form == Form::Scalar) {
+        // A shader reads maps that `relief map` writes, which have the layout of texels.
+        std::vector<MethodChoice> stored;
+        for (const MethodChoice& choice : forms) {
+            const MethodChoice one = withStoredMap(choice);
+            if (std::find(stored.begin(), stored.end(), one) == stored.end()) stored.push_back(one);
+        }
+        forms = std::move(stored);
+    }
     // Order of measurement, so that time that runs out costs least: forms without maps first, then maps of methods with
     // a guarantee.
     std::stable_sort(forms.begin(), forms.end(), [](const MethodChoice& a, const MethodChoice& b) {

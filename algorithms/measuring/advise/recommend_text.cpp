@@ -139,11 +139,19 @@ class AdviceSentences {
             return std::count_if(advice_.forms.begin(), advice_.forms.end(),
                                  [&](const AdvisedForm& form) { return form.verdict == verdict; });
         };
+        // Methods whose map is not built are in none of the tables.
+        const auto countAndNames = [&](Verdict verdict) {
+            std::vector<std::string> names;
+            for (const AdvisedForm& form : advice_.forms) {
+                if (form.verdict == verdict) names.push_back(methodText(form.method));
+            }
+            return std::to_string(names.size()) + (names.empty() ? "" : " (" + commaList(names) + ")");
+        };
         say(MessageId::AdviceDropped, {{"total", advice_.forms.size()},
                                        {"error", count(Verdict::Error)},
                                        {"steps", count(Verdict::Steps)},
                                        {"memory", count(Verdict::Memory)},
-                                       {"time", count(Verdict::BuildTime)},
+                                       {"time", countAndNames(Verdict::BuildTime)},
                                        {"other", count(Verdict::Refused)},
                                        {"slow", count(Verdict::Slow)}});
     }

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "measuring/random_rays.h"
+#include "relief/tracers/map_choice.h"
 
 namespace relief {
 
@@ -33,19 +34,20 @@ double processorSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Returns true for options that change only the traversal and not the map.
-bool changesOnlyTraversal(const std::string& name) {
-    return name == "iterations" || name == "rule" || name == "bisections" || name == "base" || name == "level";
+// Returns true for options that change only the traversal, or the layout, and not the map that is built.
+bool keepsMap(const std::string& name) {
+    return name == "iterations" || name == "rule" || name == "bisections" || name == "base" || name == "level" ||
+           name == kLayoutOption;
 }
 
+// Returns the same text for methods that trace with the same map; empty: without a map.
 std::string mapKey(const MethodChoice& method) {
-    const auto inner = method.options.find("inner");
-    if (inner != method.options.end()) return mapKey({inner->second, {}});
+    if (const auto inner = innerMethod(method)) return mapKey(*inner);
     const MethodDescription& description = findTracer(method.name);
     if (description.maps.empty()) return {};
     std::string key = description.maps.front();
     for (const auto& [name, value] : method.options) {
-        if (!changesOnlyTraversal(name)) key += ":" + name + "=" + value;
+        if (!keepsMap(name)) key += ":" + name + "=" + value;
     }
     return key;
 }

@@ -28,6 +28,18 @@ std::string benchField(const BenchValue& value) {
     return std::isfinite(number) ? numberText(number) : "";
 }
 
+std::optional<std::string_view> takeRecord(std::string_view& text) {
+    bool quoted = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == '"') quoted = !quoted;
+        if (text[at] != '\n' || quoted) continue;
+        const std::string_view record = text.substr(0, at);
+        text.remove_prefix(at + 1);
+        return record;
+    }
+    return std::nullopt;
+}
+
 std::vector<CsvField> csvFields(std::string_view record) {
     std::vector<CsvField> fields(1);
     bool inside = false;

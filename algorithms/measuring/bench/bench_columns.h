@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,10 @@ struct CsvField {
     std::string text;
     bool quoted = false;
 };
+
+// Takes the first CSV record off the text and returns it without its "\n"; line breaks between quotes are part of it.
+// Returns std::nullopt if no complete record is left.
+std::optional<std::string_view> takeRecord(std::string_view& text);
 
 // Splits a CSV record, given without its line break, into its fields: the inverse of benchField().
 std::vector<CsvField> csvFields(std::string_view record);

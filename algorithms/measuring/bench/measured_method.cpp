@@ -84,6 +84,15 @@ std::vector<MeasuredMethod> defaultMethods(Form form) {
     return methods;
 }
 
+bool isAccepted(const MethodChoice& choice) {
+    try {
+        checkMethod(choice, {});
+    } catch (const InputError&) {
+        return false;
+    }
+    return true;
+}
+
 std::vector<MeasuredMethod> methodVariants() {
     std::vector<MeasuredMethod> all;
     for (const MeasuredMethod& method : defaultMethods()) {
@@ -100,7 +109,10 @@ std::vector<MeasuredMethod> methodVariants() {
                 }
             }
         }
-        for (OptionValues& values : variants) all.push_back(measuredMethod({method.choice.name, std::move(values)}));
+        for (OptionValues& values : variants) {
+            const MethodChoice choice{method.choice.name, std::move(values)};
+            if (isAccepted(choice)) all.push_back(measuredMethod(choice));
+        }
     }
     return all;
 }

@@ -37,8 +37,10 @@ std::string methodText(const MethodChoice& choice);
 
 // Returns every tracer of the list with default options.
 std::vector<MeasuredMethod> defaultMethods(Form form = Form::Simd);
-// Returns each of them with every combination of the defaults, range ends (numbers) and choices of its options,
-// starting with the default combination; for methods that build maps, options are varied one at a time.
+// Returns false if checkMethod() refuses the choice, for example an option that needs another one.
+bool isAccepted(const MethodChoice& choice);
+// Returns each of them with every accepted combination of the defaults, range ends (numbers) and choices of its
+// options, starting with the default combination; for methods that build maps, options are varied one at a time.
 std::vector<MeasuredMethod> methodVariants();
 
 }  // namespace relief

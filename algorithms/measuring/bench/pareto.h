@@ -60,10 +60,11 @@ std::vector<bool> dominatedPoints(std::span<const ParetoPoint> points, ErrorMeas
 // (from other libraries) keep all options.
 std::string shortMethodName(const MethodChoice& choice);
 
-// Reads a file that `relief bench tracers -o FILE.json` wrote. Throws InputError if it is unreadable, not JSON (with
-// the line), not such a table, or has a row with an invalid value.
-std::vector<BenchRow> readBenchJson(const std::string& path);
+// Reads a file that `relief bench tracers -o` wrote: CSV if its name ends in .csv, JSON otherwise. Throws InputError if
+// it is unreadable, not JSON (with the line), not such a table, or has a row with an invalid value.
+std::vector<BenchRow> readBenchTable(const std::string& path);
 std::vector<BenchRow> parseBenchJson(const std::string& text, const std::string& fileName);
+std::vector<BenchRow> parseBenchCsv(const std::string& text, const std::string& fileName);
 // Returns the rows of a relief and an elevation, spelled as in the table; empty: all. Throws InputError naming the
 // option.
 std::vector<BenchRow> chosenRows(std::vector<BenchRow> rows, const std::string& height, const std::string& elevation);

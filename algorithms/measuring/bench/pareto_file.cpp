@@ -1,6 +1,7 @@
 // Reads the tables that `relief bench tracers` wrote.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -140,7 +141,52 @@ BenchRow readRow(const RowReader& from) {
     return row;
 }
 
+// Returns the value of a CSV field as the JSON table has it: a text, a number, or null. The column determines which.
+Json valueOf(const CsvField& field, const std::string& column) {
+    static const BenchRow kStandard;
+    const auto& columns = benchColumns();
+    const auto known = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == column; });
+    // An elevation is a number or "random".
+    const bool word = column == "elevation" ? field.text == elevationText(std::nullopt)
+                                            : known != columns.end() && known->get(kStandard).index() == 0;
+    if (word) return field.text;
+    return field.text.empty() ? Json() : Json::parse(field.text, nullptr, false);
+}
+
+Json jsonOfCsv(std::string_view text, const std::string& fileName) {
+    const std::vector<CsvField> names = csvFields(takeRecord(text).value_or(""));
+    Json rows = Json::array();
+    while (const auto record = takeRecord(text)) {
+        const std::vector<CsvField> fields = csvFields(*record);
+        if (fields.size() != names.size()) throw InputError(fileName, Message(MessageId::BenchNotTable));
+        Json object = Json::object();
+        for (std::size_t n = 0; n < names.size(); ++n) object[names[n].text] = valueOf(fields[n], names[n].text);
+        rows.push_back(std::move(object));
+    }
+    // A table that was cut short.
+    if (!text.empty()) throw InputError(fileName, Message(MessageId::BenchNotTable));
+    return rows;
+}
+
+std::vector<BenchRow> rowsOf(const Json& json, const std::string& fileName) {
+    if (!json.is_array()) throw InputError(fileName, Message(MessageId::BenchNotTable));
+    if (json.empty()) throw InputError(fileName, Message(MessageId::BenchNoRows));
+    std::vector<BenchRow> rows;
+    for (const Json& object : json) {
+        // Tables of the row and filter benchmarks have rows, too.
+        if (!object.is_object() || (rows.empty() && !object.contains("error_mean"))) {
+            throw InputError(fileName, Message(MessageId::BenchNotTable));
+        }
+        rows.push_back(readRow(RowReader(object, rows.size() + 1, fileName)));
+    }
+    return rows;
+}
+
 }  // namespace
+
+std::vector<BenchRow> parseBenchCsv(const std::string& text, const std::string& fileName) {
+    return rowsOf(jsonOfCsv(text, fileName), fileName);
+}
 
 std::vector<BenchRow> parseBenchJson(const std::string& text, const std::string& fileName) {
     Json json;
@@ -153,21 +199,12 @@ std::vector<BenchRow> parseBenchJson(const std::string& text, const std::string&
     } catch (const Json::exception&) {
         throw InputError(fileName, Message(MessageId::ScenarioNotJson, {{"line", 1}}));  // a number beyond double
     }
-    if (!json.is_array()) throw InputError(fileName, Message(MessageId::BenchNotTable));
-    if (json.empty()) throw InputError(fileName, Message(MessageId::BenchNoRows));
-    std::vector<BenchRow> rows;
-    for (const Json& object : json) {
-        // Tables of the row and filter benchmarks are arrays, too.
-        if (!object.is_object() || (rows.empty() && !object.contains("error_mean"))) {
-            throw InputError(fileName, Message(MessageId::BenchNotTable));
-        }
-        rows.push_back(readRow(RowReader(object, rows.size() + 1, fileName)));
-    }
-    return rows;
+    return rowsOf(json, fileName);
 }
 
-std::vector<BenchRow> readBenchJson(const std::string& path) {
-    return parseBenchJson(readTextFile(path), path);
+std::vector<BenchRow> readBenchTable(const std::string& path) {
+    const std::string text = readTextFile(path);
+    return std::filesystem::path(path).extension() == ".csv" ? parseBenchCsv(text, path) : parseBenchJson(text, path);
 }
 
 }  // namespace relief

@@ -23,7 +23,7 @@ enum class ConeKind : std::uint8_t { Conservative, Dummer, Relaxed };
 std::string_view coneKindName(ConeKind kind);
 
 struct ConeParameters {
-    int sectors = 1;  // azimuth sectors with slopes of their own (conservative): 1, 4, 8
+    int sectors = 1;  // azimuth sectors with slopes of their own (conservative): 1 to 8
     Precision precision = Precision::Float;
     int radius = 64;      // distance to which texels are examined (relaxed)
     int directions = 16;  // number of azimuths that are examined (relaxed)

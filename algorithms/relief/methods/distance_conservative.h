@@ -41,6 +41,7 @@ class DistanceConservativeTracer : public DistanceWalk {
 
         static std::vector<std::string> maps() { return {"euclidean-conservative", "refined"}; }
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
+        void check(const std::string& subject) const { checkTogether(*this, subject); }
     };
     static DistanceConservativeTracer make(const HeightField& field, const Options& options, MapCache& cache,
                                            Work& work) {

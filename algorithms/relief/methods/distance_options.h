@@ -1,6 +1,7 @@
 // The options that the distance methods share: how their map is built.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "relief/describe.h"
@@ -10,6 +11,9 @@
 #include "relief/methods/max_pyramid.h"
 
 namespace relief {
+
+// The options of a refined map, which a method that may trace with another map has in vain without it.
+inline constexpr const char* kRefinedOptions[]{"flattest", "horizons", "sectors"};
 
 // Describes the fields of those of these members that the struct of options has.
 template <class Options>
@@ -114,12 +118,39 @@ std::vector<OptionField<Options>> distanceFields() {
         fields.push_back(
             {{"map", OptionKind::Choice, "", 0, 0, 0, Options::maps(), "map used for tracing"}, &Options::map});
     }
+    if constexpr (requires(Options o) { o.map, o.horizons; }) {
+        for (OptionField<Options>& field : fields) {
+            if (std::ranges::count(kRefinedOptions, field.description.name) > 0) {
+                field.description.help += "; needs map=refined";
+            }
+        }
+    }
     return fields;
 }
 
 template <class Options>
 StepRule stepRule(const Options& options) {
     return options.rule == "classic" ? StepRule::Classic : StepRule::Exit;
+}
+
+// Checks the options that depend on each other. Throws InputError naming the subject.
+template <class Options>
+void checkTogether(const Options& options, const std::string& subject) {
+    if constexpr (requires { options.map; }) {
+        const Options standard;
+        for (const OptionField<Options>& field : Options::fields()) {
+            const std::string& name = field.description.name;
+            if (options.map == "refined" || std::ranges::count(kRefinedOptions, name) == 0) continue;
+            if (optionText(field, options) == optionText(field, standard)) continue;
+            const Message why(MessageId::NeedsArgument, {{"other", "map=refined"}});
+            throw InputError(subject, Message(MessageId::SubjectSays, {{"subject", name}, {"why", why}}));
+        }
+    }
+    if (options.horizons % options.sectors != 0) {
+        const Message range(MessageId::RangeDivisors, {{"horizons", options.horizons}});
+        throw InputError(subject, Message(MessageId::OutOfRange,
+                                          {{"what", "sectors"}, {"value", options.sectors}, {"range", range}}));
+    }
 }
 
 // The parameters of a map of the given kind. Options that the kind does not use keep their defaults.
@@ -135,11 +166,6 @@ DistanceParameters distanceParameters(DistanceKind kind, const Options& options)
         if (refined || sampled) parameters.flattest = options.flattest;
     }
     if constexpr (requires { options.horizons; }) {
-        if (refined && options.horizons % options.sectors != 0) {
-            const Message range(MessageId::RangeDivisors, {{"horizons", options.horizons}});
-            throw InputError("--set", Message(MessageId::OutOfRange,
-                                              {{"what", "sectors"}, {"value", options.sectors}, {"range", range}}));
-        }
         if (refined) parameters.horizons = options.horizons, parameters.sectors = options.sectors;
     }
     if constexpr (requires { options.directions; }) {

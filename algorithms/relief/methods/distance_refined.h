@@ -38,6 +38,7 @@ class DistanceRefinedTracer : public DistanceWalk {
         std::string rule = "exit";
 
         static std::vector<OptionField<Options>> fields() { return distanceFields<Options>(); }
+        void check(const std::string& subject) const { checkTogether(*this, subject); }
     };
     static DistanceRefinedTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         return {field, distanceMapOf(DistanceKind::Refined, options, field, cache, work), stepRule(options)};

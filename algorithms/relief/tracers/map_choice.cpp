@@ -147,6 +147,7 @@ StoredMap buildMap(const std::string& kind, const OptionValues& options, const H
     const std::string& method = methodOfMap(kind);
     OptionValues own = options;
     own.erase(std::string(kMapOption));
+    checkMethod({method, own}, {});
     StoredMap map;
     forEachType<MapTracers>([&]<class T>() {
         if (T::describe().name != method) return;

@@ -6,6 +6,7 @@
 
 #include "base/for_each_type.h"
 #include "relief/block_work.h"
+#include "relief/tracers/map_choice.h"
 #include "relief/tracers/tracer_types.h"
 
 namespace relief {
@@ -197,6 +198,14 @@ void checkMethod(const MethodChoice& choice, const std::string& subject) {
         }
         checkOption(*found, text, subject);
     }
+    forEachType<TracerTypes>([&]<class T>() {
+        using Options = typename T::Options;
+        if constexpr (requires(const Options& all) { all.check(subject); }) {
+            if (descriptionOf<T>().name != choice.name) return;
+            parseOptions<Options>(choice.name, choice.options, subject).check(subject);
+        }
+    });
+    if (const auto inner = innerMethod(choice)) checkMethod(*inner, subject);
 }
 
 Form methodForm(const MethodChoice& choice) {

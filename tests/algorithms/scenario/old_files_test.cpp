@@ -385,7 +385,7 @@ TEST_F(OldFiles, StepsLeadToTheirHits) {
 }
 
 TEST_F(OldFiles, TablesAreReadAndTheirColumnsAreStillThere) {
-    const std::vector<BenchRow> rows = readBenchJson((kVersion1 / "tables/tracers.json").string());
+    const std::vector<BenchRow> rows = readBenchTable((kVersion1 / "tables/tracers.json").string());
     ASSERT_EQ(rows.size(), 12U);
     // The file has no forms: the default form was measured.
     for (const BenchRow& row : rows) {

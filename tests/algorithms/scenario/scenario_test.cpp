@@ -162,6 +162,16 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("{\"reliefscope\": 1, \"breakpoints\": 3}", "\"breakpoints\" must be an array of objects");
     expectRefused("{\"reliefscope\": 1,\n\"bookmarks\": [{\"name\": \"a\"},\n{\"nam\": \"b\"}]}",
                   "line 3: unknown key \"nam\"");
+    expectRefused("{\"reliefscope\": 1,\n\"step\": -1}", "s.json: line 2: step is -1");
+    expectRefused("{\"reliefscope\": 1,\n\"sky\": [2000, 0, 0]}", "s.json: line 2: sky is 2000");
+    expectRefused("{\"reliefscope\": 1, \"pictures\": {\n\"max-pixels\": 0}}", "s.json: line 2: max-pixels is 0");
+    const std::string recipe = "{\"reliefscope\": 1, \"pictures\": {\"recipe\": {\n";
+    expectRefused(recipe + "\"name\": \"ctiy\"}}}",
+                  "s.json: line 2: there is no relief \"ctiy\"; did you mean \"city\"?");
+    expectRefused(recipe + "\"name\": \"city\",\n\"width\": 0}}}", "s.json: line 3: width is 0");
+    expectRefused(recipe + "\"name\": \"city\",\n\"height\": 32769}}}", "s.json: line 3: height is 32769");
+    expectRefused(recipe + "\"name\": \"paper8x8\", \"width\": 9}}}", "s.json: line 1: paper8x8: ");
+    EXPECT_EQ(parseScenario(recipe + "\"name\": \"paper8x8\"}}}", "s.json").pictures.recipeWidth, 8);
     const std::string rows = "{\"reliefscope\": 1, \"pictures\": {\"drawn\": {\"width\": 2, \"height\": 2,\n\"rows\": ";
     expectRefused(rows + "[\"0,1\", \"0.5,x\"]}}}", "line 2");
     expectRefused(rows + "[\"0,1\", \"0.5\"]}}}", "has 3 heights; it needs 4");
@@ -191,6 +201,13 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
                   "s.json: line 3: \"layers=x\" is not a number");
     expectRefused(method + "\"hybrid\", \"options\": {\"inner\": \"layers\",\n\"inner.layers\": 0}}}",
                   "s.json: line 3: inner.layers is 0");
+    expectRefused(method + "\"distance-refined\", \"options\": {\"horizons\": 16,\n\"sectors\": 3}}}",
+                  "s.json: line 3: sectors is 3");
+    expectRefused(method + "\"distance-conservative\", \"options\": {\n\"sectors\": 4}}}",
+                  "s.json: line 3: sectors: needs map=refined");
+    EXPECT_NO_THROW(parseScenario(method + "\"distance-conservative\", \"options\": {\n\"flattest\": 5,\n"
+                                           "\"map\": \"refined\", \"sectors\": 4}}}",
+                                  "s.json"));
     expectRefused("{\"reliefscope\": 1, \"filter\": \"elliptical\",\n\"filter-options\": {\n\"sigma\": 9}}",
                   "s.json: line 3: sigma is 9");
     expectRefused("{\"reliefscope\": 1, \"filter\": \"supersample\",\n\"supersample\": 65}",

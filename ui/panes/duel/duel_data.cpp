@@ -94,7 +94,11 @@ std::shared_ptr<const Duel> makeDuel(std::shared_ptr<const Snapshot> snapshot,
         duel->judgements.push_back(relief::judge(run, duel->exact, shown.ray, field));
     }
     duel->steps = relief::lockStep(duel->runs);
-    duel->first = relief::firstToDepart(duel->steps, duel->judgements);
+    // The method whose steps all panes show comes first: its own error is the one to be explained.
+    const std::size_t own = duel->own();
+    duel->first = duel->judgements[own].kind != relief::Departure::None
+                      ? own
+                      : relief::firstToDepart(duel->steps, duel->judgements);
     return duel;
 }
 

@@ -16,9 +16,12 @@ struct Duel {
     std::vector<relief::Judgement> judgements;
     relief::LockStep steps;
     relief::Hit exact;
-    std::optional<std::size_t> first;  // index of the run that departs from the exact answer first
+    // Index of the run whose departure from the exact answer is shown: own(), or the first to depart if own() does not.
+    std::optional<std::size_t> first;
 
-    // The moment of the first departure; std::nullopt if all runs agree with the exact answer.
+    // Index of the run whose steps all panes show: the scenario's method, or another program's tracer.
+    std::size_t own() const { return snapshot->trace.fromFile ? runs.size() - 1 : 0; }
+    // The moment of this departure; std::nullopt if all runs agree with the exact answer.
     std::optional<std::size_t> firstMoment() const;
     DuelSource source() const;
     // The part of the ray needed to show that moment enlarged: lambda of the farthest relevant point; 0: the whole ray.

@@ -277,10 +277,7 @@ void DuelView::goTo(std::size_t moment) {
     if (moments() == 0) return;
     moment_ = std::min(moment, moments() - 1);
     following_ = true;
-    // The window's step belongs to the method whose steps all panes show.
-    const bool other = duel_->snapshot->trace.fromFile;
-    const std::size_t run = other ? duel_->runs.size() - 1 : 0;
-    workspace_->chooseStep(static_cast<int>(duel_->steps.moments[moment_][run]));
+    workspace_->chooseStep(static_cast<int>(duel_->steps.moments[moment_][duel_->own()]));
     table_->setCurrentIndex(model_->index(static_cast<int>(moment_), 0));
     following_ = false;
     leaveCloseUp();
@@ -289,9 +286,7 @@ void DuelView::goTo(std::size_t moment) {
 
 void DuelView::followStep(int step) {
     if (following_ || !duel_ || !isOnScreen()) return;
-    const bool other = duel_->snapshot->trace.fromFile;
-    const std::size_t run = other ? duel_->runs.size() - 1 : 0;
-    moment_ = duel_->steps.momentOf(run, static_cast<std::size_t>(std::max(step, 0)));
+    moment_ = duel_->steps.momentOf(duel_->own(), static_cast<std::size_t>(std::max(step, 0)));
     selectMoment();
     leaveCloseUp();
     redrawMarks();

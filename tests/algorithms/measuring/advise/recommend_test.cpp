@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "measuring/advise/recommend.h"
+#include "measuring/advise/recommend_trials.h"
 #include "relief/reliefs.h"
+#include "relief/tracers/map_choice.h"
 
 namespace relief {
 namespace {
@@ -67,7 +68,20 @@ TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
                                    "distance-refined:rule=classic:sectors=8"}) {
         EXPECT_NE(std::find(forms.begin(), forms.end(), choices({text})[0]), forms.end()) << text;
     }
-    for (const MethodChoice& form : forms) EXPECT_NO_THROW(checkMethod(form, "")) << methodText(form);
+    for (const MethodChoice& form : forms) {
+        EXPECT_NO_THROW(checkMethod(form, "")) << methodText(form);
+        EXPECT_EQ(std::count(forms.begin(), forms.end(), form), 1) << methodText(form);
+        // Options that are in vain without the refined map.
+        EXPECT_FALSE(form.name == "distance-conservative" && form.options.contains("sectors")) << methodText(form);
+    }
+    // A shader has no other maps than those that can be stored.
+    const std::vector<MethodChoice> scalar = adviceForms(options.field, 10, 0, Form::Scalar);
+    for (const std::string text : {"cone:layout=texel", "cone:layout=texel:sectors=8"}) {
+        EXPECT_EQ(std::count(scalar.begin(), scalar.end(), choices({text})[0]), 1) << text;
+    }
+    for (const MethodChoice& form : scalar) {
+        EXPECT_EQ(form, withStoredMap(form)) << methodText(form);
+    }
     // With views flatter than the map's flattest ray, a map for those views is considered.
     const std::vector<MethodChoice> flat = adviceForms(options.field, 4);
     EXPECT_NE(std::find(flat.begin(), flat.end(), choices({"distance-refined:flattest=4"})[0]), flat.end());
@@ -157,6 +171,42 @@ TEST(Recommend, CostsAreTheStatedOnesAndDependOnTheSeedAlone) {
     EXPECT_EQ(a.best().method, b.best().method);
     options.seed = 2;
     EXPECT_NE(recommend(options, all).best().cost, a.best().cost);
+}
+
+// A map that an earlier form built has its building time, too, in every layout and inside another method.
+TEST(Recommend, BuildTimesAreThoseOfTheMap) {
+    AdviceOptions options = optionsFor("city");
+    Work work;
+    AdviceMaps maps(options, work);
+    const auto built = [&](const std::string& text) {
+        AdviceTrial trial;
+        trial.facts.method = choices({text})[0];
+        maps.make(trial, kAmpleSeconds);
+        EXPECT_TRUE(trial.tracer) << text;
+        return trial.facts.buildSeconds;
+    };
+    const double cone = built("cone:layout=texel");
+    const double distance = built("distance-conservative");
+    EXPECT_GE(built("cone"), cone);
+    EXPECT_GE(built("hybrid:inner=cone"), cone);
+    EXPECT_GE(built("distance-conservative:rule=classic"), distance);
+    EXPECT_GE(built("hybrid"), distance);
+    EXPECT_GE(built("hybrid:level=2"), distance);
+}
+
+TEST(Recommend, MapsNotBuiltAreNamed) {
+    AdviceOptions options = optionsFor("city");
+    options.forms = choices({"exact", "max-pyramid", "cone", "distance-refined:sectors=4"});
+    Work work;
+    Advice advice = recommend(options, work);
+    for (AdvisedForm& form : advice.forms) {
+        if (!form.method.options.empty() || form.method.name == "cone") form.verdict = Verdict::BuildTime;
+    }
+    const std::string text = adviceText(options, advice);
+    for (const char* const order : {"2 (cone, distance-refined:sectors=4)", "2 (distance-refined:sectors=4, cone)"}) {
+        if (text.find(order) != std::string::npos) return;
+    }
+    ADD_FAILURE() << text;
 }
 
 TEST(Recommend, KeepsTheMemory) {

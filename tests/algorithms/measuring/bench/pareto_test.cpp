@@ -91,13 +91,18 @@ TEST(Pareto, ATableIsReadBack) {
     rows[1].method.options["layers"] = "128";
     rows[2].elevation.reset();
     rows[3].errors.mean = std::nan("");
-    const std::vector<BenchRow> back = parseBenchJson(benchJson(rows), "x.json");
-    ASSERT_EQ(back.size(), rows.size());
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        EXPECT_EQ(benchCsvLine(back[r]), benchCsvLine(rows[r]));
-        EXPECT_EQ(shortMethodName(back[r].method), shortMethodName(rows[r].method));
+    rows[0].height = "a \"b\",\nc.png";
+    rows[0].commit = "1234567";  // a text, whatever its letters
+    std::string csv = benchCsvHeader();
+    for (const BenchRow& one : rows) csv += benchCsvLine(one);
+    for (const std::vector<BenchRow>& back : {parseBenchJson(benchJson(rows), "x.json"), parseBenchCsv(csv, "x.csv")}) {
+        ASSERT_EQ(back.size(), rows.size());
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            EXPECT_EQ(benchCsvLine(back[r]), benchCsvLine(rows[r]));
+            EXPECT_EQ(shortMethodName(back[r].method), shortMethodName(rows[r].method));
+        }
+        EXPECT_EQ(shortMethodName(back[1].method), "layers:layers=128");
     }
-    EXPECT_EQ(shortMethodName(back[1].method), "layers:layers=128");
 }
 
 TEST(Pareto, BrokenTablesAreRefused) {
@@ -123,15 +128,26 @@ TEST(Pareto, BrokenTablesAreRefused) {
                                          broken("\"8x8\"", "\"1e300x2\""),
                                          broken("bilinear", "smooth"),
                                          broken("\"cpu\"", "\"CPU\"")};
-    for (const std::string& text : texts) {
+    const auto expectRefused = [](const std::string& text, const auto& parse) {
         try {
-            parseBenchJson(text, "x.json");
+            parse(text, "x.y");
             ADD_FAILURE() << text.substr(0, 60);
         } catch (const InputError& error) {
             const std::string line = error.text(Language::English);
-            EXPECT_EQ(line.rfind("x.json: ", 0), 0u) << line;
+            EXPECT_EQ(line.rfind("x.y: ", 0), 0u) << line;
             EXPECT_EQ(line.find('\n'), std::string::npos) << line;
         }
+    };
+    for (const std::string& text : texts) expectRefused(text, parseBenchJson);
+    const std::string header = benchCsvHeader();
+    const std::string line = benchCsvLine(table[0]);
+    std::string notANumber = line;
+    const std::string rate = "," + benchField(table[0].rate) + ",";
+    notANumber.replace(notANumber.find(rate), rate.size(), ",fast,");
+    for (const std::string& text : {std::string(), header, std::string("variant,width\ndirect,100\n"), header + "a,b\n",
+                                    header + line.substr(0, line.size() / 2),
+                                    header + line + line.substr(0, line.size() - 1), header + notANumber, good}) {
+        expectRefused(text, parseBenchCsv);
     }
 }
 
