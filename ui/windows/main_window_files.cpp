@@ -233,10 +233,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::showManual() {
     const QString page = manualPage(QApplication::applicationDirPath());
     if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
-    report(page.isEmpty()
-               ? tr("The manual is not here: it is built by %1, before the programs are installed.")
-                     .arg(QStringLiteral("cmake --build build --target manual"))
-               : tr("The browser could not be started; the manual is %1").arg(page),
+    report(page.isEmpty() ? tr("The manual is not here: it is built by %1, before the programs are installed.")
+                                .arg(QStringLiteral("cmake --build build --target manual"))
+                          : tr("The browser could not be started; the manual is %1").arg(page),
            false);
 }
 
