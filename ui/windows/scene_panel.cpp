@@ -309,11 +309,14 @@ class SceneArea : public QScrollArea {
   public:
     using QScrollArea::QScrollArea;
 
+    QSize minimumSizeHint() const override {
+        const int controls = widget() != nullptr ? widget()->minimumSizeHint().width() : 0;
+        return {controls + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+    }
+
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (watched == widget() && event->type() == QEvent::LayoutRequest) {
-            setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
-        }
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
         return QScrollArea::eventFilter(watched, event);
     }
 };
@@ -332,7 +335,6 @@ PaneKind scenePane() {
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
         scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        scroll->setMinimumWidth(panel->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
         return scroll;
     };
     return kind;
