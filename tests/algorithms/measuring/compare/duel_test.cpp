@@ -84,7 +84,7 @@ TEST(Duel, AnAnswerBeforeTheSurfaceIsStoppedEarly) {
 // The parallax offset reads one height, so no sentence may name other points as examined.
 TEST(Duel, OneHeightBehindAWallIsTakenAsFlat) {
     const HeightField field = wall(64, 20, 0.1F, 0.8F);
-    for (const double s0 : {1.5, 15.5}) {
+    for (const double s0 : {1.5, 8.5}) {
         const Judged found = judged({"offset", {}}, field, {s0, 30.5, 40, 0});
         ASSERT_GT(found.run.hit.lambda, found.exact.lambda);
         EXPECT_EQ(found.judgement.kind, Departure::TakenAsFlat) << s0;
@@ -98,25 +98,36 @@ TEST(Duel, ARelaxedConeIsNotBlamedForAPromiseItNeverMade) {
     constexpr std::uint64_t kSeed = 5;
     const HeightField field(randomHeights(24, 24, kSeed), Surface::Bilinear, Address::Repeat, 0.3);
     Random random(kSeed);
+    Work work(1);
+    MapCache cache;
     int unsafe = 0;
     int cones = 0;
-    for (int n = 0; n < 400; ++n) {
-        const ViewRay ray{random.unit() * 24, random.unit() * 24, random.unit() * 60 - 30, random.unit() * 60 - 30};
-        for (const char* const halvings : {"0", "8"}) {
-            const Judged found = judged({"relaxed-cone", {{"radius", "2"}, {"bisections", halvings}}}, field, ray);
-            for (const Step& step : found.run.steps) {
+    for (const char* const halvings : {"0", "8"}) {
+        const auto tracer =
+            makeTracer({"relaxed-cone", {{"radius", "2"}, {"bisections", halvings}}}, field, cache, work);
+        for (int n = 0; n < 400; ++n) {
+            const ViewRay ray{random.unit() * 24, random.unit() * 24, random.unit() * 60 - 30, random.unit() * 60 - 30};
+            RayBlock rays;
+            rays.push(ray);
+            HitBlock hits;
+            StepLog log;
+            tracer->trace(rays, hits, log, work);
+            const DuelRun run{"relaxed-cone", hits[0], log.steps};
+            const Hit exact = exactHit(field, ray);
+            for (const Step& step : run.steps) {
                 const auto* const cone = step.as<subject::Cone>();
                 if (cone == nullptr) continue;
                 ++cones;
                 EXPECT_TRUE(cone->relaxed);
-                EXPECT_NE(mapPromise(step, {nullptr, ray, found.exact}), MapPromise::Broken);
+                EXPECT_NE(mapPromise(step, {nullptr, ray, exact}), MapPromise::Broken);
             }
-            if (found.judgement.kind != Departure::UnsafeMap) continue;
+            const Judgement judgement = judge(run, exact, ray, field);
+            if (judgement.kind != Departure::UnsafeMap) continue;
             ++unsafe;
-            EXPECT_EQ(judgementSentence(found.run, found.judgement, found.exact).id, MessageId::DuelSaysUnsafeRelaxed);
+            EXPECT_EQ(judgementSentence(run, judgement, exact).id, MessageId::DuelSaysUnsafeRelaxed);
             // What the sentence says: the ray has come out of the surface again.
-            const double z = 1 - found.judgement.to;
-            EXPECT_LT(field.at(ray.s0 + found.judgement.to * ray.a, ray.t0 + found.judgement.to * ray.b), z);
+            const double to = judgement.to;
+            EXPECT_LT(field.at(ray.s0 + to * ray.a, ray.t0 + to * ray.b), 1 - to);
         }
     }
     EXPECT_GT(unsafe, 0) << kSeed;
