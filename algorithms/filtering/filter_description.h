@@ -15,6 +15,7 @@ inline constexpr std::string_view kSupersample = "supersample";
 
 struct FilterDescription {
     std::string name;
+    std::string title;  // human-readable, a few words
     std::string help;
     std::string source;
     bool footprint = false;                       // uses the pixel's projection onto the texture, and the mean pyramid

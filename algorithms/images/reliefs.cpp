@@ -389,17 +389,18 @@ struct Maker {
 };
 
 constexpr std::array kMakers{
-    Maker{{"bricks", "brick wall in a running bond with deep mortar", 256, true}, bricks},
-    Maker{{"spikes", "thin needles on a low ground", 256, true}, spikes},
-    Maker{{"pits", "square pits in a high plateau", 256, true}, pits},
-    Maker{{"columns", "thin columns on a low ground", 256, true}, columns},
-    Maker{{"city", "blocks with buildings of different heights", 256, true}, city},
-    Maker{{"fractal", "rough terrain: value noise in octaves", 256, true}, fractal},
-    Maker{{"hills", "smooth hills: a few sines", 256, true}, hills},
-    Maker{{"steps", "eight terraces with vertical walls", 256, true}, steps},
-    Maker{{"checker", "blocks of 0 and 1", 256, true}, checker},
-    Maker{{"paper8x8", "the 8 x 8 example of the max pyramid's paper", 8, false}, paper8x8},
-    Maker{{"paper-walls", "two walls with a trench between them: the example of the refined map's paper", 9, true},
+    Maker{{"bricks", "bricks", "brick wall in a running bond with deep mortar", 256, true}, bricks},
+    Maker{{"spikes", "spikes", "thin needles on a low ground", 256, true}, spikes},
+    Maker{{"pits", "pits", "square pits in a high plateau", 256, true}, pits},
+    Maker{{"columns", "thin columns", "thin columns on a low ground", 256, true}, columns},
+    Maker{{"city", "city", "blocks with buildings of different heights", 256, true}, city},
+    Maker{{"fractal", "fractal terrain", "rough terrain: value noise in octaves", 256, true}, fractal},
+    Maker{{"hills", "hills", "smooth hills: a few sines", 256, true}, hills},
+    Maker{{"steps", "terraces", "eight terraces with vertical walls", 256, true}, steps},
+    Maker{{"checker", "checkerboard", "blocks of 0 and 1", 256, true}, checker},
+    Maker{{"paper8x8", "the paper's 8 × 8", "the 8 x 8 example of the max pyramid's paper", 8, false}, paper8x8},
+    Maker{{"paper-walls", "walls and a trench",
+           "two walls with a trench between them: the example of the refined map's paper", 9, true},
           paperWalls},
 };
 

@@ -38,4 +38,13 @@ std::string readable(double value, int digits) {
     return {buffer.data(), result.ptr};
 }
 
+Message bytesText(std::int64_t bytes, int digits) {
+    constexpr double kKibi = 1024;
+    if (static_cast<double>(bytes) < kKibi) return Message(MessageId::BytesText, {{"bytes", bytes}});
+    const double kibibytes = static_cast<double>(bytes) / kKibi;
+    const bool few = kibibytes < kKibi;
+    return Message(few ? MessageId::KibibytesText : MessageId::MebibytesText,
+                   {{"bytes", readable(few ? kibibytes : kibibytes / kKibi, digits)}});
+}
+
 }  // namespace relief

@@ -1,8 +1,11 @@
 // Plain-text tables for a terminal.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "relief/messages.h"
 
 namespace relief {
 
@@ -15,5 +18,8 @@ std::string textTable(const std::vector<TableRow>& rows, std::size_t left = 1, s
 
 // Formats a number with `digits` significant digits, without an exponent from 0.001 to a million.
 std::string readable(double value, int digits);
+
+// Formats a size in bytes, KiB (1024 bytes) or MiB (1024 KiB), with `digits` significant digits.
+Message bytesText(std::int64_t bytes, int digits);
 
 }  // namespace relief

@@ -89,7 +89,7 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
         if (!(value >= low && value <= kMost && value == std::floor(value))) lacks(at, MessageId::WantWhole);
         return static_cast<int>(value);
     };
-    enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point, SquareCone };
+    enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point, SquareCone, RelaxedCone };
     const Kind kind = place.word<Kind>("kind", row.kind, kSubjectNames);
     switch (kind) {
         case Kind::Texel: {
@@ -104,11 +104,19 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
         case Kind::Sphere:
             return subject::Sphere{real(kS), real(kT), real(kZ), step.value};
         case Kind::Cone:
-        case Kind::SquareCone: {
+        case Kind::SquareCone:
+        case Kind::RelaxedCone: {
             const double slope = step.decision == Decision::Advance ? step.value : 0;
             const bool ofCell = row.values[kWidth].value_or(0) > 0;
-            return subject::Cone{real(kS),         real(kT),         real(kZ), slope,
-                                 whole(kIndex, 0), whole(kCount, 1), ofCell,   kind == Kind::SquareCone};
+            return subject::Cone{real(kS),
+                                 real(kT),
+                                 real(kZ),
+                                 slope,
+                                 whole(kIndex, 0),
+                                 whole(kCount, 1),
+                                 ofCell,
+                                 kind == Kind::SquareCone,
+                                 kind == Kind::RelaxedCone};
         }
         case Kind::Layer:
             return subject::Layer{whole(kIndex, 0), whole(kCount, 1), step.value};

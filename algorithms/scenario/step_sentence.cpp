@@ -86,6 +86,10 @@ Message claimSentence(const Step& step, const StepContext& context, std::string 
 Message advanceSentence(const Step& step, const StepContext& context) {
     const auto height = [](double z) { return fixedText(z, kHeightDecimals); };
     if (const auto* const cone = step.as<subject::Cone>()) {
+        if (cone->relaxed) {
+            const MessageId relaxed = MessageId::StepRelaxedCone;
+            return claimSentence(step, context, height(cone->slope), relaxed, relaxed);
+        }
         const auto [kept, broken] = cone->square ? std::pair(MessageId::StepSquareCone, MessageId::StepSquareConeBroken)
                                                  : std::pair(MessageId::StepCone, MessageId::StepConeBroken);
         return claimSentence(step, context, height(cone->slope), kept, broken);
@@ -133,8 +137,7 @@ Message refineSentence(const Step& step, const StepContext& context) {
 
 Message pointHitSentence(const Step& step, const StepContext& context) {
     if (step.as<subject::Layer>() != nullptr) return aboutPoint(MessageId::StepLayerHit, step, context);
-    const bool first = context.before != nullptr && context.before->decision == Decision::Start;
-    if (first && step.lambdaIn == 0) return aboutPoint(MessageId::StepOffsetHit, step, context);
+    if (answersFromEntry(step, context.before)) return aboutPoint(MessageId::StepOffsetHit, step, context);
     // A search that reached its step limit answers with its current position.
     const bool above = step.value < step.zOut();
     return aboutPoint(above ? MessageId::StepPointGivenUp : MessageId::StepPointHit, step, context);
@@ -226,7 +229,14 @@ MapPromise mapPromise(const Step& step, const StepContext& context) {
     const double scale = context.ray ? std::max(1.0, std::hypot(context.ray->a, context.ray->b)) : 1;
     const double met = context.exact->lambda + kSameAnswer / scale;
     if (claimStart(step) > met) return MapPromise::Behind;
+    const auto* const cone = step.as<subject::Cone>();
+    if (cone != nullptr && cone->relaxed) return MapPromise::None;
     return step.lambdaAfter > met ? MapPromise::Broken : MapPromise::Kept;
+}
+
+bool answersFromEntry(const Step& step, const Step* before) {
+    return step.decision == Decision::Hit && step.as<subject::Point>() != nullptr && step.lambdaIn == 0 &&
+           before != nullptr && before->decision == Decision::Start;
 }
 
 Message stepSentence(const Step& step, const StepContext& context) {

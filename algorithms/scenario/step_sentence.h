@@ -32,9 +32,13 @@ Message stepSentence(const Step& step, const StepContext& context);
 
 // Compares the claim of the map on which a step relies with the exact hit. None: the step relies on no distance or
 // cone. Kept: not contradicted, or no exact hit is known. Broken: the surface is met in the interval that the map
-// claims to be free. Behind: the ray had already passed the surface.
+// claims to be free. Behind: the ray had already passed the surface. A relaxed cone makes no claim of being free.
 enum class MapPromise : std::uint8_t { None, Kept, Broken, Behind };
 MapPromise mapPromise(const Step& step, const StepContext& context);
+
+// Returns true for a hit that follows from the one height read where the ray enters, with no other point examined.
+// before: the preceding step, or null.
+bool answersFromEntry(const Step& step, const Step* before);
 
 // Returns the distance of a method's answer from the exact hit, texels: |lambda - exact lambda| max(1, hypot(a, b));
 // infinite if the outcomes differ; 0 if neither hits or the exact answer is unknown (Limit, Unset).

@@ -40,6 +40,7 @@ MethodDescription describedFilter(const MethodChoice& choice) {
     const FilterDescription& filter = findFilter(choice.name);
     MethodDescription out;
     out.name = filter.name;
+    out.title = filter.title;
     out.help = filter.help;
     out.source = filter.source;
     out.options = filter.options;

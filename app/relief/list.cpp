@@ -107,7 +107,11 @@ Json listJson() {
     for (const MethodDescription& method : anyHitList()) json["any_hit"].push_back(methodJson(method));
     for (const RowMethodDescription& method : rowMethodList()) json["rows"].push_back(rowMethodJson(method));
     for (const FilterDescription& filter : filterList()) {
-        Json entry{{"name", filter.name}, {"help", filter.help}, {"source", filter.source}, {"options", Json::array()}};
+        Json entry{{"name", filter.name},
+                   {"title", filter.title},
+                   {"help", filter.help},
+                   {"source", filter.source},
+                   {"options", Json::array()}};
         for (const OptionDescription& option : filter.options) {
             entry["options"].push_back(optionJson(option, filter.defaults.at(option.name)));
         }
@@ -115,6 +119,7 @@ Json listJson() {
     }
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         json["reliefs"].push_back({{"name", recipe.name},
+                                   {"title", recipe.title},
                                    {"help", recipe.help},
                                    {"default_size", recipe.defaultSize},
                                    {"any_size", recipe.anySize}});

@@ -5,12 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include "painting/drawing.h"
 #include "panes/figure.h"
 #include "relief/describe.h"
 
 namespace relief::app {
 
 namespace {
+
+using reliefui::plainText;
 
 constexpr const char* kHelp = "reliefscope --help";
 
@@ -137,31 +140,32 @@ Arguments parseArguments(int count, char** arguments) {
             throw unknownArgument(argument);
         }
     }
-    const auto needs = [](bool missing, const char* option, const char* other) {
+    const auto needs = [](bool missing, const char* option, const Message& other) {
         if (missing) throw InputError(option, Message(MessageId::NeedsArgument, {{"other", other}}));
     };
-    needs(!parsed.figure.empty() && parsed.output.empty(), "--export", "-o FILE");
-    needs(!parsed.output.empty() && parsed.figure.empty(), "-o", "--export VIEW");
-    needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", "--export result");
+    const Message view(MessageId::WordExportOption);
+    needs(!parsed.figure.empty() && parsed.output.empty(), "--export", Message(MessageId::WordOutputOption));
+    needs(!parsed.output.empty() && parsed.figure.empty(), "-o", view);
+    needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", plainText("--export result"));
     const bool figure = !parsed.figure.empty();
-    needs(!parsed.pixel.empty() && !figure, "--pixel", "--export VIEW");
-    needs(!parsed.tracers.empty() && !figure, "--tracers", "--export VIEW");
-    needs(!parsed.filters.empty() && !figure, "--filters", "--export VIEW");
-    needs(!parsed.mappings.empty() && !figure, "--mappings", "--export VIEW");
-    needs(parsed.pixelWidth > 0 && !figure, "--pixels", "--export VIEW");
+    needs(!parsed.pixel.empty() && !figure, "--pixel", view);
+    needs(!parsed.tracers.empty() && !figure, "--tracers", view);
+    needs(!parsed.filters.empty() && !figure, "--filters", view);
+    needs(!parsed.mappings.empty() && !figure, "--mappings", view);
+    needs(parsed.pixelWidth > 0 && !figure, "--pixels", view);
     const bool distance = parsed.figure == "distance";
-    needs(!parsed.map.empty() && !distance, "--map", "--export distance");
-    needs(!parsed.minus.empty() && !distance, "--minus", "--export distance");
-    needs(!parsed.axis.empty() && !distance, "--axis", "--export distance");
-    needs(parsed.slice >= 0 && !distance, "--slice", "--export distance");
+    needs(!parsed.map.empty() && !distance, "--map", plainText("--export distance"));
+    needs(!parsed.minus.empty() && !distance, "--minus", plainText("--export distance"));
+    needs(!parsed.axis.empty() && !distance, "--axis", plainText("--export distance"));
+    needs(parsed.slice >= 0 && !distance, "--slice", plainText("--export distance"));
     const bool rows = parsed.figure == "rows";
-    needs(!parsed.variants.empty() && !rows, "--variants", "--export rows");
-    needs(parsed.rowWidth > 0 && !rows, "--row-width", "--export rows");
+    needs(!parsed.variants.empty() && !rows, "--variants", plainText("--export rows"));
+    needs(parsed.rowWidth && !rows, "--row-width", plainText("--export rows"));
     const bool pareto = parsed.figure == "pareto";
-    needs(!parsed.relief.empty() && !pareto, "--relief", "--export pareto");
-    needs(!parsed.elevation.empty() && !pareto, "--elevation", "--export pareto");
-    needs(!parsed.error.empty() && !pareto && parsed.figure != "charts", "--error", "--export pareto");
-    needs(pareto && parsed.file.empty(), "--export pareto", "BENCH.json");
+    needs(!parsed.relief.empty() && !pareto, "--relief", plainText("--export pareto"));
+    needs(!parsed.elevation.empty() && !pareto, "--elevation", plainText("--export pareto"));
+    needs(!parsed.error.empty() && !pareto && parsed.figure != "charts", "--error", plainText("--export pareto"));
+    needs(pareto && parsed.file.empty(), "--export pareto", plainText("BENCH.json"));
     return parsed;
 }
 

@@ -1,6 +1,7 @@
 // The command-line arguments of `reliefscope`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace relief::app {
@@ -32,8 +33,8 @@ struct Arguments {
     std::string axis;  // "x", "y", "z"; empty: the ray's main axis
     int slice = -1;    // -1: the slice of the current step
     // Of the view "rows".
-    std::string variants;  // comma-separated; empty: the view's default
-    int rowWidth = 0;      // in pixels; 0: the picture's
+    std::string variants;         // comma-separated; empty: the view's default
+    std::optional<int> rowWidth;  // in pixels; default: the picture's
     // Of the view "pareto".
     std::string relief;     // only rows of this relief; empty: all
     std::string elevation;  // only rows of this elevation; empty: all

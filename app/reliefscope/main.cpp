@@ -18,6 +18,7 @@
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
 #include "panes/charts/charts_state.h"
+#include "panes/distance/distance_figure.h"
 #include "panes/distance/distance_state.h"
 #include "panes/rows/rows_drawing.h"
 #include "panes/rows/rows_state.h"
@@ -143,7 +144,7 @@ void takeArguments(Scenario& scenario, const Arguments& arguments) {
     if (!arguments.axis.empty()) distance.axis = arguments.axis;
     if (arguments.slice >= 0) distance.slice = arguments.slice;
     if (!arguments.variants.empty()) rows.variants = betweenCommas(arguments.variants);
-    if (arguments.rowWidth > 0) rows.pixels = arguments.rowWidth;
+    if (arguments.rowWidth) rows.pixels = *arguments.rowWidth;
     if (!arguments.error.empty()) charts.error = arguments.error;
     reliefui::setState(scenario, distance);
     reliefui::setState(scenario, rows);
@@ -208,7 +209,7 @@ void checkArguments(const Arguments& arguments) {
     if (!arguments.variants.empty()) reliefui::rowMethods({betweenCommas(arguments.variants)}, "--variants");  // throws
     if (!arguments.error.empty()) parseErrorMeasure(arguments.error, "--error");                               // throws
     chosenLayer(arguments.layer);                                                                              // throws
-    reliefui::requireRange("--row-width", arguments.rowWidth, 0, static_cast<double>(kWidestRow));
+    reliefui::requireRange("--row-width", arguments.rowWidth.value_or(1), 1, static_cast<double>(kWidestRow));
 }
 
 // Returns the lines of the help that describe the views, "VIEW: ...".
@@ -264,6 +265,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     order.lastStep = !arguments.pixel.empty();
     Work work;
     const auto snapshot = maker.make(order, work);
+    if (arguments.slice >= 0) reliefui::checkSlice(*snapshot, arguments.slice, "--slice", work);
     const auto figure = kind.make(snapshot, snapshot->scenario);
     reliefui::writeFigure(*figure, page, arguments.output, work);
     return 0;

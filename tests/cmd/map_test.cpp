@@ -112,7 +112,7 @@ TEST_P(MapTest, WrongUse) {
     expectRefusal({"map", "cone", "--height", height, "--set", "layers=3", "-o", path("m.tif")}, 2, {"layers"});
     expectRefusal({"map", "refined", "--height", height, "--address", "clamp", "-o", path("m.tif")}, 2, {"clamp"});
     expectRefusal({"map", "euclidean", "--relief", "hills:8192x8192", "--set", "layers=1024", "-o", path("m.tif")}, 2,
-                  {"MB"});
+                  {"MiB"});
     EXPECT_EQ(files(), before);
 }
 

@@ -24,6 +24,7 @@ class TentFilter final : public TextureFilter {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "tent";
+        filter.title = "tent";
         filter.help = "the texels round the point, weighted by closeness";
         filter.source = "a guest";
         return filter;

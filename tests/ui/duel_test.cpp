@@ -1,4 +1,5 @@
 // The duel: methods on one ray in lock step, the first divergence and its kind, linked with the other panes.
+#include <algorithm>
 #include <cmath>
 
 #include <QComboBox>
@@ -7,6 +8,7 @@
 #include <QToolButton>
 
 #include "painting/text_width.h"
+#include "painting/view_map.h"
 #include "panes/drawing_canvas.h"
 #include "panes/duel/duel_view.h"
 #include "window_fixture.h"
@@ -180,6 +182,42 @@ TEST_F(DuelTest, NamesOfMethodsAreWhole) {
             EXPECT_TRUE(found) << run.name;
         }
     }
+}
+
+// The title of a fault stands below its track, and above the title of the axis.
+TEST_F(DuelTest, TitlesOfFaultsKeepClearOfTheAxisTitle) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"max-pyramid", {}};
+    scenario.comparison.others = {{"layers", {{"layers", "4"}}}, {"layers", {{"layers", "5"}}}};
+    openWindow(scenario);
+    window_->findChild<QDockWidget*>(QStringLiteral("duel-pane"))->raise();
+    waitForDuel();
+    const Duel& duel = *window_->pane<DuelView>()->duel();
+    const DuelSource source = duel.source();
+    ASSERT_NE(duel.judgements.back().kind, relief::Departure::None);
+    int titles = 0;
+    for (const double height : {230.0, 300.0, 400.0, 600.0}) {
+        const ProfileFrame frame = duelFrame(source, {}, 500, height);
+        double axisTop = frame.plot.y0;
+        for (const Item& item : profileAxes(source.profile, frame).items) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            if (label == nullptr || label->anchor != Anchor::BottomLeft) continue;
+            axisTop = std::min(axisTop, labelBox(*label, {}, 100, 10 * label->size, 1).y0);
+        }
+        ASSERT_LT(axisTop, frame.plot.y0);
+        for (const Item& item : duelMarks(source, frame, duel.steps.moments.front()).items) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            const bool title =
+                label != nullptr &&
+                std::any_of(duel.judgements.begin(), duel.judgements.end(), [&](const relief::Judgement& one) {
+                    return relief::departureTitle(one.kind).id == label->text.id;
+                });
+            if (!title) continue;
+            ++titles;
+            EXPECT_LE(labelBox(*label, {}, 100, 10 * label->size, 1).y1, axisTop) << height;
+        }
+    }
+    EXPECT_GT(titles, 2);
 }
 
 TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {

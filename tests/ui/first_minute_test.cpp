@@ -86,6 +86,13 @@ TEST_F(FirstMinute, MethodsHaveNamesAndSources) {
         ++named;
     }
     EXPECT_GT(named, 15);
+    const QComboBox* const filters = window_->topBar()->findChild<QComboBox*>(QStringLiteral("filter"));
+    for (const relief::FilterDescription& filter : relief::filterList()) {
+        const int at = filters->findData(QString::fromStdString(filter.name));
+        ASSERT_GE(at, 0) << filter.name;
+        EXPECT_EQ(filters->itemText(at).toLower().toStdString(), filter.title);
+        EXPECT_FALSE(filter.title.empty()) << filter.name;
+    }
 }
 
 TEST_F(FirstMinute, NoMessageOutlivesWhatItSpeaksOf) {

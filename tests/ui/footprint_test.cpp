@@ -147,6 +147,41 @@ TEST_F(FootprintTest, WeightsStandBesideItWhereThereIsRoom) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return weights->isHidden(); }, 5000));
 }
 
+// The numbers of two ellipses each say which one they describe, and a footprint that needed no test has no count of
+// tests.
+TEST_F(FootprintTest, TheLegendDoesNotContradictItself) {
+    openPane(filtered("elliptical-visible"));
+    const auto ids = [&](bool tests) {
+        FilteredPicture picture;
+        relief::Work work;
+        const Snapshot& now = *snapshot();
+        for (int y = 0; y < now.frame->height; y += 3) {
+            for (int x = 0; x < now.frame->width; x += 3) {
+                const auto f = pixelFootprint(*now.frame, *now.request, *now.tracer, x, y, 1, picture, work);
+                if (!f || !f->bounded || f->counts.tested == 0 || f->log.skipped == tests) continue;
+                FootprintOptions options;
+                options.numbers = true;
+                std::map<relief::MessageId, std::string> found;
+                const relief::Language english = relief::Language::English;
+                for (const Item& item : footprintLegend(*f, options, true, 2000, english).items) {
+                    const auto* const label = std::get_if<Label>(&item.primitive);
+                    if (label != nullptr) found[label->text.id] = labelText(*label, english);
+                }
+                return found;
+            }
+        }
+        return std::map<relief::MessageId, std::string>();
+    };
+    auto skipped = ids(false);
+    ASSERT_FALSE(skipped.empty());
+    EXPECT_TRUE(skipped.contains(relief::MessageId::DrawFootprintSkipped));
+    EXPECT_FALSE(skipped.contains(relief::MessageId::DrawFootprintTested));
+    EXPECT_EQ(skipped[relief::MessageId::DrawFootprintAxes].find("at the hit: "), 0U);
+    EXPECT_EQ(skipped[relief::MessageId::DrawFootprintForm].find("on the top plane: "), 0U);
+    EXPECT_EQ(skipped[relief::MessageId::DrawFootprintDerivatives].find("on the top plane: "), 0U);
+    EXPECT_TRUE(ids(true).contains(relief::MessageId::DrawFootprintTested));
+}
+
 TEST_F(FootprintTest, TexelsAreNumberedAtTwoSides) {
     openPane(filtered("bilinear"));
     const int side = view()->shown()->across.size;

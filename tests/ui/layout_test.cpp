@@ -23,6 +23,7 @@
 #include "panes/pyramid/pyramid_view.h"
 #include "panes/steps/step_sentence.h"
 #include "panes/steps/step_table.h"
+#include "relief/tracers.h"
 #include "window_fixture.h"
 #include "windows/layout_menu.h"
 #include "windows/message_bar.h"
@@ -30,6 +31,7 @@
 #include "windows/program.h"
 #include "windows/step_bar.h"
 #include "windows/time_pane.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -305,6 +307,50 @@ TEST_F(LayoutTest, ComparedPicturesAreNotTooSmall) {
         }
     }
     window_->setProjector(false);
+}
+
+// Qt makes a window that needs more than its screen larger than that, if only for a moment, and leaves it so.
+TEST_F(LayoutTest, NoModeNeedsMoreThanTheScreen) {
+    constexpr QSize kSmall(1280, 720);
+    for (const char* const language : {"en", "uk"}) {
+        openLessonIn(QLatin1String(language));
+        setSize(kSmall);
+        for (const bool projector : {false, true}) {
+            SCOPED_TRACE(std::string(language) + (projector ? ", projector" : ""));
+            window_->setProjector(projector);
+            QTest::qWait(kLayoutMs);
+            const QRect screen = window_->screen()->geometry();
+            EXPECT_LE(window_->width(), screen.width());
+            EXPECT_LE(window_->height(), screen.height());
+            setSize(kSmall);
+            QTest::qWait(kLayoutMs);
+            EXPECT_LE(window_->minimumSizeHint().width(), kSmall.width());
+            EXPECT_LE(window_->minimumSizeHint().height(), kSmall.height());
+        }
+        window_->setProjector(false);
+        WindowTest::TearDown();
+    }
+}
+
+// Whatever options a method has, none lies under the scroll bar.
+TEST_F(LayoutTest, TheControlsAreNoWiderThanTheirPane) {
+    for (const char* const language : {"en", "uk"}) {
+        openLessonIn(QLatin1String(language));
+        setSize({1280, 720});
+        const auto* const area = dock("scene-pane")->findChild<QScrollArea*>();
+        for (const relief::MethodDescription& method : relief::tracerList()) {
+            if (method.kind == relief::MethodKind::AnyHit) continue;
+            relief::Scenario scenario = workspace_->scenario();
+            scenario.method = {method.name, {}};
+            workspace_->change(scenario, changeName([] { return QStringLiteral("Method"); }));
+            const auto fits = [&] { return area->widget()->width() <= area->viewport()->width(); };
+            EXPECT_TRUE(QTest::qWaitFor(fits, kLayoutMs))
+                << language << " " << method.name << " " << area->widget()->width() << " in "
+                << area->viewport()->width();
+            EXPECT_LE(window_->minimumSizeHint().width(), 1280) << language << " " << method.name;
+        }
+        WindowTest::TearDown();
+    }
 }
 
 TEST_F(LayoutTest, TheHelpFitsTheScreen) {

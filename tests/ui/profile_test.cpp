@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "chart_laws.h"
+#include "scenario/step_sentence.h"
 #include "traced_ray.h"
 
 namespace reliefui {
@@ -188,6 +189,38 @@ TEST(ProfileDrawing, numbersAtTheRimAreWhole) {
             EXPECT_EQ(hits, 1);
         }
     }
+}
+
+// The distance from the exact hit, and a guess with its answer, are inside the visible part wherever they belong.
+TEST(ProfileDrawing, wordsAtTheRimAreWhole) {
+    Traced t("city", 128, 128, Surface::Bilinear, Address::Repeat);
+    const relief::ViewRay ray{12, 40, 60, -39};
+    t.trace(ray, {"exact", {}});
+    t.source.exact = t.source.hit;
+    t.trace(ray, {"layers", {{"layers", "5"}}});
+    ASSERT_GT(relief::answerError(t.source.hit, t.source.exact, ray), relief::kSameAnswer);
+    ProfileOptions options;
+    options.guess = t.source.hit.lambda + 0.01;
+    ProfileFrame frame = profileFrame(t.source, options, kWidth, kHeight);
+    const std::set<relief::MessageId> words{relief::MessageId::DrawExactOff, relief::MessageId::DrawGuess,
+                                            relief::MessageId::DrawGuessAnswer};
+    int seen = 0;
+    for (double behind = 7; behind < 200; behind += 4) {
+        frame.visible.x1 = frame.onRay(t.source.exact.lambda).x + behind;
+        if (frame.visible.x1 > frame.whole.x1) break;
+        for (const Item& item : profileMarks(t.source, options, frame, 2).items) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            if (label == nullptr || !words.contains(label->text.id)) continue;
+            ++seen;
+            for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {
+                const double width = textWidth(relief::sentence(label->text, language), label->size);
+                const Box box = labelBox(*label, {}, width, 10 * label->size, 1);
+                EXPECT_LE(box.x1, frame.visible.x1) << behind << relief::sentence(label->text, language);
+                EXPECT_GE(box.x0, frame.visible.x0) << behind << relief::sentence(label->text, language);
+            }
+        }
+    }
+    EXPECT_GT(seen, 3);
 }
 
 TEST(ProfileDrawing, layersAndSamplesOfTheLayerMethod) {

@@ -207,6 +207,12 @@ TEST(Rows, TheProgramExportsThem) {
     EXPECT_NE(QImage(other), own);
     EXPECT_EQ(run(exportTo + QStringList{other, variants, QStringLiteral("fill")}), 2);
     EXPECT_EQ(run(exportTo + QStringList{other, QStringLiteral("--row-width"), QStringLiteral("1000000")}), 0);
+    EXPECT_EQ(run(exportTo + QStringList{other, QStringLiteral("--row-width"), QStringLiteral("0")}), 2);
+    // A slice that the map does not have is refused, instead of the last one being drawn.
+    const QStringList slice{QStringLiteral("--export"), QStringLiteral("distance"), QStringLiteral("-o"),     other,
+                            QStringLiteral("--axis"),   QStringLiteral("x"),        QStringLiteral("--slice")};
+    EXPECT_EQ(run(slice + QStringList{QStringLiteral("63")}), 0);
+    EXPECT_EQ(run(slice + QStringList{QStringLiteral("999")}), 2);
     EXPECT_EQ(run({variants, QStringLiteral("affine")}), 2);
 }
 

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QDirIterator>
 #include <QFile>
+#include <QKeySequence>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTranslator>
@@ -23,6 +24,7 @@
 #include "relief/tracers/map_choice.h"
 #include "scenario/row_methods.h"
 #include "window_fixture.h"
+#include "windows/program.h"
 
 namespace reliefui {
 
@@ -230,6 +232,10 @@ TEST(Ukrainian, TheAlgorithmsDescribeThemselvesInIt) {
         EXPECT_TRUE(english.empty() || isUkrainian(translator.translate("core", english.c_str())))
             << "ui/algorithms_uk.ts has no translation of: " << english;
     };
+    const auto expectTitle = [&](const std::string& english) {
+        const QString title = translator.translate("core", english.c_str(), "title");
+        EXPECT_TRUE(isUkrainian(title)) << english;
+    };
     const auto expectOption = [&](const relief::OptionDescription& option) {
         std::string title = option.name;
         for (char& c : title) c = c == '-' ? ' ' : c;
@@ -242,17 +248,33 @@ TEST(Ukrainian, TheAlgorithmsDescribeThemselvesInIt) {
     for (const relief::MethodDescription& method : relief::tracerList()) {
         expectText(method.title);
         expectText(method.help);
+        expectTitle(method.title);
         for (const relief::OptionDescription& option : method.options) expectOption(option);
     }
     for (const relief::FilterDescription& filter : relief::filterList()) {
         expectText(filter.help);
+        expectTitle(filter.title);
         for (const relief::OptionDescription& option : filter.options) expectOption(option);
     }
     for (const relief::RowMethodDescription& row : relief::rowMethodList()) {
         if (std::holds_alternative<relief::RowVariant>(row.kind)) expectText(row.help);
     }
-    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) expectText(std::string(recipe.help));
+    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
+        expectText(std::string(recipe.help));
+        expectTitle(std::string(recipe.title));
+    }
+    // A method's title and the unit of its option, the same word in English.
+    EXPECT_NE(translator.translate("core", "layers", "title"), translator.translate("core", "layers"));
     for (const std::string& map : relief::mapKinds()) expectText("map " + map);
+}
+
+// Qt's own translation of the key means a gap.
+TEST(Ukrainian, TheSpaceKeyIsNamedAsOnTheKeyboard) {
+    if (!haveDisplay()) GTEST_SKIP();
+    installTranslations(QStringLiteral("uk"));
+    const QString key = QKeySequence(Qt::Key_Space).toString(QKeySequence::NativeText);
+    installTranslations({});
+    EXPECT_EQ(key.toStdString(), "Пробіл");
 }
 
 TEST_F(WindowTest, AUkrainianWindowHasNoEnglish) {

@@ -128,6 +128,7 @@ void LegendRows::bodies(const std::vector<relief::Step>& steps, const relief::Vi
     }
     if (!some) return;
     const MessageId promise = some.kind != StepBody::Kind::Cone ? MessageId::DrawPromisedSphere
+                              : some.relaxed                    ? MessageId::DrawPromisedRelaxedCone
                               : some.square                     ? MessageId::DrawPromisedSquareCone
                                                                 : MessageId::DrawPromisedCone;
     line(Role::Empty, Message(promise));

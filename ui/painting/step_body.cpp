@@ -47,6 +47,7 @@ StepBody stepBody(const relief::Step& step) {
         body.from = 2 * std::numbers::pi * cone->sector / cone->sectors;
         body.to = 2 * std::numbers::pi * (cone->sector + 1) / cone->sectors;
         body.square = cone->square;
+        body.relaxed = cone->relaxed;
     }
     return body;
 }

@@ -1,5 +1,5 @@
-// The region that a step treats as empty because of a distance or cone map: a sphere around a point of the ray, or a
-// cone below one. bodyRole() tells whether the relief violates this guarantee.
+// The region that a step treats as empty, or as entered at most once, because of a distance or cone map: a sphere
+// around a point of the ray, or a cone below one. bodyRole() tells whether the relief violates this guarantee.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,8 @@ struct StepBody {
     double slope = 0;   // cone: height per texel of horizontal distance, see away()
     double from = 0;    // cone: range of azimuths of (x, y) in which it is valid, in radians; 0 to 2 pi for all
     double to = 0;
-    bool square = false;  // cone
+    bool square = false;   // cone
+    bool relaxed = false;  // cone: not empty, but entered at most once
 
     explicit operator bool() const { return kind != Kind::None; }
     // Returns true if the cone is valid in that direction.

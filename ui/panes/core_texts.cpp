@@ -25,6 +25,13 @@ QString controlTitle(const std::string& name) {
     return coreText(capitalised(name));
 }
 
+QString titleText(const std::string& title) {
+    // Without a translation as a title, the general translation of the word is used.
+    QString text = QCoreApplication::translate("core", title.c_str(), "title");
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
 QString optionTitle(const std::string& key) {
     const std::string name = key.substr(key.rfind('.') + 1);
     // Without a translation as an option, the general translation of the word is used.
@@ -34,7 +41,7 @@ QString optionTitle(const std::string& key) {
 QString unitSuffix(const std::string& unit) {
     if (unit.empty()) return {};
     if (unit == "degrees") return QStringLiteral("°");
-    if (unit == "pixels") return QStringLiteral(" px");
+    if (unit == "pixels") return coreText(" px");
     return {};  // shown in the tool tip only, because it would make the box as wide as the panel
 }
 

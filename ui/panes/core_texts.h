@@ -15,6 +15,9 @@ QString controlTitle(const std::string& name);
 QString optionTitle(const std::string& key);
 // Translates a help text or a unit.
 QString coreText(const std::string& english);
+// Translates the title of a method, filter or relief, with a capital letter; as a title, a word may be another than as
+// a unit ("layers").
+QString titleText(const std::string& title);
 // Unit as a suffix: "degrees" gives "°"; other units are preceded by a space.
 QString unitSuffix(const std::string& unit);
 

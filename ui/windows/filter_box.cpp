@@ -1,6 +1,7 @@
 #include "windows/filter_box.h"
 
 #include <QLabel>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include "panes/core_texts.h"
@@ -36,8 +37,12 @@ void FilterBox::change(const QString& name, const QString& text, bool live) {
 void FilterBox::refresh() {
     const relief::MethodChoice choice = relief::ownVariation(workspace_->scenario(), relief::CompareSubject::Filters);
     const relief::MethodDescription described = relief::describedVariation(relief::CompareSubject::Filters, choice);
-    help_->setText(tr("<b>%1</b>. %2").arg(QString::fromStdString(choice.name), coreText(described.help)));
-    help_->setToolTip(QString::fromStdString(described.source));
+    QString help = coreText(described.help);
+    if (!help.isEmpty()) help[0] = help[0].toUpper();  // it is a sentence here
+    help_->setText(tr("<b>%1</b>. %2").arg(titleText(described.title), help));
+    help_->setToolTip(QStringList{QString::fromStdString(described.name), QString::fromStdString(described.source)}
+                          .join('\n')
+                          .trimmed());
     options_->setVisible(!described.options.empty());
     options_->show(described, choice);
 }

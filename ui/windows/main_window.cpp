@@ -30,7 +30,6 @@ namespace reliefui {
 
 namespace {
 
-constexpr int kMessageMs = 4000;
 // a pane that was closed by mistake and reopened within this time still has its contents
 constexpr int kEmptyMs = 2000;
 
@@ -153,7 +152,7 @@ void MainWindow::addPane(const PaneKind& kind) {
         // The title shows the pane's readout; the status bar shows which file was saved.
         connect(view, &FigureView::hovered, title, &PaneTitle::setNote);
         connect(view, &FigureView::saved, this,
-                [this](const QString& path) { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); });
+                [this](const QString& path) { status_->say(tr("Saved: %1").arg(path)); });
     }
 }
 

@@ -127,6 +127,7 @@ class MainWindow : public QMainWindow {
     void report(const QString& text, bool problem);
     void dropStaleMessage();
     void arrange();
+    void arrange(bool projector);
     DockPlace placeOf(const Pane& pane) const;
     QDockWidget* activePane() const;
     void shareRoom();

@@ -23,6 +23,7 @@
 #include "windows/manual.h"
 #include "windows/pane_list.h"
 #include "windows/pictures_box.h"
+#include "windows/status_line.h"
 #include "workspace/background_call.h"
 #include "workspace/change_name.h"
 #include "workspace/language.h"
@@ -33,7 +34,6 @@ namespace reliefui {
 namespace {
 
 constexpr int kMostRecent = 10;
-constexpr int kMessageMs = 4000;
 
 QString recentKey() {
     return QStringLiteral("recentFiles");
@@ -112,7 +112,7 @@ void MainWindow::savePicture(const QString& path, bool legend) {
     if (!snapshot) return;
     const auto report = [this, path](const QString& problem) {
         if (problem.isEmpty()) {
-            statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs);
+            status_->say(tr("Saved: %1").arg(path));
         } else {
             Q_EMIT workspace_->problem(tr("%1: cannot be written: %2").arg(path, problem));
         }
@@ -146,7 +146,7 @@ void MainWindow::saveView(const QString& view, const FigureFile& file) {
     FigurePage page;
     page.title = view.toStdString();
     page.style = workspace_->style();
-    const auto saved = [this, path = file.path] { statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMs); };
+    const auto saved = [this, path = file.path] { status_->say(tr("Saved: %1").arg(path)); };
     workspace_->tasks().start(this, [figure, page, file, saved, workspace = workspace_](relief::Work& work) {
         return saveFigureFile(*figure, page, file, workspace, saved, work);
     });

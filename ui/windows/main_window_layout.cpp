@@ -45,9 +45,13 @@ void MainWindow::resetLayout() {
     arrange();
 }
 
-// Arranges the panes as the mode's plan says. Closed and floating panes stay as they are.
 void MainWindow::arrange() {
-    plan_ = layoutPlan(view_ == View::Teach, workspace_->style().projector, size());
+    arrange(workspace_->style().projector);
+}
+
+// Arranges the panes as the mode's plan says. Closed and floating panes stay as they are.
+void MainWindow::arrange(bool projector) {
+    plan_ = layoutPlan(view_ == View::Teach, projector, size());
     QDockWidget* const active = activePane();
     addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::UpperRight));
     addDockWidget(Qt::RightDockWidgetArea, front(DockPlace::LowerRight));
@@ -236,12 +240,15 @@ void MainWindow::setProjector(bool on) {
     } else {
         restoreGeometry(place_);
     }
+    // While the type is small: in large type the panes of the other arrangement would make the window wider than the
+    // screen, and it would stay so.
+    if (on) arrange(true);
     Style style = workspace_->style();
     style.projector = on;
     style.projectorScale = projectorScale(on ? screen()->geometry().height() : height());
     applyType(style);
     projector_->setChecked(on);
-    on ? arrange() : restorePanes(kept_[on]);
+    on ? shareRoom() : restorePanes(kept_[on]);
     if (view != View::All) showView(view, filled);
 }
 

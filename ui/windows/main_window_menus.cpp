@@ -26,6 +26,7 @@
 #include "windows/home_view.h"
 #include "windows/layout_menu.h"
 #include "windows/main_window.h"
+#include "windows/status_line.h"
 #include "windows/step_bar.h"
 #include "windows/time_pane.h"
 #include "workspace/change_name.h"
@@ -33,10 +34,7 @@
 #include "workspace/pause_log.h"
 
 namespace reliefui {
-
 namespace {
-
-constexpr int kMessageMs = 4000;
 
 QString raysFromEndKey() {
     return QStringLiteral("raysFromEnd");
@@ -264,7 +262,7 @@ void MainWindow::refreshTitles() {
 void MainWindow::copyCommand() {
     const QString command = workspace_->traceCommand();
     QApplication::clipboard()->setText(command);
-    statusBar()->showMessage(tr("Copied: %1").arg(command), kMessageMs);
+    status_->say(tr("Copied: %1").arg(command));
 }
 
 void MainWindow::resultMenu(const QPoint& global) {

@@ -10,6 +10,7 @@
 #include "windows/bookmarks.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
+#include "windows/status_line.h"
 #include "windows/time_pane.h"
 #include "workspace/change_name.h"
 #include "workspace/pixel_finder.h"
@@ -24,8 +25,7 @@ constexpr int kMessageMs = 8000;
 
 void MainWindow::makeWorthMenu(QMenu* menu) {
     finder_ = new PixelFinder(workspace_, this);
-    connect(finder_, &PixelFinder::reported, this,
-            [this](const QString& text) { statusBar()->showMessage(text, kMessageMs); });
+    connect(finder_, &PixelFinder::reported, this, [this](const QString& text) { status_->say(text, kMessageMs); });
     QMenu* const worth = menu->addMenu(tr("Next pixel &worth seeing"));
     const auto add = [&](const QString& text, const char* keys, const QString& help, relief::Worth kind) {
         auto* const action = addAction(worth, text, QKeySequence(QLatin1String(keys)), help);

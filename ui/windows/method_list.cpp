@@ -9,8 +9,10 @@
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
 
+#include "filtering/filters/filter_choice.h"
 #include "panes/core_texts.h"
 #include "relief/describe.h"
+#include "relief/reliefs.h"
 #include "windows/top_bar.h"
 #include "workspace/workspace.h"
 
@@ -42,6 +44,7 @@ struct Columns {
         const QFontMetrics fine(small(font));
         for (int row = 0; row < model.rowCount(); ++row) {
             const QModelIndex index = model.index(row, 0);
+            if (identifier(index).isEmpty()) continue;
             title = std::max(title, large.horizontalAdvance(index.data().toString()));
             source = std::max(source, fine.horizontalAdvance(index.data(kSourceRole).toString()));
             name = std::max(name, fine.horizontalAdvance(identifier(index)));
@@ -88,15 +91,23 @@ class MethodBox : public QObject {
     QComboBox* list_;
 };
 
+void addNamed(QComboBox* list, const std::string& name, const std::string& title, const std::string& help,
+              const std::string& source = {}) {
+    list->addItem(titleText(title), QString::fromStdString(name));
+    list->setItemData(list->count() - 1, QString::fromStdString(source), kSourceRole);
+    list->setItemData(list->count() - 1, coreText(help), Qt::ToolTipRole);
+}
+
+void showColumns(QComboBox* list) {
+    list->setItemDelegate(new MethodDelegate(list));
+    new MethodBox(list);
+}
+
 void addMethods(QComboBox* list, bool tracers) {
     for (const relief::MethodDescription& method : relief::tracerList()) {
         const bool searches = method.kind == relief::MethodKind::Tracer;
         if (searches != tracers || method.kind == relief::MethodKind::AnyHit) continue;
-        QString title = coreText(method.title);
-        title[0] = title[0].toUpper();
-        list->addItem(title, QString::fromStdString(method.name));
-        list->setItemData(list->count() - 1, QString::fromStdString(method.source), kSourceRole);
-        list->setItemData(list->count() - 1, coreText(method.help), Qt::ToolTipRole);
+        addNamed(list, method.name, method.title, method.help, method.source);
     }
 }
 
@@ -111,8 +122,21 @@ void fillMethods(QComboBox* list) {
         items->item(list->count() - 1)->setFlags(Qt::NoItemFlags);
     }
     addMethods(list, false);
-    list->setItemDelegate(new MethodDelegate(list));
-    new MethodBox(list);
+    showColumns(list);
+}
+
+void fillFilters(QComboBox* list) {
+    for (const relief::FilterDescription& filter : relief::filterList()) {
+        addNamed(list, filter.name, filter.title, filter.help, filter.source);
+    }
+    showColumns(list);
+}
+
+void addRecipes(QComboBox* list) {
+    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
+        addNamed(list, std::string(recipe.name), std::string(recipe.title), std::string(recipe.help));
+    }
+    showColumns(list);
 }
 
 }  // namespace reliefui

@@ -52,7 +52,10 @@ void PaneTitle::setNote(const QString& note) {
 }
 
 void PaneTitle::fitNote() {
-    note_->setText(note_->fontMetrics().elidedText(text_, Qt::ElideRight, note_->width()));
+    // A few letters say nothing.
+    constexpr int kLeastLetters = 8;
+    const QString fitting = note_->fontMetrics().elidedText(text_, Qt::ElideRight, note_->width());
+    note_->setText(fitting == text_ || fitting.size() > kLeastLetters ? fitting : QString());
 }
 
 void PaneTitle::resizeEvent(QResizeEvent* event) {

@@ -12,6 +12,7 @@
 #include "panes/core_texts.h"
 #include "panes/file_dialogs.h"
 #include "relief/reliefs.h"
+#include "windows/method_list.h"
 #include "workspace/change_name.h"
 
 namespace reliefui {
@@ -19,10 +20,6 @@ namespace reliefui {
 namespace {
 
 constexpr int kLargestRecipe = 4096;
-
-QString text(std::string_view view) {
-    return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
-}
 
 }  // namespace
 
@@ -104,10 +101,10 @@ void PicturesBox::addRecipe(QVBoxLayout* column) {
     recipe_->setAccessibleName(tr("Procedural relief"));
     recipe_->setToolTip(tr("Make a procedural relief instead of reading a picture"));
     recipe_->addItem(tr("Procedural…"), QString());
-    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
-        recipe_->addItem(text(recipe.name), text(recipe.name));
-        recipe_->setItemData(recipe_->count() - 1, coreText(std::string(recipe.help)), Qt::ToolTipRole);
-    }
+    addRecipes(recipe_);
+    // Its titles must not make the panel wider.
+    recipe_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    recipe_->setMinimumContentsLength(8);
     size_ = new QSpinBox(this);
     size_->setAccessibleName(tr("Size of the procedural relief"));
     size_->setToolTip(tr("Texels along a side"));

@@ -87,17 +87,21 @@ void setUpApplication(QApplication&) {
     QApplication::setFont(windowFont(1));
 }
 
+// Qt's own Ukrainian name of this key means a gap.
+[[maybe_unused]] constexpr const char* kSpaceKey = QT_TRANSLATE_NOOP("QShortcut", "Space");
+
 void installTranslations(const QString& language) {
     QLocale::setDefault(language.isEmpty() ? QLocale::system() : QLocale(language));
     for (QTranslator* const old : QCoreApplication::instance()->findChildren<QTranslator*>()) delete old;
-    const auto add = [](const QString& file, const QString& folder) {
+    const auto loaded = [](const QString& file, const QString& folder) {
         auto* const texts = new QTranslator(QCoreApplication::instance());
-        const bool found = texts->load(QLocale(), file, QStringLiteral("_"), folder);
-        if (found) QCoreApplication::installTranslator(texts);
-        return found;
+        return texts->load(QLocale(), file, QStringLiteral("_"), folder) ? texts : nullptr;
     };
-    if (add(QStringLiteral("reliefscope"), QStringLiteral(":/translations"))) {
-        add(QStringLiteral("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+    if (auto* const own = loaded(QStringLiteral("reliefscope"), QStringLiteral(":/translations"))) {
+        auto* const qt = loaded(QStringLiteral("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+        if (qt != nullptr) QCoreApplication::installTranslator(qt);
+        // Searched first, because it was installed last: it has better names for some keys.
+        QCoreApplication::installTranslator(own);
     } else {
         // English needs a translation file as well, for its plural forms.
         auto* const plurals = new QTranslator(QCoreApplication::instance());

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -302,7 +303,24 @@ void ScenePanel::refreshMethod() {
            "besides the heights"));
 }
 
-// The pane has more controls than fit, so it scrolls.
+// The pane has more controls than fit, so it scrolls. It is never narrower than its controls, which change with the
+// method: a wider option would lie under the scroll bar.
+class SceneArea : public QScrollArea {
+  public:
+    using QScrollArea::QScrollArea;
+
+    QSize minimumSizeHint() const override {
+        const int controls = widget() != nullptr ? widget()->minimumSizeHint().width() : 0;
+        return {controls + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+    }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+        return QScrollArea::eventFilter(watched, event);
+    }
+};
+
 PaneKind scenePane() {
     PaneKind kind;
     kind.name = QStringLiteral("scene");
@@ -310,14 +328,13 @@ PaneKind scenePane() {
     kind.help = ScenePanel::tr("Pictures, method, filter, camera and light");
     kind.place = DockPlace::Left;
     kind.make = [](Workspace* workspace, QWidget* parent) -> QWidget* {
-        auto* const scroll = new QScrollArea(parent);
+        auto* const scroll = new SceneArea(parent);
         auto* const panel = new ScenePanel(workspace, scroll);
         scroll->setWidget(panel);
         scroll->setAccessibleName(ScenePanel::tr("Scene"));
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
         scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        scroll->setMinimumWidth(panel->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
         return scroll;
     };
     return kind;

@@ -1,5 +1,6 @@
 #include "windows/status_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QEvent>
@@ -20,6 +21,7 @@ namespace reliefui {
 namespace {
 
 constexpr int kBusyDelayMs = 250;
+constexpr int kBeforeFrame = 12;  // pixels between a message and the frame's text
 
 double counter(const relief::Frame& frame, relief::MessageId what) {
     const auto found = frame.counters.find(what);
@@ -120,6 +122,16 @@ StatusLine::StatusLine(Workspace* workspace, QWidget* parent)
     connect(cancel_, &QToolButton::clicked, workspace_, &Workspace::cancel);
     connect(walk_, &QToolButton::clicked, this, &StatusLine::takeWalk);
     refresh();  // for a workspace that already has a snapshot from a previous window
+}
+
+void StatusLine::say(const QString& message, int ms) {
+    // A message is painted from the left end to the first visible part on the right.
+    int room = width();
+    for (const QWidget* const part : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (part->isVisible() && part != pixel_) room = std::min(room, part->x());
+    }
+    room -= contentsMargins().left() + 2 * kBeforeFrame;
+    showMessage(fontMetrics().elidedText(message, Qt::ElideMiddle, room), ms);
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {

@@ -20,6 +20,8 @@ class StatusLine : public QStatusBar {
 
     QString pixelText() const;
     QString frameText() const;
+    // Shows a message for `ms` milliseconds, shortened in the middle if there is no room for all of it.
+    void say(const QString& message, int ms = 4000);
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   Q_SIGNALS:

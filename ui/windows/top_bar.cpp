@@ -62,11 +62,7 @@ void TopBar::makeFilter() {
     filter_->setAccessibleName(tr("Filter"));
     filter_->setToolTip(tr("How the colour is sampled at the hit"));
     filter_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    for (const relief::FilterDescription& filter : relief::filterList()) {
-        const QString name = QString::fromStdString(filter.name);
-        filter_->addItem(name, name);
-        filter_->setItemData(filter_->count() - 1, coreText(filter.help), Qt::ToolTipRole);
-    }
+    fillFilters(filter_);
     addLabeled(tr("Filter"), filter_);
     connect(filter_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();

@@ -12,6 +12,7 @@ class BilinearFilter final : public PointFilter<BilinearFilter> {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "bilinear";
+        filter.title = "bilinear";
         filter.help = "the four texels around the point, interpolated bilinearly";
         return filter;
     }

@@ -57,6 +57,7 @@ class EllipticalFilter final : public TextureFilter {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "elliptical";
+        filter.title = "elliptical";
         filter.help = "all texels in the elliptical footprint of the pixel, weighted by the pixel model";
         filter.source = "Heckbert 1989; [TEX]";
         filter.footprint = filter.ellipse = true;

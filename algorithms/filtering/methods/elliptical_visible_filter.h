@@ -13,6 +13,7 @@ struct EllipticalVisible {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "elliptical-visible";
+        filter.title = "elliptical, visible";
         filter.help = "the elliptical filter without the texels that the relief hides from the viewer";
         filter.source = "[ANISO17] (form=plane)";
         filter.footprint = filter.ellipse = filter.visible = true;

@@ -12,6 +12,7 @@ class NearestFilter final : public PointFilter<NearestFilter> {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "nearest";
+        filter.title = "nearest texel";
         filter.help = "the texel that holds the point";
         return filter;
     }

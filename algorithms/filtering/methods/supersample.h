@@ -12,6 +12,7 @@ struct SupersampleFilter {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = kSupersample;
+        filter.title = "supersampling";
         filter.help = "many rays per pixel, each traced and lit by itself; the reference for pictures, slow";
         return filter;
     }

@@ -16,6 +16,7 @@ class TrilinearFilter final : public TextureFilter {
     static FilterDescription describe() {
         FilterDescription filter;
         filter.name = "trilinear";
+        filter.title = "trilinear";
         filter.help = "two levels of the mean pyramid, chosen by the longer side of the pixel's projection";
         filter.source = "Williams 1983";
         filter.footprint = true;

@@ -13,9 +13,10 @@ namespace relief {
 
 struct ReliefRecipe {
     std::string_view name;
-    std::string_view help;  // one line
-    int defaultSize;        // default width and height
-    bool anySize;           // false: only the default size (paper8x8)
+    std::string_view title;  // human-readable, a few words
+    std::string_view help;   // one line
+    int defaultSize;         // default width and height
+    bool anySize;            // false: only the default size (paper8x8)
 };
 
 // Returns the recipes: bricks, spikes, pits, columns, city, fractal, hills, steps, checker, paper8x8, paper-walls.

@@ -79,7 +79,7 @@ struct Sphere {
 // A cone with its apex at (s, t, apex) that the map claims to be empty within one azimuth sector of `sectors`. slope:
 // heights per texel; 0 if it was not read because the ray is not above the apex. ofCell: it is valid for the whole cell
 // (i, j); otherwise it is interpolated at the point of the ray above the apex. square: distances from its axis are the
-// larger of |x| and |y|.
+// larger of |x| and |y|. relaxed: not claimed to be empty; the ray meets the surface in it at most once.
 struct Cone {
     double s = 0;
     double t = 0;
@@ -89,6 +89,7 @@ struct Cone {
     int sectors = 1;
     bool ofCell = true;
     bool square = false;
+    bool relaxed = false;
     bool operator==(const Cone&) const = default;
 };
 // The height of the surface below the ray where it reaches layer n of `count` equal layers; layer 0 is the top plane.
@@ -107,13 +108,14 @@ struct Point {
 
 using Subject = std::variant<subject::Texel, subject::Quad, subject::Voxel, subject::Sphere, subject::Cone,
                              subject::Layer, subject::Point>;
-// Names in files: the types of Subject in order, and at last square cones.
-inline constexpr std::array<std::string_view, 8> kSubjectNames{"texel", "quad",  "voxel", "sphere",
-                                                               "cone",  "layer", "point", "square-cone"};
-static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 1);
+// Names in files: the types of Subject in order, and at last square and relaxed cones.
+inline constexpr std::array<std::string_view, 9> kSubjectNames{"texel", "quad",  "voxel",       "sphere",      "cone",
+                                                               "layer", "point", "square-cone", "relaxed-cone"};
+static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 2);
 inline std::string_view subjectName(const Subject& subject) {
     const auto* const cone = std::get_if<subject::Cone>(&subject);
-    return cone != nullptr && cone->square ? kSubjectNames.back() : kSubjectNames[subject.index()];
+    if (cone != nullptr && cone->relaxed) return kSubjectNames[8];
+    return cone != nullptr && cone->square ? kSubjectNames[7] : kSubjectNames[subject.index()];
 }
 
 // One decision. [lambdaIn, lambdaOut]: the interval of the ray that it covers; the ray's heights there are 1 - lambda.
@@ -148,7 +150,7 @@ struct Step {
     // Returns true if (i, j) is the texel below the ray and not a texel of a pyramid, a cell or a voxel.
     bool namesTexelUnderRay() const { return atPoint() || as<subject::Quad>() != nullptr; }
     bool tests() const { return decision == Decision::Test || decision == Decision::Hit; }
-    // Returns true if the ray advanced because a distance or cone map claims that the space is empty.
+    // Returns true if the ray advanced as far as a distance or cone map claims to be safe.
     bool trustsMap() const {
         const bool map = as<subject::Voxel>() || as<subject::Sphere>() || as<subject::Cone>();
         return map && decision == Decision::Advance;

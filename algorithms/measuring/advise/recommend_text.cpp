@@ -19,12 +19,6 @@ std::string number(double value) {
     return std::isnan(value) ? "-" : readable(value, kDigits);
 }
 
-std::string bytesText(std::int64_t bytes) {
-    constexpr double kKilo = 1024;
-    const auto kilobytes = static_cast<double>(bytes) / kKilo;
-    return kilobytes < kKilo ? number(kilobytes) + " KB" : number(kilobytes / kKilo) + " MB";
-}
-
 std::string mapNames(const MethodChoice& method) {
     std::string names = commaList(findTracer(method.name).maps);
     const auto inner = method.options.find("inner");
@@ -54,7 +48,7 @@ class AdviceSentences {
                                      {"views", viewsText(options_.views)},
                                      {"error", options_.error},
                                      {"outliers", number(options_.outliers * 100)},
-                                     {"memory", bytesText(options_.memory)}});
+                                     {"memory", bytesText(options_.memory, kDigits)}});
         if (options_.maxSteps > 0) say(MessageId::AdviceMaxSteps, {{"steps", options_.maxSteps}});
         text_ += '\n';
         if (advice_.relief.flat) {
@@ -81,7 +75,7 @@ class AdviceSentences {
             say(MessageId::AdviceNoMap, {});
         } else {
             say(MessageId::AdviceMap, {{"map", mapNames(best.method)},
-                                       {"bytes", bytesText(best.bytes)},
+                                       {"bytes", bytesText(best.bytes, kDigits)},
                                        {"seconds", number(best.buildSeconds)}});
         }
         if (options_.form == Form::Simd) {
@@ -125,7 +119,7 @@ class AdviceSentences {
             const AdvisedForm& cheapest = advice_.forms[advice_.cheapest];
             say(MessageId::AdviceLean, {{"method", methodText(cheapest.method)},
                                         {"percent", number((1 - cheapest.cost / best.cost) * 100)},
-                                        {"bytes", bytesText(cheapest.bytes)},
+                                        {"bytes", bytesText(cheapest.bytes, kDigits)},
                                         {"seconds", number(cheapest.buildSeconds)}});
         } else if (advice_.next != advice_.chosen) {
             const AdvisedForm& next = advice_.forms[advice_.next];
@@ -190,7 +184,7 @@ class AdviceSentences {
                             number(form.reads),
                             number(form.beyond * 100),
                             number(form.largest),
-                            bytesText(form.bytes),
+                            sentence(bytesText(form.bytes, kDigits)),
                             number(form.buildSeconds),
                             std::string(verdictName(form.verdict)),
                             std::string(guaranteeName(form.guarantee))};

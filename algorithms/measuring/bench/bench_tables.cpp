@@ -10,12 +10,6 @@ namespace {
 
 constexpr int kDigits = 3;  // significant digits in text tables
 
-std::string bytesText(std::int64_t bytes) {
-    if (bytes < 1024) return std::to_string(bytes) + " B";
-    const double kilobytes = static_cast<double>(bytes) / 1024;
-    return kilobytes < 1024 ? readable(kilobytes, kDigits) + " KB" : readable(kilobytes / 1024, kDigits) + " MB";
-}
-
 std::string sizeText(const BenchRow& row) {
     return std::to_string(row.width) + "x" + std::to_string(row.heightTexels);
 }
@@ -45,7 +39,7 @@ TableRow tableRow(const BenchRow& row) {
             std::to_string(e.overshoots),
             number(row.stepsMean),
             number(row.readsMean),
-            bytesText(row.memoryBytes),
+            sentence(bytesText(row.memoryBytes, kDigits)),
             number(row.buildSeconds * 1000)};
 }
 

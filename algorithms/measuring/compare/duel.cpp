@@ -94,11 +94,16 @@ class Judge {
         // The point up to which the search moved is below the surface, so testing it would reveal the hit.
         const bool below = surface_.gapAt(std::min(to, 1.0)) >= 0;
         const bool refines = k + 1 < run_.steps.size() && run_.steps[k + 1].decision == Decision::Refine;
+        if (answersFromEntry(step, k > 0 ? &run_.steps[k - 1] : nullptr)) {
+            return at(out, Departure::TakenAsFlat, k, step.lambdaIn, to);
+        }
         if (step.decision == Decision::Hit) {
             if (below || lastRefinement()) return foundWithin(out, k);
             return at(out, Departure::MissedSpike, k, step.lambdaIn, to);
         }
-        if (below && refines) return foundWithin(out, k);
+        // A relaxed cone may end below the surface, but not behind a further crossing.
+        const auto* const cone = step.as<subject::Cone>();
+        if (below && (refines || (cone != nullptr && cone->relaxed))) return foundWithin(out, k);
         if (step.decision == Decision::Skip || step.trustsMap()) {
             return at(out, Departure::UnsafeMap, k, step.lambdaIn, to);
         }
@@ -145,8 +150,9 @@ Judgement judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const 
 }
 
 Message departureTitle(Departure kind) {
-    constexpr std::array kTitles{MessageId::DuelAgrees,    MessageId::DuelMissedSpike, MessageId::DuelStoppedEarly,
-                                 MessageId::DuelUnsafeMap, MessageId::DuelLeak,        MessageId::DuelNotRefined};
+    constexpr std::array kTitles{MessageId::DuelAgrees,     MessageId::DuelMissedSpike, MessageId::DuelStoppedEarly,
+                                 MessageId::DuelUnsafeMap,  MessageId::DuelLeak,        MessageId::DuelNotRefined,
+                                 MessageId::DuelTakenAsFlat};
     return Message(kTitles[static_cast<std::size_t>(kind)]);
 }
 
@@ -167,11 +173,15 @@ Message judgementSentence(const DuelRun& run, const Judgement& judgement, const 
                             {"at", fixedText(run.hit.lambda, kDecimals)},
                             {"value", numberText(step.value, kValueDigits)}});
     };
+    const auto* const cone = step.as<subject::Cone>();
+    const bool relaxed = cone != nullptr && cone->relaxed;
     switch (judgement.kind) {
+        case Departure::TakenAsFlat:
+            return say(MessageId::DuelSaysTakenAsFlat);
         case Departure::MissedSpike:
             return say(MessageId::DuelSaysSpike);
         case Departure::UnsafeMap:
-            return say(MessageId::DuelSaysUnsafe);
+            return say(relaxed ? MessageId::DuelSaysUnsafeRelaxed : MessageId::DuelSaysUnsafe);
         case Departure::InterpolationLeak:
             return say(MessageId::DuelSaysLeak);
         case Departure::NotRefined:

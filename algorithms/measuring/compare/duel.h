@@ -27,10 +27,20 @@ struct DuelRun {
 // - None: the exact answer, to within kSameAnswer.
 // - MissedSpike: it sampled the surface at single points, and went past a feature between two of them.
 // - StoppedEarly: it answered before the first hit, reached a limit, or answered where there is no hit.
-// - UnsafeMap: a stored distance, cone or maximum claimed that an interval is empty although it is not.
+// - UnsafeMap: a stored distance, cone or maximum claimed that an interval is empty although it is not; or a relaxed
+//   cone, that the ray enters the surface in it at most once.
 // - InterpolationLeak: the hit was in its interval, but the point that it interpolated there is not on the surface.
 // - NotRefined: the hit was in its interval, but it answered with the interval's end.
-enum class Departure : std::uint8_t { None, MissedSpike, StoppedEarly, UnsafeMap, InterpolationLeak, NotRefined };
+// - TakenAsFlat: it read only the height where the ray enters, and answered behind the first hit.
+enum class Departure : std::uint8_t {
+    None,
+    MissedSpike,
+    StoppedEarly,
+    UnsafeMap,
+    InterpolationLeak,
+    NotRefined,
+    TakenAsFlat
+};
 
 // step: the step at which the departure occurs; [from, to]: its lambda interval. texels: error of the final answer,
 // infinite if the outcome differs. overshoot: the first step past the exact hit, even if the final answer is right.

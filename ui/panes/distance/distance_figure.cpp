@@ -6,6 +6,7 @@
 #include "panes/distance/distance_maps.h"
 #include "panes/figure_caption.h"
 #include "panes/point_finder.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -32,6 +33,13 @@ DistancePane paneOf(const DistanceOptions& options) {
     pane.lines = options.isoLines;
     pane.nearRay = options.nearRay;
     return pane;
+}
+
+void checkSlice(const Snapshot& snapshot, int slice, const std::string& what, relief::Work& work) {
+    const DistanceOptions options = distanceOptions(stateOf<DistancePane>(snapshot.scenario));
+    const DistanceMaps maps = distanceMaps(snapshot, options, {}, work);
+    const DistanceFrame frame = distanceFrame(distanceSource(snapshot, maps), options, 0, 1, 1);
+    requireRange(what, slice, 0, frame.slices - 1);
 }
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,

@@ -14,6 +14,10 @@ namespace reliefui {
 DistanceOptions distanceOptions(const DistancePane& pane, const ColorRanges& ranges = {});
 DistancePane paneOf(const DistanceOptions& options);
 
+// Throws InputError that names `what` if the map that the scenario's distance pane shows has no slice of this index.
+// Builds the map.
+void checkSlice(const Snapshot& snapshot, int slice, const std::string& what, relief::Work& work);
+
 // point: its distances are shown. Painting throws InputError if the map cannot be built.
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point);

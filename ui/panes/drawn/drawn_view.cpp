@@ -82,8 +82,9 @@ void DrawnView::makeBar(QHBoxLayout* starts, QHBoxLayout* bar) {
     for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
         if (!recipe.anySize) continue;
         const QString name = QString::fromUtf8(recipe.name.data(), static_cast<int>(recipe.name.size()));
-        start_->addItem(name, name);
-        start_->setItemData(start_->count() - 1, coreText(std::string(recipe.help)), Qt::ToolTipRole);
+        start_->addItem(titleText(std::string(recipe.title)), name);
+        start_->setItemData(start_->count() - 1, name + QStringLiteral(": ") + coreText(std::string(recipe.help)),
+                            Qt::ToolTipRole);
     }
     side_ = new QComboBox(this);
     side_->setObjectName(QStringLiteral("drawn-side"));

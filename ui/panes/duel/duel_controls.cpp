@@ -59,14 +59,15 @@ void DuelView::makeButtons(QHBoxLayout* bar) {
         connect(made, &QToolButton::clicked, this, slot);
         return made;
     };
+    // The one that is wanted most, so it comes first: in a narrow pane the last ones have to be scrolled to.
+    divergence_ = button(tr("divergence"), tr("Go to the first step that contradicts the exact answer (Ctrl+D)"),
+                         &DuelView::toDivergence);
+    divergence_->setObjectName(QStringLiteral("duel-divergence"));
     button(QStringLiteral("|◀"), tr("All methods to their first step"), &DuelView::first);
     button(QStringLiteral("◀"), tr("One step back in lockstep"), &DuelView::back);
     button(QStringLiteral("▶"), tr("One step forward in lockstep: the methods furthest behind take their next step"),
            &DuelView::forward);
     button(QStringLiteral("▶|"), tr("All methods to their answers"), &DuelView::last);
-    divergence_ = button(tr("divergence"), tr("Go to the first step that contradicts the exact answer (Ctrl+D)"),
-                         &DuelView::toDivergence);
-    divergence_->setObjectName(QStringLiteral("duel-divergence"));
     near_ = addToolButton(bar, tr("near the ray"), tr("Show only the heights that the ray passes"), true);
     near_->setObjectName(QStringLiteral("duel-near"));
     near_->setChecked(options_.nearRay);

@@ -19,6 +19,7 @@ using relief::MessageId;
 // Sizes in points.
 constexpr double kTrack = 26;
 constexpr double kAboveTracks = 4;
+constexpr double kBelowTracks = 6;  // for the lower part of the title below the last track
 constexpr double kMark = 6;
 constexpr double kNow = 11;
 constexpr double kRing = 6;
@@ -50,7 +51,8 @@ double namesWidth(const DuelSource& source, double width) {
 
 double tracksHeight(const DuelSource& source, double height) {
     const auto count = static_cast<double>(std::max<std::size_t>(source.count(), 1));
-    return kAboveTracks + count * std::clamp((kMostTracks * height - kAboveTracks) / count, kLeastTrack, kTrack);
+    const double room = kMostTracks * height - kAboveTracks - kBelowTracks;
+    return kAboveTracks + count * std::clamp(room / count, kLeastTrack, kTrack) + kBelowTracks;
 }
 
 LevelTint tintOf(std::size_t run) {
@@ -80,7 +82,7 @@ class DuelMarks {
     double xAt(double lambda) const { return frame_.xAt(std::clamp(lambda, 0.0, frame_.lambdaEnd)); }
     // Distance of the tracks above the plot; smaller if there is little room.
     double spacing() const {
-        const double room = frame_.plot.y0 - kTopRoom - kAboveTracks;
+        const double room = frame_.plot.y0 - kTopRoom - kAboveTracks - kBelowTracks;
         return std::clamp(room / static_cast<double>(std::max<std::size_t>(source_.count(), 1)), 1.0, kTrack);
     }
     double trackY(std::size_t r) const { return kAboveTracks + (static_cast<double>(r) + 0.5) * spacing(); }

@@ -78,11 +78,13 @@ class Rows {
     }
 
     void visibility() {
-        if (f_.counts.tested > 0) {
+        // Where the filter proved that nothing hides a texel, it may still have traced points for the proof.
+        if (f_.log.skipped) {
+            entry(Message(MessageId::DrawFootprintSkipped));
+        } else if (f_.counts.tested > 0) {
             entry(
                 Message(MessageId::DrawFootprintTested, {{"tested", f_.counts.tested}, {"hidden", f_.counts.hidden}}));
         }
-        if (f_.log.skipped) entry(Message(MessageId::DrawFootprintSkipped));
         if (f_.log.allHidden) entry(Message(MessageId::DrawFootprintAllHidden));
     }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "painting/chart.h"
 #include "panes/profile/profile_drawing.h"
 
 namespace reliefui {
@@ -16,6 +17,14 @@ void addWords(Drawing& drawing, Point at, Message text, Anchor anchor, Point off
         {}, Role::Background,
         Label{.at = at, .text = std::move(text), .anchor = anchor, .size = size, .offset = offset, .plate = true},
         Emphasis::Strong);
+}
+
+// Returns the centre of a text that has to be inside the visible part of the plot, as near to `x` as possible.
+double placeInside(double x, const Message& text, double size, const ProfileFrame& frame) {
+    constexpr double kPad = 4;  // of the plate, points
+    const Box seen = frame.seen();
+    const double half = (chart::widthOf(text) * size / chart::kTextSize / 2 + kPad) / frame.zoom;
+    return std::max(std::min(x, seen.x1 - half), seen.x0 + half);
 }
 
 }  // namespace
@@ -46,15 +55,16 @@ void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOption
             drawing.add({}, Role::Highlight, Polyline{{{end.x, y}, end}, false}, Emphasis::Faint);
         }
         drawing.add({}, Role::Highlight, Polyline{{{at.x, y}, {there.x, y}}, true}, Emphasis::Normal);
-        addWords(drawing, {(at.x + there.x) / 2, y},
-                 Message(MessageId::DrawGuessAnswer, {{"texels", relief::numberText(error, 3)}}), Anchor::Bottom,
+        const Message answer(MessageId::DrawGuessAnswer, {{"texels", relief::numberText(error, 3)}});
+        addWords(drawing, {placeInside((at.x + there.x) / 2, answer, kWords, frame), y}, answer, Anchor::Bottom,
                  {0, -3}, kWords);
     } else {
         addWords(drawing, {(seen.x0 + seen.x1) / 2, seen.y0}, Message(MessageId::DrawGuessMiss), Anchor::Top, {0, 4},
                  kWords);
     }
     drawing.add({}, Role::Highlight, Marker{at, Shape::Cross, 11}, Emphasis::Strong);
-    addWords(drawing, at, Message(MessageId::DrawGuess), Anchor::Top, {0, 7}, 1);
+    const Message guessed(MessageId::DrawGuess);
+    addWords(drawing, {placeInside(at.x, guessed, 1, frame), at.y}, guessed, Anchor::Top, {0, 7}, 1);
 }
 
 }  // namespace reliefui

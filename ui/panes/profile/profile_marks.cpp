@@ -322,11 +322,15 @@ class Marks {
         const Message words = std::isfinite(off)
                                   ? Message(MessageId::DrawExactOff, {{"texels", relief::numberText(off, kDigits)}})
                                   : Message(MessageId::DrawExact);
+        // Left of the ring if it would be cut off at the right.
+        const double width = kPlatePad + chart::widthOf(words) * kNumberSize / chart::kTextSize;
+        const bool left = points(at).x + kExactHalf + 3 + width > rim();
         drawing_.add({}, Role::Label,
                      Label{.at = at,
                            .text = words,
+                           .anchor = left ? Anchor::Right : Anchor::Left,
                            .size = kNumberSize,
-                           .offset = {kExactHalf + 3, 0},
+                           .offset = {left ? -kExactHalf - 3 : kExactHalf + 3, 0},
                            .plate = true,
                            .yields = true},
                      Emphasis::Strong);

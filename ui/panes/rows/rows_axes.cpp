@@ -146,7 +146,7 @@ Drawing rowsLegend(const RowsData& data, double width, relief::Language language
     if (legend != RowsLegend::Whole) return rows.take();
     if (exact) rows.sign(Role::Highlight, Marker{{}, Shape::Bar, 6}, Message(MessageId::DrawRowExact));
     if (data.affine) {
-        const std::string share = relief::numberText(100 * data.affine->share, 2) + "%";
+        const std::string share = relief::numberText(100 * data.affine->share, 2);
         rows.sign(Role::Highlight, Marker{{}, Shape::SquareHollow, 7},
                   Message(MessageId::DrawRowClosedForm, {{"share", share}}));
     }

@@ -7,6 +7,7 @@
 
 #include "algorithms/relief/fields.h"
 #include "relief/map_cache.h"
+#include "scenario/step_sentence.h"
 
 namespace relief::test {
 namespace {
@@ -80,6 +81,59 @@ TEST(Duel, AnAnswerBeforeTheSurfaceIsStoppedEarly) {
     EXPECT_TRUE(std::isinf(judgement.texels));
 }
 
+// The parallax offset reads one height, so no sentence may name other points as examined.
+TEST(Duel, OneHeightBehindAWallIsTakenAsFlat) {
+    const HeightField field = wall(64, 20, 0.1F, 0.8F);
+    for (const double s0 : {1.5, 8.5}) {
+        const Judged found = judged({"offset", {}}, field, {s0, 30.5, 40, 0});
+        ASSERT_GT(found.run.hit.lambda, found.exact.lambda);
+        EXPECT_EQ(found.judgement.kind, Departure::TakenAsFlat) << s0;
+        const Message message = judgementSentence(found.run, found.judgement, found.exact);
+        EXPECT_EQ(message.id, MessageId::DuelSaysTakenAsFlat);
+    }
+}
+
+// A relaxed cone does not promise to be empty, only that the ray enters the surface in it at most once.
+TEST(Duel, ARelaxedConeIsNotBlamedForAPromiseItNeverMade) {
+    constexpr std::uint64_t kSeed = 5;
+    const HeightField field(randomHeights(24, 24, kSeed), Surface::Bilinear, Address::Repeat, 0.3);
+    Random random(kSeed);
+    Work work(1);
+    MapCache cache;
+    int unsafe = 0;
+    int cones = 0;
+    for (const char* const halvings : {"0", "8"}) {
+        const auto tracer =
+            makeTracer({"relaxed-cone", {{"radius", "2"}, {"bisections", halvings}}}, field, cache, work);
+        for (int n = 0; n < 400; ++n) {
+            const ViewRay ray{random.unit() * 24, random.unit() * 24, random.unit() * 60 - 30, random.unit() * 60 - 30};
+            RayBlock rays;
+            rays.push(ray);
+            HitBlock hits;
+            StepLog log;
+            tracer->trace(rays, hits, log, work);
+            const DuelRun run{"relaxed-cone", hits[0], log.steps};
+            const Hit exact = exactHit(field, ray);
+            for (const Step& step : run.steps) {
+                const auto* const cone = step.as<subject::Cone>();
+                if (cone == nullptr) continue;
+                ++cones;
+                EXPECT_TRUE(cone->relaxed);
+                EXPECT_NE(mapPromise(step, {nullptr, ray, exact}), MapPromise::Broken);
+            }
+            const Judgement judgement = judge(run, exact, ray, field);
+            if (judgement.kind != Departure::UnsafeMap) continue;
+            ++unsafe;
+            EXPECT_EQ(judgementSentence(run, judgement, exact).id, MessageId::DuelSaysUnsafeRelaxed);
+            // What the sentence says: the ray has come out of the surface again.
+            const double to = judgement.to;
+            EXPECT_LT(field.at(ray.s0 + to * ray.a, ray.t0 + to * ray.b), 1 - to);
+        }
+    }
+    EXPECT_GT(unsafe, 0) << kSeed;
+    EXPECT_GT(cones, unsafe);
+}
+
 TEST(Duel, AMapThatPromisesTooMuchIsUnsafe) {
     // Distances of a relief without the wall, used for one with the wall: the behaviour of an outdated or unsafe map.
     const HeightField field = wall(64, 20, 0.1F, 0.8F);
@@ -142,7 +196,7 @@ TEST(Duel, LockStepKeepsAllAtTheSamePlace) {
 // described in a sentence.
 TEST(Duel, EveryDepartureIsNamed) {
     constexpr std::uint64_t kSeed = 20261;
-    std::array<int, 6> seen{};
+    std::array<int, 7> seen{};
     Work work(1);
     for (const Surface surface : allSurfaces()) {
         const HeightField field(randomHeights(24, 24, kSeed), surface, Address::Repeat, 0.3);
@@ -174,12 +228,12 @@ TEST(Duel, EveryDepartureIsNamed) {
 
 TEST(Duel, everyDepartureHasATitleOfItsOwn) {
     std::set<std::string> titles;
-    for (int kind = 0; kind <= static_cast<int>(Departure::NotRefined); ++kind) {
+    for (int kind = 0; kind <= static_cast<int>(Departure::TakenAsFlat); ++kind) {
         for (const Language language : {Language::English, Language::Ukrainian}) {
             titles.insert(sentence(departureTitle(static_cast<Departure>(kind)), language));
         }
     }
-    EXPECT_EQ(titles.size(), 12U);
+    EXPECT_EQ(titles.size(), 14U);
 }
 
 }  // namespace
