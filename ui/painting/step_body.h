@@ -20,7 +20,8 @@ struct StepBody {
     double slope = 0;   // cone: height per texel of horizontal distance, see away()
     double from = 0;    // cone: range of azimuths of (x, y) in which it is valid, in radians; 0 to 2 pi for all
     double to = 0;
-    bool square = false;  // cone
+    bool square = false;   // cone
+    bool refined = false;  // sphere: not empty, but without the first hit of any ray that reaches its centre
 
     explicit operator bool() const { return kind != Kind::None; }
     // Returns true if the cone is valid in that direction.
