@@ -89,7 +89,19 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
         if (!(value >= low && value <= kMost && value == std::floor(value))) lacks(at, MessageId::WantWhole);
         return static_cast<int>(value);
     };
-    enum class Kind : std::uint8_t { Texel, Quad, Voxel, Sphere, Cone, Layer, Point, SquareCone, RelaxedCone };
+    enum class Kind : std::uint8_t {
+        Texel,
+        Quad,
+        Voxel,
+        Sphere,
+        Cone,
+        Layer,
+        Point,
+        SquareCone,
+        RefinedVoxel,
+        RefinedSphere,
+        RelaxedCone
+    };
     const Kind kind = place.word<Kind>("kind", row.kind, kSubjectNames);
     switch (kind) {
         case Kind::Texel: {
@@ -100,9 +112,12 @@ Subject subjectOf(const Step& step, const SubjectRow& row, const Place& place) {
         case Kind::Quad:
             return subject::Quad{real(kS), real(kT), real(kWidth), real(kHeight), step.value};
         case Kind::Voxel:
-            return subject::Voxel{step.i, step.j, step.k, whole(kWidth, 1), whole(kCount, 1), step.value};
+        case Kind::RefinedVoxel:
+            return subject::Voxel{
+                step.i, step.j, step.k, whole(kWidth, 1), whole(kCount, 1), step.value, kind == Kind::RefinedVoxel};
         case Kind::Sphere:
-            return subject::Sphere{real(kS), real(kT), real(kZ), step.value};
+        case Kind::RefinedSphere:
+            return subject::Sphere{real(kS), real(kT), real(kZ), step.value, kind == Kind::RefinedSphere};
         case Kind::Cone:
         case Kind::SquareCone:
         case Kind::RelaxedCone: {
@@ -382,7 +397,9 @@ struct PlaceAxis {
         const auto first = static_cast<double>(index * side);
         const double last = std::min(static_cast<double>((index + 1) * side), static_cast<double>(most));
         const double middle = 0.5 * (first + last) - (cells ? axis.shift : 0.0);
-        const double lambda = cells ? 0.5 * (step.lambdaIn + step.lambdaOut) : step.lambdaOut;
+        // A map's value is read where the step begins, a height where it ends.
+        const double ofPoint = step.trustsMap() ? step.lambdaIn : step.lambdaOut;
+        const double lambda = cells ? 0.5 * (step.lambdaIn + step.lambdaOut) : ofPoint;
         const double at = along.start - axis.shift + lambda * along.run;
         const double periods = std::round((at - middle) / axis.texels);
         period = std::abs(periods) < static_cast<double>(kFarthestTexel) ? static_cast<std::int64_t>(periods) : 0;

@@ -98,7 +98,10 @@ Message advanceSentence(const Step& step, const StepContext& context) {
     const auto* const voxel = step.as<subject::Voxel>();
     if (sphere != nullptr || voxel != nullptr) {
         const std::string free = fixedText(voxel != nullptr ? voxel->distance : sphere->radius, kTexelDecimals);
-        return claimSentence(step, context, free, MessageId::StepSphere, MessageId::StepSphereBroken);
+        const bool refined = voxel != nullptr ? voxel->refined : sphere->refined;
+        const auto [kept, broken] = refined ? std::pair(MessageId::StepRefined, MessageId::StepRefinedBroken)
+                                            : std::pair(MessageId::StepSphere, MessageId::StepSphereBroken);
+        return claimSentence(step, context, free, kept, broken);
     }
     if (step.as<subject::Layer>() != nullptr) return aboutPoint(MessageId::StepLayerAbove, step, context);
     if (step.as<subject::Point>() != nullptr) return aboutPoint(MessageId::StepPointAbove, step, context);
@@ -267,7 +270,13 @@ Message stepSentence(const Step& step, const StepContext& context) {
 
 Message stepSentence(const std::vector<Step>& steps, std::size_t index, const ViewRay& ray,
                      const std::optional<Hit>& exact) {
-    return stepSentence(steps[index], {index > 0 ? &steps[index - 1] : nullptr, ray, exact});
+    const Step& step = steps[index];
+    const Step* const before = index > 0 ? &steps[index - 1] : nullptr;
+    Message said = stepSentence(step, {before, ray, exact});
+    // A refinement may go back and forth over an edge.
+    const bool same = before == nullptr || step.phase == Phase::Refine || before->phase == Phase::Refine ||
+                      (before->periodX == step.periodX && before->periodY == step.periodY);
+    return same ? said : Message(MessageId::StepOverEdge, {{"step", std::move(said)}});
 }
 
 double answerError(const Hit& answer, const Hit& exact, const ViewRay& ray) {

@@ -14,6 +14,7 @@
 #include <QSettings>
 
 #include "arguments.h"
+#include "end_signals.h"
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
@@ -284,14 +285,14 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
         const double fine = window.devicePixelRatioF();
         window.resize(qRound(arguments.width / fine), qRound(arguments.height / fine));
         window.resetLayout();
-    } else if (!shot && !arguments.anew) {
-        window.restoreLayout();
+    } else if (!shot) {
+        arguments.anew ? window.fitScreen() : window.restoreLayout();
     }
     if (shot) {
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
-    if (!shot) window.welcome();
+    if (!shot) window.welcome(arguments.anew);
     // When the first pictures are ready, brings a lesson's pane to the front, or adds the opened file to the recent
     // files.
     const QString file = shot ? QString() : QString::fromStdString(arguments.file);
@@ -326,6 +327,7 @@ int run(int count, char** values, const Arguments& arguments) {
     reliefui::setUpApplication(application);
     if (!shot) reliefui::installTranslations(reliefui::chosenLanguage());
     QApplication::setApplicationVersion(QStringLiteral(RELIEF_VERSION));
+    const EndSignals endSignals;
     reliefui::Workspace workspace(std::make_shared<const reliefui::StateReaders>(reliefui::stateReaders()));
     // Loading and rendering begin while the window is being created.
     workspace.start(start.scenario, std::move(start.pictures));

@@ -70,6 +70,41 @@ TEST_F(WindowTest, HoverReadsValuesOut) {
     EXPECT_TRUE(view->readout().contains(QStringLiteral("(0, 0)"))) << view->readout().toStdString();
 }
 
+// The picture below a resting pointer changes: what is read out is what lies there, until the pointer leaves.
+TEST_F(WindowTest, ARestingPointerReadsOutWhatComesUnderIt) {
+    openWindow(smallScenario());
+    QString ofResult;
+    QObject::connect(window_->result(), &ResultView::hovered, [&](const QString& text) { ofResult = text; });
+    PyramidView* const view = window_->pane<PyramidView>();
+    const QPoint pixel = onScreen(50, 40);
+    const LevelBlock top = view->blocks().back();
+    const QPointF texel = view->canvas()->toWidget({top.box.x0 + 3, top.box.y1 - 3});
+    for (const auto& [widget, at] : {std::pair<QWidget*, QPointF>{window_->result(), pixel}, {view->canvas(), texel}}) {
+        QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(widget, &move);
+    }
+    const auto turn = [&](const char* recipe) {
+        relief::Scenario next = scenario();
+        next.pictures.recipe = recipe;
+        next.camera.azimuth += 20;
+        workspace_->change(next, QStringLiteral("test"));
+        waitForFull();
+        QTest::qWait(30);
+    };
+    const QString pixelBefore = ofResult, texelBefore = view->readout();
+    turn("fractal");
+    EXPECT_NE(ofResult, pixelBefore);
+    EXPECT_NE(view->readout(), texelBefore);
+    EXPECT_TRUE(view->readout().contains(QStringLiteral("(0, 0)"))) << view->readout().toStdString();
+    for (QWidget* const widget : {static_cast<QWidget*>(window_->result()), static_cast<QWidget*>(view->canvas())}) {
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(widget, &leave);
+    }
+    turn("bricks");
+    EXPECT_TRUE(ofResult.isEmpty());
+    EXPECT_TRUE(view->readout().isEmpty());
+}
+
 TEST_F(WindowTest, CyrillicLettersAreDrawnByVtk) {
     DrawingCanvas canvas;
     canvas.resize(300, 100);

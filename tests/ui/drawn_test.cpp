@@ -214,12 +214,16 @@ TEST_F(DrawnPane, AHeightIsTypedAndKeysWork) {
     QTest::mouseClick(grid(), Qt::LeftButton, {}, grid()->placeOf(4, 5).toPoint());
     auto* const spin = view()->findChild<QDoubleSpinBox*>(QStringLiteral("drawn-height"));
     EXPECT_EQ(spin->value(), 0.25);
+    QMouseEvent rest(QEvent::MouseMove, grid()->placeOf(4, 5), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(grid(), &rest);
+    EXPECT_TRUE(view()->readout().endsWith(QStringLiteral("0.250"))) << view()->readout().toStdString();
     QTest::keyClick(grid(), Qt::Key_Return);
     EXPECT_TRUE(spin->hasFocus());
     QTest::keyClicks(spin, QStringLiteral("0.875"));
     QTest::keyClick(spin, Qt::Key_Return);
     waitForFull();
     EXPECT_EQ(drawn().at(4, 5), 0.875);
+    EXPECT_TRUE(view()->readout().endsWith(QStringLiteral("0.875"))) << "the pointer rests on the texel";
     expectFollowed();
     grid()->setFocus();
     QTest::keyClick(grid(), Qt::Key_Right);

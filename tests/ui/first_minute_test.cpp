@@ -50,6 +50,9 @@ TEST_F(FirstMinute, AWelcomeIsShownOnce) {
         EXPECT_TRUE(messages()->text().contains(QLatin1String(thing))) << thing;
     }
     messages()->close();
+    window_->welcome(true);
+    EXPECT_TRUE(messages()->isVisible()) << "a start anew";
+    messages()->close();
     window_->welcome();
     EXPECT_FALSE(messages()->isVisible());
 }

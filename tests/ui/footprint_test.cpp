@@ -330,9 +330,11 @@ TEST_F(FootprintTest, TexelsHaveTheirWholeWeightAndSumToAHundredPercent) {
             logged[{t.level, t.i, t.j, t.hidden}] += PixelFootprint::weightOf(t);
         }
         std::set<std::tuple<int, double, double, bool>> places;
+        std::set<std::tuple<int, double, double>> different;
         double percent = 0;
         for (const relief::FootprintTexel& t : f.log.texels) {
             EXPECT_TRUE(places.emplace(t.level, t.u, t.v, t.hidden).second) << form << ": shown twice";
+            different.emplace(t.level, t.u, t.v);
             const double weight = PixelFootprint::weightOf(t);
             shown[{t.level, t.i, t.j, t.hidden}] += weight;
             if (!t.hidden) percent += 100 * weight / f.weightSum;
@@ -349,6 +351,17 @@ TEST_F(FootprintTest, TexelsHaveTheirWholeWeightAndSumToAHundredPercent) {
                       e.radius * e.radius * (1 + kPlaces));
         }
         EXPECT_NEAR(percent, 100, kPercent) << form;
+        EXPECT_EQ(f.texelCount, different.size()) << form << ": a texel hidden in part is one texel";
+        // Dots off the curve are explained: texels of which parts were sampled.
+        if (hasWeights(f)) {
+            const relief::Message parts(relief::MessageId::DrawWeightParts);
+            bool explained = false;
+            for (const Item& item : weightLegend(f, 400, relief::Language::English).items) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                if (label != nullptr && label->text.id == parts.id) explained = true;
+            }
+            EXPECT_EQ(explained, log.texels.size() > f.log.texels.size()) << form;
+        }
         ASSERT_EQ(shown.size(), logged.size()) << form;
         for (const auto& [name, weight] : logged) {
             EXPECT_NEAR(100 * shown[name] / f.weightSum, 100 * weight / f.weightSum, kPercent) << form;

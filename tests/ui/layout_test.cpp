@@ -194,9 +194,19 @@ TEST_F(LayoutTest, TeachingShowsOnePaneThePictureAndTheStepInWords) {
     const QString said = words->text();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Comma);
     EXPECT_NE(words->text(), said);
+    // Large type and back, and the end of teaching: the pane in use stays in front.
+    const auto profileInFront = [&] { return !dock("profile-pane")->visibleRegion().isEmpty(); };
+    for (const bool projector : {true, false}) {
+        window_->setProjector(projector);
+        QTest::qWait(kLayoutMs);
+        EXPECT_TRUE(profileInFront()) << projector;
+    }
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_T);
     QTest::qWait(kLayoutMs);
     EXPECT_FALSE(window_->teaching());
+    EXPECT_TRUE(profileInFront());
+    dock("pyramid-pane")->raise();
+    QTest::qWait(kLayoutMs);
     EXPECT_EQ(places(), before);
     EXPECT_FALSE(words->isVisible());
 }
@@ -212,6 +222,24 @@ TEST_F(LayoutTest, AFilledPaneKeepsTheStepInWords) {
     fill("profile-pane");
     QTest::qWait(kLayoutMs);
     EXPECT_FALSE(words->isVisible());
+    // Escape leaves the filled pane, guessing and large type as well, one at a time.
+    fill("profile-pane");
+    window_->setProjector(true);
+    workspace_->setGuessing(true);
+    QTest::qWait(kLayoutMs);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace_->busy(); }, kSettledMs));
+    const auto escape = [&] {
+        QTest::keyClick(window_.get(), Qt::Key_Escape);
+        QTest::qWait(kLayoutMs);
+    };
+    escape();
+    EXPECT_FALSE(workspace_->guessing());
+    EXPECT_FALSE(window_->result()->isVisible());
+    escape();
+    EXPECT_TRUE(window_->result()->isVisible());
+    EXPECT_TRUE(workspace_->style().projector);
+    escape();
+    EXPECT_FALSE(workspace_->style().projector);
 }
 
 TEST_F(LayoutTest, LayoutsOfOnesOwnAreKept) {

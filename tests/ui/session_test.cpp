@@ -262,6 +262,25 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString(), stateReaders()), first);
 }
 
+// A shutdown of the system asks every program to end; that is no crash.
+TEST_F(SessionTest, AskingTheProgramToEndLeavesNothing) {
+    const QString file = folder_.filePath(QStringLiteral("small.json"));
+    relief::saveScenario(file.toStdString(), smallScenario());
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.path());
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.setProcessChannelMode(QProcess::ForwardedChannels);
+    process.start(QStringLiteral(RELIEFSCOPE), {file});
+    ASSERT_TRUE(process.waitForStarted());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return sendKey(process.processId(), "Home"); }, kPatienceMs)) << "no window";
+    process.terminate();  // SIGTERM
+    ASSERT_TRUE(QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kPatienceMs));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(process.exitCode(), 0);
+    EXPECT_TRUE(unfinished().isEmpty()) << unfinished().join(' ').toStdString();
+}
+
 }  // namespace
 
 }  // namespace reliefui

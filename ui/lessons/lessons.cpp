@@ -35,7 +35,7 @@ std::vector<Lesson> lessons() {
                          "again. The keys “,” and “.” go from step to step."),
                "profile"),
         lesson("missed_spike", Texts::tr("Missed spike: layers against the maximum pyramid"),
-               Texts::tr("With sixteen layers the surface is sampled at only sixteen points of the ray, so a spike "
+               Texts::tr("With sixteen layers the surface is sampled at only seventeen points of the ray, so a spike "
                          "between two of them goes unnoticed. The maximum pyramid misses no hit."),
                kDuel, Departure::MissedSpike),
         lesson("not_refined", Texts::tr("Not refined: the last layer is the answer"),

@@ -127,10 +127,11 @@ void LegendRows::bodies(const std::vector<relief::Step>& steps, const relief::Vi
         broken = broken || (bodyRole(step, ray, exact) == Role::Overshoot && (!drawn || drawn(body)));
     }
     if (!some) return;
-    const MessageId promise = some.kind != StepBody::Kind::Cone ? MessageId::DrawPromisedSphere
-                              : some.relaxed                    ? MessageId::DrawPromisedRelaxedCone
-                              : some.square                     ? MessageId::DrawPromisedSquareCone
-                                                                : MessageId::DrawPromisedCone;
+    const MessageId promise = some.refined                        ? MessageId::DrawPromisedRefined
+                              : some.kind != StepBody::Kind::Cone ? MessageId::DrawPromisedSphere
+                              : some.relaxed                      ? MessageId::DrawPromisedRelaxedCone
+                              : some.square                       ? MessageId::DrawPromisedSquareCone
+                                                                  : MessageId::DrawPromisedCone;
     line(Role::Empty, Message(promise));
     if (broken) line(Role::Overshoot, Message(MessageId::DrawPromiseBroken));
 }

@@ -1,5 +1,6 @@
 #include "painting/range_legend.h"
 
+#include <array>
 #include <cmath>
 
 #include <QCoreApplication>
@@ -26,12 +27,22 @@ constexpr double kBetween = 10;
 constexpr double kEdge = 3;  // allowance in points, because the painter rounds font sizes
 constexpr ItemId kColorBar{ItemKind::ColorBar, 0, 0, 0};
 
-// Formats with three significant digits, but keeps all digits before the decimal point.
+// Formats with three significant digits, but keeps all digits before the decimal point; very small and large numbers
+// with a power of ten.
 std::string numberOf(double value) {
     constexpr int kLeast = 3;
     constexpr int kMost = 7;
     const double size = std::max(std::abs(value), 1.0);
-    return relief::numberText(value, std::clamp(static_cast<int>(std::floor(std::log10(size))) + 1, kLeast, kMost));
+    const std::string text =
+        relief::numberText(value, std::clamp(static_cast<int>(std::floor(std::log10(size))) + 1, kLeast, kMost));
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos) return text;
+    constexpr std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string power = text[e + 1] == '-' ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(std::stoi(text.substr(e + 1))))) {
+        power += kRaised[static_cast<std::size_t>(digit - '0')];
+    }
+    return text.substr(0, e) + "×10" + power;
 }
 
 QString number(double value) {

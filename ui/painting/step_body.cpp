@@ -36,9 +36,11 @@ StepBody stepBody(const relief::Step& step) {
     if (!step.trustsMap()) return body;
     if (const auto* const sphere = step.as<subject::Sphere>()) {
         body = {StepBody::Kind::Sphere, step.lambdaIn, sphere->radius};
+        body.refined = sphere->refined;
     } else if (const auto* const voxel = step.as<subject::Voxel>()) {
         // The distance is valid for every point of the voxel: the ray continues from where it leaves the voxel.
         body = {StepBody::Kind::Sphere, step.lambdaOut, voxel->distance};
+        body.refined = voxel->refined;
     } else if (const auto* const cone = step.as<subject::Cone>()) {
         body.kind = StepBody::Kind::Cone;
         body.lambda = cone->ofCell ? step.lambdaOut : step.lambdaIn;

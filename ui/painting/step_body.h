@@ -22,6 +22,7 @@ struct StepBody {
     double to = 0;
     bool square = false;   // cone
     bool relaxed = false;  // cone: not empty, but entered at most once
+    bool refined = false;  // sphere: not empty, but without the first hit of any ray that reaches its centre
 
     explicit operator bool() const { return kind != Kind::None; }
     // Returns true if the cone is valid in that direction.

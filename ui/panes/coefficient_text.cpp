@@ -9,8 +9,9 @@ namespace reliefui {
 QStringList coefficientLines(const relief::PixelCoefficients& pixel) {
     constexpr int kFigures = 4;
     const auto named = [](const char* name, double value) {
+        // The sum has no negative zero.
         return QStringLiteral("%1 %2").arg(QLatin1String(name),
-                                           QString::fromStdString(relief::numberText(value, kFigures)));
+                                           QString::fromStdString(relief::numberText(value + 0.0, kFigures)));
     };
     const auto line = [](const QStringList& parts) { return parts.join(QStringLiteral(", ")); };
     const relief::Homography& f = pixel.map;

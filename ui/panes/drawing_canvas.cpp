@@ -39,6 +39,7 @@ void DrawingCanvas::setLayers(std::vector<std::shared_ptr<const Drawing>> layers
     legend_ = std::move(legend);
     if (home_) map_ = ViewMap::fitting(bounds(), screenRoom());
     update();
+    if (pointer_) deferredReading_.start();
 }
 
 std::shared_ptr<const Drawing> DrawingCanvas::showLegend(Drawing legend, double most) {
@@ -140,6 +141,7 @@ void DrawingCanvas::resetZoom() {
     home_ = true;
     map_ = ViewMap::fitting(bounds(), screenRoom());
     update();
+    if (pointer_) deferredReading_.start();
     Q_EMIT moved();
 }
 
@@ -161,7 +163,16 @@ void DrawingCanvas::setMap(const ViewMap& map) {
     map_.dy += std::max(0.0, room.y0 + keep - now.y1) - std::max(0.0, now.y0 - (room.y1 - keep));
     home_ = false;
     update();
+    if (pointer_) deferredReading_.start();
     Q_EMIT moved();
+}
+
+// Reads out what lies under a resting pointer, after another drawing or part of it has come there.
+void DrawingCanvas::readAgain() {
+    if (!pointer_ || dragging_) return;
+    const QPointF at = *pointer_;
+    Q_EMIT hovered(itemAt(at));
+    Q_EMIT pointed(at);
 }
 
 void DrawingCanvas::paintEvent(QPaintEvent*) {
@@ -194,6 +205,7 @@ void DrawingCanvas::mousePressEvent(QMouseEvent* event) {
 
 void DrawingCanvas::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->localPos();
+    pointer_ = at;
     if ((event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) == 0) {
         Q_EMIT hovered(itemAt(at));
         Q_EMIT pointed(at);
@@ -228,6 +240,7 @@ void DrawingCanvas::wheelEvent(QWheelEvent* event) {
 
 void DrawingCanvas::leaveEvent(QEvent* event) {
     QWidget::leaveEvent(event);
+    pointer_.reset();
     Q_EMIT hovered({});
     Q_EMIT left();
 }

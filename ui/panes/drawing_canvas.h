@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QWidget>
 
 #include "painting/cell_pictures.h"
+#include "panes/deferred_call.h"
 
 namespace reliefui {
 
@@ -49,9 +51,10 @@ class DrawingCanvas : public QWidget {
     void pointQueried(const QPointF& widget);  // Ctrl+click, emitted instead of the two others: query this point
     void hovered(const reliefui::ItemId& id);  // id of the item under the pointer; ItemKind::None: no item
     void resized();
-    void moved();                         // zoomed or moved, so that another part is visible
-    void pointed(const QPointF& widget);  // the pointer moved to this point
-    void left();                          // the pointer left the widget
+    void moved();  // zoomed or moved, so that another part is visible
+    // The pointer moved to this point, or rests there while the drawing has changed.
+    void pointed(const QPointF& widget);
+    void left();  // the pointer left the widget
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -69,6 +72,7 @@ class DrawingCanvas : public QWidget {
     ViewMap legendMap() const;
     Box bounds() const;
     void setMap(const ViewMap& map);
+    void readAgain();
     Style deviceStyle() const;  // scaled to physical pixels
 
     Style style_;
@@ -79,7 +83,10 @@ class DrawingCanvas : public QWidget {
     bool dragging_ = false;
     QPointF pressed_;
     QPointF last_;
+    std::optional<QPointF> pointer_;  // where the pointer rests; none while it is elsewhere
     CellPictures cells_;
+    // Delayed until the pane has set all that its readout depends on.
+    DeferredCall deferredReading_{this, [this] { readAgain(); }};
 };
 
 }  // namespace reliefui

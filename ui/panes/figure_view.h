@@ -38,8 +38,8 @@ class FigureView : public QWidget {
     // Asks for a file name, then saves.
     void askFigure();
 
-    // Cancels the pane's computations; figures are cancelled by Workspace::cancel().
-    virtual void cancel() {}
+    // Cancels the pane's computations and returns true if there were any; figures are cancelled by Workspace::cancel().
+    virtual bool cancel() { return false; }
 
   signals:
     void saved(const QString& path);

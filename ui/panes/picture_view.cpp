@@ -75,6 +75,16 @@ void PictureView::resetZoom() {
     zoom_ = 1;
     center_ = {0.5, 0.5};
     update();
+    readAgain();
+}
+
+void PictureView::readAgain() {
+    if (pointer_ && drag_ == Drag::None) readOutHover(*pointer_);
+}
+
+void PictureView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    pointer_.reset();
 }
 
 void PictureView::zoom(double factor, QPointF at) {
@@ -87,6 +97,7 @@ void PictureView::zoom(double factor, QPointF at) {
     center_ += QPointF(moved.x() / size.width(), moved.y() / size.height());
     if (zoom_ == 1.0) center_ = {0.5, 0.5};
     update();
+    readAgain();
 }
 
 void PictureView::mousePressEvent(QMouseEvent* event) {
@@ -100,6 +111,7 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
 void PictureView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->localPos();
     const QPointF delta = at - last_;
+    pointer_ = at;
     if (drag_ == Drag::Pressed && (at - pressed_).manhattanLength() >= QApplication::startDragDistance()) {
         workspace_->finishInteraction();
         drag_ = Drag::Orbit;

@@ -31,10 +31,13 @@ class PictureView : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
     // The rectangle of this widget with the picture at this point; empty if there is none.
     virtual QRectF roomAt(QPointF widget) const = 0;
     virtual void readOutHover(QPointF at) = 0;
+    // Call this after another picture has come under the pointer, which may rest.
+    void readAgain();
 
     Workspace* workspace() const { return workspace_; }
     QSize pictureSize() const;
@@ -59,6 +62,7 @@ class PictureView : public QWidget {
     Drag drag_ = Drag::None;
     QPointF pressed_;
     QPointF last_;
+    std::optional<QPointF> pointer_;  // where the pointer is; none while it is elsewhere
     QTimer wheelRest_;
 };
 

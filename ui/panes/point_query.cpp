@@ -203,10 +203,16 @@ void addPointLegend(LegendRows& rows, const PointQuery& query) {
     if (hides(query)) rows.line(Role::Hidden, Message(MessageId::DrawPointHidden));
     if (!found.reached) return rows.words(Message(MessageId::DrawPointNoRay));
     const relief::ViewRay& ray = found.ray;
-    const std::string text = fixed(ray.s0) + "," + fixed(ray.t0) + "," + fixed(ray.a) + "," + fixed(ray.b);
+    constexpr int kDigits = 4;
+    const auto brief = [](double value) { return relief::numberText(value, kDigits); };
     const char* const name = decidingName(hides(query));
     rows.line(Role::SeriesDashed,
-              Message(MessageId::DrawPointRefined, {{"texels", fixed(found.refined)}, {"name", name}, {"ray", text}}),
+              Message(MessageId::DrawPointRefined, {{"texels", fixed(found.refined)},
+                                                    {"name", name},
+                                                    {"s", brief(ray.s0)},
+                                                    {"t", brief(ray.t0)},
+                                                    {"a", brief(ray.a)},
+                                                    {"b", brief(ray.b)}}),
               kRefined);
 }
 

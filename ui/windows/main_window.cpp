@@ -251,14 +251,26 @@ void MainWindow::dropStaleMessage() {
     if (others || (messages_->isProblem() && later)) messages_->close();
 }
 
-void MainWindow::welcome() {
+void MainWindow::welcome(bool always) {
     const QString key = QStringLiteral("welcomed");
     QSettings settings;
-    if (settings.value(key).toBool()) return;
+    if (!always && settings.value(key).toBool()) return;
     settings.setValue(key, true);
     report(tr("Welcome. Three things to do: click a pixel to choose its ray; step along it with , and . (comma, full "
               "stop); drag the picture to look around. F1 lists all keys."),
            false);
+}
+
+// Cancels what is running. If nothing is, leaves what hides a part of the window: guessing, a pane that fills it, the
+// projector mode.
+void MainWindow::cancel() {
+    bool ran = workspace_->busy() || workspace_->tasks().busy();
+    workspace_->cancel();
+    for (FigureView* const view : findChildren<FigureView*>()) ran = view->cancel() || ran;
+    if (ran) return;
+    if (workspace_->guessing()) return workspace_->setGuessing(false);
+    if (filled_ != nullptr) return fill(filled_);
+    setProjector(false);
 }
 
 void MainWindow::showMessages() {

@@ -56,8 +56,8 @@ class MainWindow : public QMainWindow {
     MessageBar* question() { return question_; }
     // Call this after one of the two message lines was shown or hidden.
     void showMessages();
-    // Shows what can be done in the window, once per user.
-    void welcome();
+    // Shows what can be done in the window, once per user; always: also if it was shown before.
+    void welcome(bool always = false);
     TopBar* topBar() { return topBar_; }
     StatusLine* status() { return status_; }
 
@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
     void keepLayout() const;
     // Restores what keepLayout() stored; without that, fits the window to the screen.
     void restoreLayout();
+    // Fits the window, with its frame, to the screen.
+    void fitScreen();
     // The layout that keepLayout() stores, as a value, and the reverse.
     QVariantMap layoutNow() const;
     void takeLayout(const QVariantMap& layout);
@@ -134,12 +136,13 @@ class MainWindow : public QMainWindow {
     void closePane(QWidget* whole);
     void emptyClosed();
     void fill(QWidget* pane);
+    QDockWidget* visiblePane() const;
+    void keepInFront(QDockWidget* pane);
     void showView(View view, QWidget* pane = nullptr);
     void adaptToView();
     void restoreKept();
     void restorePanes(const QByteArray& state);
     void applyType(const Style& style);
-    void fitScreen();
     void focusWhole(QWidget* whole);
     void focusPane(std::size_t number);
     void focusPane(const QString& name);
@@ -173,6 +176,7 @@ class MainWindow : public QMainWindow {
     void askPixel();
     void askView(const QString& view);
     void exportFocused();
+    void cancel();
     void showShortcuts();
     void showManual();
     void showPauses();

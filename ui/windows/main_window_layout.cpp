@@ -192,8 +192,23 @@ void MainWindow::fill(QWidget* pane) {
 
 void MainWindow::setTeaching(bool on) {
     if (on == (view_ == View::Teach)) return;
+    QDockWidget* const active = visiblePane();
     showView(on ? View::Teach : View::All);
-    focusWhole(activePane());
+    keepInFront(active);
+    focusWhole(active != nullptr ? active : activePane());
+}
+
+// The explaining pane in use; null if none is on screen.
+QDockWidget* MainWindow::visiblePane() const {
+    QDockWidget* const active = activePane();
+    return active->visibleRegion().isEmpty() ? nullptr : active;
+}
+
+// Shows a pane that was in use before the panes were arranged in another way, which may have hidden it.
+void MainWindow::keepInFront(QDockWidget* pane) {
+    if (pane == nullptr) return;
+    pane->show();
+    pane->raise();
 }
 
 // Gives a pane the focus; hiding the others has moved it.
@@ -230,6 +245,7 @@ void MainWindow::setProjector(bool on) {
     if (on == workspace_->style().projector) return;
     const View view = view_;
     QWidget* const filled = filled_;
+    QDockWidget* const active = view == View::Filled ? nullptr : visiblePane();
     showView(View::All);
     kept_[!on] = saveState();
     kept_[on] = on ? QByteArray() : kept_[on];
@@ -238,6 +254,8 @@ void MainWindow::setProjector(bool on) {
         place_ = saveGeometry();
         setWindowState(windowState() | Qt::WindowFullScreen);
     } else {
+        // Stated apart: with the state of a maximised window in the same request, window managers keep the full screen.
+        setWindowState(windowState() & ~Qt::WindowFullScreen);
         restoreGeometry(place_);
     }
     // While the type is small: in large type the panes of the other arrangement would make the window wider than the
@@ -250,6 +268,7 @@ void MainWindow::setProjector(bool on) {
     projector_->setChecked(on);
     on ? shareRoom() : restorePanes(kept_[on]);
     if (view != View::All) showView(view, filled);
+    keepInFront(active);
 }
 
 // Sets fonts and style for the window's mode and size.

@@ -111,11 +111,10 @@ void MainWindow::makeEditMenu() {
         if (const auto snapshot = workspace_->snapshot()) QApplication::clipboard()->setImage(snapshot->layer.image);
     });
     menu->addSeparator();
-    auto* const cancel = addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape), tr("Cancel the running work"));
-    connect(cancel, &QAction::triggered, workspace_, &Workspace::cancel);
-    for (FigureView* const view : findChildren<FigureView*>()) {
-        connect(cancel, &QAction::triggered, view, &FigureView::cancel);
-    }
+    auto* const cancel =
+        addAction(menu, tr("C&ancel"), QKeySequence(Qt::Key_Escape),
+                  tr("Cancel the running work; without any, leave guessing, a filled pane or the projector"));
+    connect(cancel, &QAction::triggered, this, &MainWindow::cancel);
 }
 
 void MainWindow::makeViewMenu() {
@@ -341,7 +340,8 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("Ctrl+Shift+C"), tr("copy the relief trace command of the pixel")},
         {QStringLiteral("T"), tr("teach: one pane large, the picture in a corner")},
         {QStringLiteral("F11"), tr("projector")},
-        {QStringLiteral("Esc"), tr("cancel the running work")},
+        {QStringLiteral("Esc"),
+         tr("cancel the running work; without any, leave guessing, a filled pane or the projector")},
     };
     QString html = QStringLiteral("<table cellpadding=4>");
     for (const auto& [keys, what] : rows) {

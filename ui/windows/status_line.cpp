@@ -163,7 +163,10 @@ void StatusLine::showBusy(bool busy) {
 
 void StatusLine::showProgress(const QString& what, double fraction) {
     if (fraction < 0) return;
-    what_->setText(coreText(what.toStdString()));
+    const QString words = coreText(what.toStdString());
+    // The core names the building of a map by the map alone.
+    const QLatin1String map("map ");
+    what_->setText(words.startsWith(map) ? tr("building the map “%1”").arg(words.mid(map.size())) : words);
     bar_->setValue(static_cast<int>(fraction * 1000));
 }
 

@@ -34,16 +34,17 @@ void LatestJob::start(Job job) {
     wake_.notify_all();
 }
 
-void LatestJob::cancel() {
-    if (!busy()) return;
+bool LatestJob::cancel() {
+    if (!busy()) return false;
     const std::lock_guard lock(mutex_);
     if (next_) {
         next_.reset();
         post(latest_, [this] { listener_.failed({}); });
-        return;
+        return true;
     }
     userCancel_ = true;
     stop_.request_stop();
+    return true;
 }
 
 void LatestJob::drop() {

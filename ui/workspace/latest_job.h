@@ -39,8 +39,8 @@ class LatestJob {
     LatestJob& operator=(const LatestJob&) = delete;
 
     void start(Job job);
-    // Cancels the job on behalf of the user, and reports that to the listener.
-    void cancel();
+    // Cancels the job on behalf of the user, and reports that to the listener. Returns false if there is none.
+    bool cancel();
     // Cancels the job without a report.
     void drop();
     bool busy() const;

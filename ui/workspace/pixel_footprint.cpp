@@ -152,7 +152,12 @@ void addNeighbours(PixelFootprint& out, const relief::Frame& frame, const relief
 
 void sumWeights(PixelFootprint& out) {
     double hidden = 0;
+    const FootprintTexel* before = nullptr;
     for (const FootprintTexel& texel : out.log.texels) {
+        // The hidden part of a texel follows its visible part.
+        const auto place = [](const FootprintTexel& t) { return std::tuple(t.level, t.v, t.u); };
+        if (before == nullptr || place(*before) != place(texel)) ++out.texelCount;
+        before = &texel;
         const double weight = PixelFootprint::weightOf(texel);
         (texel.hidden ? hidden : out.greatest) = std::max(texel.hidden ? hidden : out.greatest, weight);
         if (!texel.hidden) out.weightSum += weight;

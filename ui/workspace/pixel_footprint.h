@@ -51,7 +51,7 @@ struct PixelFootprint {
     // centre with its whole weight, and a second time with the hidden part of its weight, if any.
     relief::FootprintLog log;
     relief::FootprintCounts counts;
-    bool listed = true;  // false: too many texels to list each of them
+    bool listed = true;          // false: too many texels to list each of them
     double weightSum = 0;
     // largest weight of a visible texel; of a hidden one if only hidden ones are listed
     double greatest = 0;
@@ -64,6 +64,7 @@ struct PixelFootprint {
     relief::LevelAxis across, down;                      // axes of the level
     glm::dvec2 perHeight{1};                             // texels of the level per texel of the height map
     std::optional<relief::EllipticalSettings> weighing;  // for filters that weight the texels of an ellipse
+    std::size_t texelCount = 0;                          // number of different texels listed
 
     int level() const { return log.footprint.level; }
     glm::dvec2 centre() const { return log.footprint.centre; }

@@ -58,7 +58,8 @@ struct Quad {
 };
 // A voxel of a distance map: `footprint` cells along each side, one of `layers` in height. The map claims that the
 // surface is at least `distance` away from all of its points; negative: the surface may pass through the voxel, and its
-// cells are tested.
+// cells are tested. refined: it claims only that no ray of its class that reaches the voxel without having hit anything
+// hits the surface within `distance`.
 struct Voxel {
     std::int64_t i = 0;
     std::int64_t j = 0;
@@ -66,14 +67,16 @@ struct Voxel {
     int footprint = 1;
     int layers = 1;
     double distance = 0;
+    bool refined = false;
     bool operator==(const Voxel&) const = default;
 };
-// A distance looked up at a point of the ray: a sphere that the map claims to be empty.
+// A distance looked up at a point of the ray: a sphere that the map claims to be empty. refined: as of Voxel.
 struct Sphere {
     double s = 0;
     double t = 0;
     double z = 0;
     double radius = 0;
+    bool refined = false;
     bool operator==(const Sphere&) const = default;
 };
 // A cone with its apex at (s, t, apex) that the map claims to be empty within one azimuth sector of `sectors`. slope:
@@ -108,14 +111,25 @@ struct Point {
 
 using Subject = std::variant<subject::Texel, subject::Quad, subject::Voxel, subject::Sphere, subject::Cone,
                              subject::Layer, subject::Point>;
-// Names in files: the types of Subject in order, and at last square and relaxed cones.
-inline constexpr std::array<std::string_view, 9> kSubjectNames{"texel", "quad",  "voxel",       "sphere",      "cone",
-                                                               "layer", "point", "square-cone", "relaxed-cone"};
-static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 2);
+// Names in files: the types of Subject in order, then their variants.
+inline constexpr std::array<std::string_view, 11> kSubjectNames{
+    "texel", "quad",        "voxel",         "sphere",         "cone",        "layer",
+    "point", "square-cone", "refined-voxel", "refined-sphere", "relaxed-cone"};
+static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 4);
 inline std::string_view subjectName(const Subject& subject) {
-    const auto* const cone = std::get_if<subject::Cone>(&subject);
-    if (cone != nullptr && cone->relaxed) return kSubjectNames[8];
-    return cone != nullptr && cone->square ? kSubjectNames[7] : kSubjectNames[subject.index()];
+    if (const auto* const cone = std::get_if<subject::Cone>(&subject); cone != nullptr && cone->square) {
+        return kSubjectNames[7];
+    }
+    if (const auto* const voxel = std::get_if<subject::Voxel>(&subject); voxel != nullptr && voxel->refined) {
+        return kSubjectNames[8];
+    }
+    if (const auto* const sphere = std::get_if<subject::Sphere>(&subject); sphere != nullptr && sphere->refined) {
+        return kSubjectNames[9];
+    }
+    if (const auto* const cone = std::get_if<subject::Cone>(&subject); cone != nullptr && cone->relaxed) {
+        return kSubjectNames[10];
+    }
+    return kSubjectNames[subject.index()];
 }
 
 // One decision. [lambdaIn, lambdaOut]: the interval of the ray that it covers; the ray's heights there are 1 - lambda.
@@ -150,7 +164,7 @@ struct Step {
     // Returns true if (i, j) is the texel below the ray and not a texel of a pyramid, a cell or a voxel.
     bool namesTexelUnderRay() const { return atPoint() || as<subject::Quad>() != nullptr; }
     bool tests() const { return decision == Decision::Test || decision == Decision::Hit; }
-    // Returns true if the ray advanced as far as a distance or cone map claims to be safe.
+    // Returns true if the ray advanced because of the claim of a distance or cone map.
     bool trustsMap() const {
         const bool map = as<subject::Voxel>() || as<subject::Sphere>() || as<subject::Cone>();
         return map && decision == Decision::Advance;

@@ -78,6 +78,7 @@ class DistanceMap {
         const bool any = kind == DistanceKind::Euclidean || kind == DistanceKind::EuclideanConservative;
         return any ? RayClass::AnyRays : RayClass::ViewRays;
     }
+    bool refined() const { return rays() == RayClass::ViewRays; }
     float at(int bx, int by, int layer, int sector) const { return values(bx, by, sector * layers() + layer); }
 
     // For kinds of centres only: texels (s, t) and height z of a voxel's centre, and the trilinearly interpolated value

@@ -98,6 +98,7 @@ Hit ConeMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment 
         const double after = lambda;
         sink.step([&, s = s, t = t] {
             Step step = surface.record(Phase::Search, Decision::Advance, before, before, kappa, after);
+            step.lambdaOut = after;
             step.subject =
                 subject::Cone{s, t, gap + 1 - before, kappa, 0, 1, false, false, map_->kind == ConeKind::Relaxed};
             return step;

@@ -66,7 +66,9 @@ class DistanceMarch {
     // Record of a step from lambda `in`, with the voxel from which its distance is fetched.
     Step record(const SampledSurface& surface, Decision decision, double in, double value, double after) const {
         Step step = surface.record(Phase::Search, decision, in, in, value, after);
-        step.subject = surface.sphereAt(in, value);
+        subject::Sphere sphere = surface.sphereAt(in, value);
+        sphere.refined = map_->refined();
+        step.subject = sphere;
         step.lambdaOut = after;
         step.i = step.i * map_->nx() / field().width();
         step.j = step.j * map_->ny() / field().height();

@@ -92,8 +92,8 @@ class DistanceWalk {
         Step step = cellRecord(field_, grid_, cx, cy, decision, in, out, value, after);
         step.k = voxel.layer;
         if (!step.tests() && decision != Decision::Advance) return step;
-        step.subject =
-            subject::Voxel{voxel.bx, voxel.by, voxel.layer, map_->parameters.footprint, map_->layers(), value};
+        step.subject = subject::Voxel{voxel.bx,       voxel.by, voxel.layer,    map_->parameters.footprint,
+                                      map_->layers(), value,    map_->refined()};
         if (!step.tests()) step.i = voxel.bx, step.j = voxel.by;
         return step;
     }

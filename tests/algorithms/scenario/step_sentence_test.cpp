@@ -262,6 +262,63 @@ TEST(StepSentence, aBrokenPromiseIsMentioned) {
     EXPECT_NE(said(0.2).find("The map is wrong"), std::string::npos);
 }
 
+// A refined distance reaches through surface that no ray of its kind meets: space that is not free.
+TEST(StepSentence, aRefinedDistanceIsNotCalledFreeSpace) {
+    for (const bool voxel : {false, true}) {
+        Step s = step(Decision::Advance);
+        s.phase = Phase::Search;
+        const auto said = [&](bool refined) {
+            if (voxel) {
+                s.subject = subject::Voxel{1, 0, 2, 4, 16, 0.7, refined};
+            } else {
+                s.subject = subject::Sphere{1, 2, 0.9, 0.7, refined};
+            }
+            return sentence(stepSentence(s, {}));
+        };
+        EXPECT_NE(said(false).find("free space"), std::string::npos);
+        EXPECT_EQ(said(true).find("free"), std::string::npos);
+        EXPECT_NE(said(true).find("meets no surface within 0.70 texels"), std::string::npos) << said(true);
+    }
+    // The tracers say which distances they read.
+    auto heights = std::make_shared<FloatImage>(8, 8, 0.25F);
+    for (int y = 0; y < 8; ++y) (*heights)(4, y) = 1;
+    const HeightField field(heights, Surface::Columns, Address::Border, 0.5);
+    Work work;
+    MapCache cache;
+    for (const auto& [name, refined] :
+         std::initializer_list<std::pair<const char*, bool>>{{"distance", false},
+                                                             {"distance-conservative", false},
+                                                             {"distance-refined", true},
+                                                             {"distance-refined-sampled", true}}) {
+        RayBlock rays;
+        rays.push({0.5, 3.5, 2, 0});
+        HitBlock hits;
+        StepLog log;
+        makeTracer({name, {}}, field, cache, work)->trace(rays, hits, log, work);
+        int advances = 0;
+        for (const Step& s : log.steps) {
+            if (!s.trustsMap()) continue;
+            ++advances;
+            EXPECT_EQ(stepSentence(s, {}).id, refined ? MessageId::StepRefined : MessageId::StepSphere) << name;
+        }
+        EXPECT_GT(advances, 0) << name;
+    }
+}
+
+// Under repeat the texels after an edge begin anew; the sentence tells why.
+TEST(StepSentence, anEdgeOfTheRepeatedPictureIsMentioned) {
+    const ViewRay ray{1, 1, 10, 0};
+    std::vector<Step> steps(3, step(Decision::Skip));
+    steps[2].periodX = 1;
+    const auto crossed = [&](std::size_t n) {
+        return sentence(stepSentence(steps, n, ray)).find("crossed an edge of the picture") != std::string::npos;
+    };
+    EXPECT_FALSE(crossed(0));
+    EXPECT_FALSE(crossed(1));
+    EXPECT_TRUE(crossed(2));
+    EXPECT_EQ(sentence(stepSentence(steps, 2, ray)).find(sentence(stepSentence(steps, 1, ray))), 0U);
+}
+
 TEST(StepSentence, tellsTheKindsOfMissApart) {
     Step miss = step(Decision::Miss);
     EXPECT_EQ(sentence(stepSentence(miss, {})), "The ray leaves the map at height 0.820 without a hit: miss.");

@@ -105,10 +105,10 @@ void ChartsView::measure() {
     showBusy();
 }
 
-void ChartsView::cancel() {
-    if (!job_->busy()) return;
+bool ChartsView::cancel() {
+    if (!job_->busy()) return false;
     setLive(false);  // otherwise it would start again at once
-    job_->cancel();
+    return job_->cancel();
 }
 
 void ChartsView::change(const ChartsPane& pane) {

@@ -37,7 +37,7 @@ class ChartsView : public FigureView {
 
   public slots:
     void measure();
-    void cancel() override;
+    bool cancel() override;
     // Measures automatically when the view changes.
     void setLive(bool on);
     void setWithMaps(bool on);

@@ -38,6 +38,7 @@ struct ComparedPicture {
     QImage l1Picture, flipPicture;
     bool traces = true;           // rates can be measured; for methods: it is a tracer
     std::optional<double> rate;   // methods: 10^6 rays per second; filters: 10^6 pixels per second
+    double spread = 0;            // of the rate: interquartile range of the rounds, relative to the rate
     std::optional<double> steps;  // mean number of logged steps per ray
 
     const QImage& shown(const relief::Comparison& how, bool reference) const;

@@ -5,6 +5,7 @@
 
 #include "painting/chart.h"
 #include "painting/legend_rows.h"
+#include "scenario/step_sentence.h"
 
 namespace reliefui {
 
@@ -243,10 +244,13 @@ std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Languag
         say(Message(MessageId::DrawCompareError,
                     {{"rmse", figures(*tile.rmse)}, {"psnr", figures(*tile.psnr)}, {"flip", figures(*tile.flip)}}));
     }
+    // Half the interquartile range, in per cent.
+    const std::string spread = relief::fixedText(50 * tile.spread, 1);
     if (tile.rate && tile.steps) {
-        say(Message(MessageId::DrawCompareRate, {{"rate", figures(*tile.rate)}, {"steps", figures(*tile.steps)}}));
+        say(Message(MessageId::DrawCompareRate,
+                    {{"rate", figures(*tile.rate)}, {"spread", spread}, {"steps", figures(*tile.steps)}}));
     } else if (tile.rate) {
-        say(Message(MessageId::DrawCompareFilterRate, {{"rate", figures(*tile.rate)}}));
+        say(Message(MessageId::DrawCompareFilterRate, {{"rate", figures(*tile.rate)}, {"spread", spread}}));
     } else if (tile.samples) {
         say(Message(MessageId::DrawCompareSamples, {{"rays", *tile.samples}}));
     } else if (tile.off) {

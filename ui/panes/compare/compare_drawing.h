@@ -25,6 +25,7 @@ struct CompareTile {
     std::optional<double> rmse, psnr, flip;
     bool equal = false;           // bitwise equal to the reference
     std::optional<double> rate;   // 10^6 rays per second; filters: 10^6 pixels per second
+    double spread = 0;            // of the rate: interquartile range of the rounds, relative to the rate
     std::optional<double> steps;  // mean over the rays
     std::optional<double> off;    // mappings: largest deviation from direct, in texels
     std::optional<int> samples;   // supersample: rays per pixel

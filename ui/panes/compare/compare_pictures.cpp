@@ -112,6 +112,7 @@ void ComparePictures::relayout() {
         errors_.reset();
     }
     update();
+    readAgain();
 }
 
 QRectF ComparePictures::onScreen(const Box& points) const {
@@ -293,7 +294,8 @@ void ComparePictures::readOutHover(QPointF at) {
     Q_EMIT hovered(pixel ? readouts(*pixel).join(QStringLiteral(" · ")) : QString());
 }
 
-void ComparePictures::leaveEvent(QEvent*) {
+void ComparePictures::leaveEvent(QEvent* event) {
+    PictureView::leaveEvent(event);
     Q_EMIT hovered({});
 }
 

@@ -34,6 +34,7 @@ void addMethodRates(ComparedView& view, const Snapshot& snapshot, relief::Work& 
         for (const relief::BenchRow& row : rows) {
             if (relief::shortMethodName(row.method) != relief::shortMethodName(ofView(picture))) continue;
             picture.rate = row.rate / 1e6;
+            picture.spread = row.spread;
             picture.steps = row.stepsMean;
         }
     }
@@ -53,7 +54,10 @@ void addFilterRates(ComparedView& view, const Snapshot& snapshot, relief::Work& 
     queries.rates(filters, 1, work);  // warm-up
     const auto rates = queries.rates(filters, kRounds, work);
     view.rays = queries.size();
-    for (std::size_t f = 0; f < filters.size(); ++f) timed[f]->rate = relief::quantile(rates[f], 0.5) / 1e6;
+    for (std::size_t f = 0; f < filters.size(); ++f) {
+        timed[f]->rate = relief::quantile(rates[f], 0.5) / 1e6;
+        timed[f]->spread = relief::relativeSpread(rates[f]);
+    }
 }
 
 }  // namespace

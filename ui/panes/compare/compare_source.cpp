@@ -71,6 +71,7 @@ CompareSource compareSource(const ComparedView& view, const relief::Scenario& sc
                 tile.flip = picture.error->flip;
             }
             tile.rate = picture.rate;
+            tile.spread = picture.spread;
             tile.steps = picture.steps;
             if (how.subject == CompareSubject::Mappings && picture.frame) tile.off = picture.frame->mappingOff;
             if (how.subject == CompareSubject::Filters && all[n].name == relief::kSupersample) {

@@ -123,8 +123,8 @@ void CompareView::make(std::function<std::shared_ptr<const ComparedView>(relief:
     job_->start({[made, work = std::move(work)](relief::Work& w) { *made = work(w); }, done});
 }
 
-void CompareView::cancel() {
-    job_->cancel();
+bool CompareView::cancel() {
+    return job_->cancel();
 }
 
 void CompareView::change(const relief::Comparison& comparison, const QString& what) {

@@ -123,7 +123,7 @@ class CompareView : public FigureView {
     void setMode(relief::CompareMode mode);
     void setMeasure(relief::CompareMeasure measure);
     void setReference(relief::CompareReference reference);
-    void cancel() override;
+    bool cancel() override;
 
   protected:
     void showSnapshot() override;

@@ -91,6 +91,18 @@ void addPatch(LegendRows& rows, float mark, MessageId name) {
     if (std::isnan(mark)) rows.add(Role::Background, Hatch{box.moved(at)});
 }
 
+// Adds an iso-line on a patch of the map, as it is drawn there.
+void addIsoSign(LegendRows& rows, const DistancePicture& picture, const Message& name) {
+    const Box box{-5, -5, 7, 5};
+    Cells patch = colorBar(box, picture.values.map);
+    patch.values = std::make_shared<const relief::FloatImage>(1, 1, static_cast<float>(picture.isoValue));
+    patch.cellWidth = box.width();
+    patch.scale = picture.values.scale;
+    const Point at = rows.sign(Role::HeightFill, patch, name, {}, Emphasis::Normal, LegendRows::kSign + 2);
+    rows.add(Role::IsoLine, Polyline{{{at.x + box.x0, at.y}, {at.x + box.x1, at.y}}},
+             isoTint(picture.values, picture.isoValue));
+}
+
 }  // namespace
 
 RangedValues sliceValues(const DistancePicture& picture, const ColorRanges& ranges, relief::Language language) {
@@ -123,12 +135,12 @@ Drawing distanceLegend(const DistanceSource& source, const DistancePicture& pict
     if (surface) addPatch(rows, relief::StoredValues::kSurface, MessageId::DrawSurfaceVoxel);
     if (buried) addPatch(rows, std::numeric_limits<float>::quiet_NaN(), MessageId::DrawBuried);
     if (picture.isoStep > 0) {
-        rows.line(Role::IsoLine, Message(MessageId::DrawIsoLines, {{"step", relief::numberText(picture.isoStep, 3)}}));
+        addIsoSign(rows, picture, Message(MessageId::DrawIsoLines, {{"step", relief::numberText(picture.isoStep, 3)}}));
     }
     if (picture.isoPerDecade > 0) {
         const QString where = picture.isoPerDecade > 1 ? DistanceText::tr("lines at 1, 2 and 5 of each power of ten")
                                                        : DistanceText::tr("lines at powers of ten");
-        rows.line(Role::IsoLine, plainText(where.toStdString()));
+        addIsoSign(rows, picture, plainText(where.toStdString()));
     }
     if (!picture.frame.slopes) rows.line(Role::Surface, Message(MessageId::DrawSurface));
     if (source.point != nullptr) addPointLegend(rows, *source.point);

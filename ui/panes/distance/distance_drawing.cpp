@@ -146,6 +146,15 @@ IsoValues isoValues(const ColorScale& scale, int coarser) {
     return iso;
 }
 
+}  // namespace
+
+LevelTint isoTint(const RangedValues& values, double value) {
+    const Rgba ground = Style{}.cell(values.map, value, values.scale);
+    return {Style::textOn(ground).r > 128 ? kLightLine : kDarkLine, 2};
+}
+
+namespace {
+
 double lengthOf(const std::vector<Point>& line) {
     double length = 0;
     for (std::size_t n = 1; n < line.size(); ++n) {
@@ -162,10 +171,8 @@ void addIsoLine(DistancePicture& picture, const IsoLine& line) {
     const MapSlice& slice = picture.slice;
     const DistanceFrame& frame = picture.frame;
     const bool printed = slice.cellWidth * frame.scale > kPrinted && slice.cellHeight * frame.scale > kPrinted / 2;
-    const Rgba ground = Style{}.cell(picture.values.map, line.value, picture.values.scale);
-    const LevelTint tint{Style::textOn(ground).r > 128 ? kLightLine : kDarkLine, 2};
     addLine(picture.drawing, line.points, frame.plot, {ItemKind::IsoLine, 0, 0, 0}, Role::IsoLine, Emphasis::Normal,
-            tint);
+            isoTint(picture.values, line.value));
     const Point middle = line.points[line.points.size() / 2];
     if (printed || lengthOf(line.points) < kLabelled || !frame.plot.grown(-8).contains(middle)) return;
     const std::string value =
@@ -222,6 +229,8 @@ void addIsoLines(DistancePicture& picture) {
         if (!(length > 0) || lines.empty()) return;
         picture.isoStep = iso.step;
         picture.isoPerDecade = iso.perDecade;
+        const auto shorter = [](const IsoLine& a, const IsoLine& b) { return lengthOf(a.points) < lengthOf(b.points); };
+        picture.isoValue = std::max_element(lines.begin(), lines.end(), shorter)->value;
         for (const IsoLine& line : lines) addIsoLine(picture, line);
         return;
     }

@@ -73,10 +73,13 @@ struct DistancePicture {
     RangedValues values;   // of the slice; the name is in the drawing's language
     double isoStep = 0;    // between iso-lines; 0: there are no lines, or isoPerDecade is used
     int isoPerDecade = 0;  // on a logarithmic scale: 3 (at 1, 2 and 5) or 1
+    double isoValue = 0;   // of the longest iso-line
     std::string kind;
     std::string minus;
     Drawing drawing;
 };
+// Tint of an iso-line at this value, which must be visible on the map's colour for it.
+LevelTint isoTint(const RangedValues& values, double value);
 // width, height: available room in points. Throws InputError if a distance map and a cone map would be subtracted.
 DistancePicture distancePicture(const DistanceSource& source, const DistanceOptions& options, int step, double width,
                                 double height, relief::Language language);

@@ -210,8 +210,8 @@ void DistanceView::fail(const QString& problem) {
     showControls();
 }
 
-void DistanceView::cancel() {
-    job_->cancel();
+bool DistanceView::cancel() {
+    return job_->cancel();
 }
 
 // Sets the controls to what is shown.

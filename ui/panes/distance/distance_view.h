@@ -45,7 +45,7 @@ class DistanceView : public FigureView {
     QString problem() const { return problem_; }
 
   public slots:
-    void cancel() override;
+    bool cancel() override;
     void resetZoom();
 
   protected:

@@ -103,6 +103,7 @@ void DrawnGrid::refresh() {
     legend_ = std::move(parts.legend);
     map_ = parts.map;
     update();
+    if (pointer_) readOut(*pointer_);
 }
 
 Point DrawnGrid::toDrawing(QPointF widget) const {
@@ -176,6 +177,7 @@ void DrawnGrid::drag(QPointF at) {
 }
 
 void DrawnGrid::mouseMoveEvent(QMouseEvent* event) {
+    pointer_ = event->localPos();
     if (dragging_ && chosen_ && holds(drawn(), *chosen_)) drag(event->localPos());
     readOut(event->localPos());
 }
@@ -263,6 +265,7 @@ void DrawnGrid::readOut(QPointF at) {
 }
 
 void DrawnGrid::leaveEvent(QEvent*) {
+    pointer_.reset();
     Q_EMIT hovered({});
 }
 

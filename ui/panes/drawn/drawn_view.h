@@ -69,8 +69,9 @@ class DrawnGrid : public QWidget {
     std::optional<std::pair<int, int>> chosen_;
     bool dragging_ = false;
     QPointF pressed_;
-    double from_ = 0;      // height at the start of the drag
-    int lastColumn_ = -1;  // last column drawn in a profile
+    std::optional<QPointF> pointer_;  // where the pointer is; none while it is elsewhere
+    double from_ = 0;                 // height at the start of the drag
+    int lastColumn_ = -1;             // last column drawn in a profile
 };
 
 class DrawnView : public FigureView {

@@ -104,8 +104,8 @@ QString DuelView::verdict() const {
     return verdict_->text();
 }
 
-void DuelView::cancel() {
-    job_->cancel();
+bool DuelView::cancel() {
+    return job_->cancel();
 }
 
 void DuelView::addToMenu(QMenu& menu) {

@@ -45,7 +45,7 @@ class DuelView : public FigureView {
     void toDivergence();
     // Sets the rival at this place, 0 to 2; empty: none.
     void setRival(int place, const QString& method);
-    void cancel() override;
+    bool cancel() override;
 
     // Shows only the range of heights that the ray traverses.
     void showNearRay(bool on);

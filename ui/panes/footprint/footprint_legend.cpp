@@ -52,8 +52,7 @@ class Rows {
         if (!f_.listed) {
             entry(Message(MessageId::DrawFootprintMany, {{"texels", f_.counts.texels}}));
         } else if (!f_.log.texels.empty()) {
-            entry(Message(MessageId::DrawFootprintTexels, {{"texels", static_cast<std::int64_t>(f_.log.texels.size())},
-                                                           {"sum", figures(f_.weightSum)}}));
+            entry(Message(MessageId::DrawFootprintTexels, {{"texels", f_.texelCount}, {"sum", figures(f_.weightSum)}}));
         }
         if (f_.filter.name == relief::kSupersample) {
             entry(Message(MessageId::DrawFootprintSamples, {{"samples", f_.filter.samples}}));

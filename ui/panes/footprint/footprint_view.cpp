@@ -245,9 +245,10 @@ void FootprintView::readOut(const QPointF& widget) {
     if (!footprint_) return setReadout({});
     const PixelFootprint& f = *footprint_;
     const QStringList behind = coefficientLines(f.behind);
-    canvas_->setToolTip(behind.join('\n'));
     const QString more = QStringLiteral(" · ") + behind.join(QStringLiteral(" · "));
     point(footprintTexelAt(f, canvas_->toDrawing(widget)));
+    // Not over the footprint, which the tip would cover.
+    canvas_->setToolTip(chosen_ ? QString() : behind.join('\n'));
     const ItemId id = canvas_->itemAt(widget);
     if (!chosen_) {
         setReadout(id.kind == ItemKind::Texel

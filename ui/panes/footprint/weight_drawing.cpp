@@ -139,6 +139,21 @@ class WeightPictures {
         });
     }
 
+    // Returns true if a dot lies visibly off the curve of the weight function: the weights of a texel's parts are
+    // added, and each is that of the part's own place.
+    bool offCurve() const {
+        constexpr double kVisible = 0.02;
+        bool off = false;
+        if (radial(settings_)) {
+            eachTexel([&](ItemId, const FootprintTexel& texel, double du, double dv) {
+                const double r = std::sqrt(squared(du, dv));
+                const double curve = r <= settings_.radius ? relief::radialWeight(settings_, r) : 0;
+                off = off || std::abs(PixelFootprint::weightOf(texel) - curve) > kVisible;
+            });
+        }
+        return off;
+    }
+
     // Largest weight: for a round pixel 1, at the centre; otherwise the maximum of the map.
     double highest(const relief::WeightMap& weights) const {
         if (!settings_.shaped()) return 1;
@@ -256,6 +271,7 @@ Drawing weightLegend(const PixelFootprint& footprint, double width, relief::Lang
                                            {{"sigma", figures(settings.sigma)}, {"radius", figures(settings.radius)}}));
     }
     rows.sign(Role::Weight, Marker{{}, Shape::Dot, 6}, Message(MessageId::DrawWeightTexel));
+    if (WeightPictures(footprint).offCurve()) rows.words(Message(MessageId::DrawWeightParts), LegendRows::kBetween);
     const auto& texels = footprint.log.texels;
     if (std::any_of(texels.begin(), texels.end(), [](const FootprintTexel& t) { return t.hidden; })) {
         rows.sign(Role::Hidden, Marker{{}, Shape::Cross, 6}, Message(MessageId::DrawFootprintHidden));

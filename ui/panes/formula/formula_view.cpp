@@ -18,6 +18,7 @@ FormulaFace::FormulaFace(QWidget* parent) : QAbstractScrollArea(parent) {
     viewport()->setMouseTracking(true);
     // An opaque viewport would hide the pane, which would then never get the paint event that marks it as visible.
     viewport()->setAutoFillBackground(false);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &FormulaFace::readAgain);
 }
 
 double FormulaFace::margin() const {
@@ -29,6 +30,11 @@ void FormulaFace::setGroups(std::vector<FormulaGroup> groups, relief::MessageId 
     missing_ = missing;
     style_ = style;
     layOut();
+    readAgain();
+}
+
+void FormulaFace::readAgain() {
+    if (pointer_) Q_EMIT pointed(*pointer_);
 }
 
 // The width always allows for the scroll bar, because its appearance must not change the height that it depends on.
@@ -67,11 +73,15 @@ void FormulaFace::resizeEvent(QResizeEvent* event) {
 }
 
 void FormulaFace::mouseMoveEvent(QMouseEvent* event) {
+    pointer_ = event->localPos();
     Q_EMIT pointed(event->localPos());
 }
 
 bool FormulaFace::viewportEvent(QEvent* event) {
-    if (event->type() == QEvent::Leave) Q_EMIT left();
+    if (event->type() == QEvent::Leave) {
+        pointer_.reset();
+        Q_EMIT left();
+    }
     return QAbstractScrollArea::viewportEvent(event);
 }
 

@@ -2,6 +2,8 @@
 // the filter.
 #pragma once
 
+#include <optional>
+
 #include <QAbstractScrollArea>
 
 #include "panes/figure_view.h"
@@ -34,11 +36,13 @@ class FormulaFace : public QAbstractScrollArea {
   private:
     void layOut();
     double margin() const;  // in pixels
+    void readAgain();
 
     std::vector<FormulaGroup> groups_;
     relief::MessageId missing_{};
     Style style_;
     FormulaSheet sheet_;
+    std::optional<QPointF> pointer_;  // where the pointer is; none while it is elsewhere
 };
 
 class FormulaView : public FigureView {

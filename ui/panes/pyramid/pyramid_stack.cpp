@@ -108,8 +108,9 @@ bool PyramidStack::handleMouse(QMouseEvent* event, bool released) {
         if (click && event->button() == Qt::LeftButton && drawingAt(event->localPos(), at)) Q_EMIT clickedAt(at);
         return true;
     }
+    pointer_ = event->localPos();
     if (event->buttons() == Qt::NoButton) {
-        Q_EMIT hoveredAt(drawingAt(event->localPos(), at) ? at : Point{NAN, NAN});
+        readAgain();
         return false;
     }
     const QPointF by = event->localPos() - last_;
@@ -143,6 +144,9 @@ bool PyramidStack::eventFilter(QObject* watched, QEvent* event) {
             fit();
             return true;
         }
+        case QEvent::Leave:
+            pointer_.reset();
+            return false;
         case QEvent::Resize:
             Q_EMIT resized();
             return false;
@@ -156,6 +160,13 @@ void PyramidStack::render() {
     if (!widget_->isVisible() || !widget_->isValid()) return;
     const DrawingTime time("pyramid in 3-D");
     window_->Render();
+    readAgain();
+}
+
+// Reads out the slab under the pointer, which may rest while other slabs come there.
+void PyramidStack::readAgain() {
+    Point at;
+    if (pointer_) Q_EMIT hoveredAt(drawingAt(*pointer_, at) ? at : Point{NAN, NAN});
 }
 
 }  // namespace reliefui

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <vtkSmartPointer.h>
@@ -50,6 +51,7 @@ class PyramidStack : public QWidget {
     bool handleMouse(QMouseEvent* event, bool released);
     void showAll();
     void render();
+    void readAgain();
 
     QVTKOpenGLNativeWidget* widget_;
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
@@ -57,6 +59,7 @@ class PyramidStack : public QWidget {
     QPointF pressed_;
     bool turned_ = false;  // rotated by the user; kept for other rays
     QPointF last_;
+    std::optional<QPointF> pointer_;  // where the pointer is; none while it is elsewhere
     // Size of the view, and ground and number of levels, for which the camera was placed.
     std::pair<QSize, std::array<double, 3>> placedFor_;
     DeferredCall deferredRender_{this, [this] { render(); }};

@@ -1,5 +1,7 @@
 #include "panes/pyramid/pyramid_view.h"
 
+#include <cmath>
+
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QStackedLayout>
@@ -31,8 +33,13 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
     column->addLayout(faces_, 1);
     faces_->addWidget(canvas_);
     faces_->addWidget(stack_);
+    stackLegend_ = new DrawingCanvas(this);
+    stackLegend_->setFocusPolicy(Qt::NoFocus);
+    stackLegend_->hide();
+    column->addWidget(stackLegend_);
 
     connect(canvas_, &DrawingCanvas::clicked, this, &PyramidView::choose);
+    connect(stackLegend_, &DrawingCanvas::clicked, this, &PyramidView::choose);
     connect(canvas_, &DrawingCanvas::pointed, this, &PyramidView::readOut);
     connect(canvas_, &DrawingCanvas::left, this, [this] { setReadout({}); });
     connect(canvas_, &DrawingCanvas::resized, this, &PyramidView::refresh);
@@ -169,7 +176,28 @@ void PyramidView::showSnapshot() {
     faces_->setCurrentWidget(pane_.stacked ? static_cast<QWidget*>(stack_) : canvas_);
     // The slabs hold references to the parts, so they are updated as well.
     pane_.stacked ? stack_->show(parts_, workspace_->style()) : stack_->releaseContents();
+    showStackLegend();
     refreshStep();
+}
+
+// A legend that would take too much of the pane is shortened or left out.
+void PyramidView::showStackLegend() {
+    constexpr double kMost = 0.25;
+    const Style& style = workspace_->style();
+    const double unit = style.pixelsPerPoint();
+    bool shown = false;
+    for (const bool brief : {false, true}) {
+        if (shown || !pane_.stacked) break;
+        const Drawing legend = pyramidLegend(pyramidSource(*shown_, options_), parts_.heights,
+                                             width() / unit - 2 * kFigureMargin, style.language, brief);
+        const double high = (legend.bounds.height() + kFigureMargin) * unit;
+        if (high > kMost * height()) continue;
+        stackLegend_->setStyle(style);
+        stackLegend_->setFixedHeight(static_cast<int>(std::ceil(high)));
+        stackLegend_->setLayers({}, std::make_shared<const Drawing>(legend));
+        shown = true;
+    }
+    stackLegend_->setVisible(shown);
 }
 
 void PyramidView::releaseContents() {
@@ -179,6 +207,7 @@ void PyramidView::releaseContents() {
     legend_.reset();
     canvas_->releaseContents();
     stack_->releaseContents();
+    stackLegend_->releaseContents();
     setReadout({});
 }
 
@@ -205,6 +234,7 @@ void PyramidView::showEmpty(relief::MessageId why) {
     range_->refresh();
     canvas_->showText(why);
     faces_->setCurrentWidget(canvas_);
+    stackLegend_->hide();
 }
 
 void PyramidView::follow() {

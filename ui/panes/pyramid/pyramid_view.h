@@ -66,6 +66,7 @@ class PyramidView : public FigureView {
     void chooseAt(Point drawing);
     QHBoxLayout* makeBar();
     void showEmpty(relief::MessageId why);
+    void showStackLegend();
     void follow();
     void choose(const ItemId& id);
     QString textOf(const PyramidPart& part, const ItemId& id) const;
@@ -90,6 +91,7 @@ class PyramidView : public FigureView {
     bool wasCramped_ = false;  // value at the last drawing
     std::shared_ptr<const Drawing> levels_;
     std::shared_ptr<const Drawing> legend_;
+    DrawingCanvas* stackLegend_ = nullptr;  // below the slabs
     DeferredCall deferredRefresh_{this, [this] { refresh(); }};
 };
 

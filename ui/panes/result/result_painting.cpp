@@ -126,7 +126,8 @@ QString scaleTitle(Layer layer) {
 constexpr double kLegendWidth = 420;
 
 QSize paintScale(QPainter* painter, const LayerPicture& layer, QPoint bottomLeft, const Style& style, double width) {
-    const Drawing legend = rangeLegend(layerValues(layer), std::min(width, kLegendWidth));
+    // In large type the whole legend would cover much of a small picture.
+    const Drawing legend = rangeLegend(layerValues(layer), std::min(width, kLegendWidth), style.projector);
     const double unit = style.pixelsPerPoint();
     const int pad = scaled(8, style);
     const QSize size(static_cast<int>(std::ceil(legend.bounds.width() * unit)) + 2 * pad,

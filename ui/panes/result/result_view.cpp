@@ -23,6 +23,7 @@ ResultView::ResultView(Workspace* workspace, QWidget* parent) : PictureView(work
     setObjectName(QStringLiteral("result"));
     setAccessibleName(tr("Result: the rendered picture"));
     connect(workspace, &Workspace::snapshotChanged, this, qOverload<>(&QWidget::update));
+    connect(workspace, &Workspace::snapshotChanged, this, &ResultView::readAgain);
     connect(workspace, &Workspace::styleChanged, this, qOverload<>(&QWidget::update));
     range_ = new RangeButton(
         workspace,
@@ -66,14 +67,14 @@ void ResultView::paintPicture(QPainter& painter) const {
     // Enlarged pixels keep sharp edges; a coarse picture of a drag is interpolated.
     const bool smaller = image.width() < pictureSize().width();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale() < 1 || smaller);
-    painter.drawImage(pictureIn(rect()), image);
+    painter.drawImage(pictureIn(room()), image);
 }
 
 void ResultView::paintOverlays(QPainter& painter) const {
     const auto snapshot = workspace()->snapshot();
     const Style& style = workspace()->style();
     const int margin = kLegendMargin;
-    paintPixelValues(painter, *snapshot, pictureIn(rect()), rect(), style);
+    paintPixelValues(painter, *snapshot, pictureIn(room()), rect(), style);
     paintLegend(&painter, snapshot->layer, QPoint(margin, height() - margin), style, width() - 2 * margin);
     if (!snapshot->scenario.pixel) return;
     const relief::PixelChoice pixel = *snapshot->scenario.pixel;
@@ -90,6 +91,13 @@ void ResultView::paintOverlays(QPainter& painter) const {
     const QImage& image = snapshot->layer.image;
     const QPoint center(pixel.x * image.width() / full.width(), pixel.y * image.height() / full.height());
     paintMagnifier(painter, image, center, QRect(corner, magnifier), style);
+}
+
+// Room for the picture. In large type a colour scale would cover much of it, so the picture stands above.
+QRectF ResultView::room() const {
+    const QRect legend = workspace()->style().projector ? legendBox() : QRect();
+    const int taken = legend.isEmpty() ? 0 : legend.height() + 2 * kLegendMargin;
+    return taken < height() / 2 ? rect().adjusted(0, 0, 0, -taken) : rect();
 }
 
 // Rectangle of the colour scale, which is the lowest part of the legend.
@@ -114,7 +122,8 @@ void ResultView::readOutHover(QPointF at) {
     Q_EMIT hovered(snapshot && pixel ? pixelReadout(*snapshot, *pixel, true).join(QStringLiteral("   ")) : QString());
 }
 
-void ResultView::leaveEvent(QEvent*) {
+void ResultView::leaveEvent(QEvent* event) {
+    PictureView::leaveEvent(event);
     Q_EMIT hovered({});
 }
 

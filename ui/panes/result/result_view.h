@@ -12,8 +12,8 @@ class ResultView : public PictureView {
     explicit ResultView(Workspace* workspace, QWidget* parent = nullptr);
 
     // Maps a point of the full-size picture (pixel (i, j) covers [i, i+1) x [j, j+1)) to this widget, and back.
-    QPointF toWidget(QPointF picture) const { return inRoom(picture, rect()); }
-    QPointF toPicture(QPointF widget) const { return fromRoom(widget, rect()); }
+    QPointF toWidget(QPointF picture) const { return inRoom(picture, room()); }
+    QPointF toPicture(QPointF widget) const { return fromRoom(widget, room()); }
 
     // Placed in the bar of the window that contains the view.
     RangeButton* rangeButton() const { return range_; }
@@ -30,11 +30,12 @@ class ResultView : public PictureView {
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
-    QRectF roomAt(QPointF) const override { return rect(); }
+    QRectF roomAt(QPointF) const override { return room(); }
     void readOutHover(QPointF at) override;
 
   private:
-    double scale() const { return scaleIn(rect()); }
+    QRectF room() const;
+    double scale() const { return scaleIn(room()); }
     void paintPicture(QPainter& painter) const;
     void paintOverlays(QPainter& painter) const;
     void paintEmpty(QPainter& painter) const;

@@ -257,7 +257,13 @@ void StepTable::shareColumns() {
     const int room = table_->viewport()->width();
     bool shown[StepModel::Columns];
     std::fill(std::begin(shown), std::end(shown), true);
-    for (const int least : {StepModel::After, StepModel::Height, StepModel::Value, StepModel::Texel}) {
+    // Where a map takes the ray beyond the cell of a step, only the last column tells how far.
+    const auto beyond = [](const relief::Step& s) { return s.trustsMap() && s.lambdaAfter > s.lambdaOut; };
+    const auto snapshot = workspace_->snapshot();
+    const bool gaps = snapshot && std::any_of(snapshot->trace.steps.begin(), snapshot->trace.steps.end(), beyond);
+    const int first = gaps ? StepModel::Height : StepModel::After;
+    const int second = gaps ? StepModel::After : StepModel::Height;
+    for (const int least : {first, second, int{StepModel::Value}, int{StepModel::Texel}}) {
         if (all <= room) break;
         shown[least] = false;
         all -= widths[least];

@@ -46,6 +46,11 @@ QString stepWords(const relief::Step& step, const StepBody& body, std::size_t nu
     const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
     constexpr double kNone = 0.005;  // in texels
     if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
+    if (body.refined) {
+        return Trace3dView::tr("%1: refined distance %2 texels")
+            .arg(number + 1)
+            .arg(QString::fromStdString(relief::fixedText(body.radius, 2)));
+    }
     if (body.kind == StepBody::Kind::Sphere) {
         return Trace3dView::tr("%1: %2 texels of free space")
             .arg(number + 1)
