@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>layers</source>
-        <translation>шарів</translation>
+        <translation>шари</translation>
     </message>
     <message>
         <source>halvings</source>
@@ -1192,6 +1192,102 @@
     <message>
         <source>height of the picture</source>
         <translation>висота зображення</translation>
+    </message>
+    <message>
+        <source>lowest elevation of the rays for which the map is valid; needs map=refined</source>
+        <translation>кут піднесення найпологішого променя, для якого карта справджується; потребує map=refined</translation>
+    </message>
+    <message>
+        <source>number of azimuth sectors in which the occluders of a voxel are searched; needs map=refined</source>
+        <translation>кількість азимутальних секторів, у яких шукають перешкоди, що перекривають воксель; потребує map=refined</translation>
+    </message>
+    <message>
+        <source>number of azimuth sectors with separate distances (a divisor of horizons); needs map=refined</source>
+        <translation>кількість азимутальних секторів з окремими відстанями (дільник кількості секторів горизонту); потребує map=refined</translation>
+    </message>
+    <message>
+        <source>elevation of the flattest ray that it serves; needs map=refined</source>
+        <translation>кут піднесення найпологішого променя, для якого карта справджується; потребує map=refined</translation>
+    </message>
+    <message>
+        <source>azimuth sectors in which what hides a voxel is looked for; needs map=refined</source>
+        <translation>азимутальні сектори, у яких шукають перешкоди, що перекривають воксель; потребує map=refined</translation>
+    </message>
+    <message>
+        <source>azimuth sectors that have distances of their own (a divisor of horizons); needs map=refined</source>
+        <translation>азимутальні сектори з власними відстанями (дільник кількості секторів горизонту); потребує map=refined</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> пікс.</translation>
+    </message>
+    <message>
+        <source>bilinear</source>
+        <translation>білінійний</translation>
+    </message>
+    <message>
+        <source>elliptical</source>
+        <translation>анізотропний</translation>
+    </message>
+    <message>
+        <source>elliptical, visible</source>
+        <translation>анізотропний, лише видиме</translation>
+    </message>
+    <message>
+        <source>nearest texel</source>
+        <translation>найближчий тексель</translation>
+    </message>
+    <message>
+        <source>supersampling</source>
+        <translation>надвибірка</translation>
+    </message>
+    <message>
+        <source>trilinear</source>
+        <translation>трилінійний</translation>
+    </message>
+    <message>
+        <source>bricks</source>
+        <translation>цегла</translation>
+    </message>
+    <message>
+        <source>spikes</source>
+        <translation>голки</translation>
+    </message>
+    <message>
+        <source>pits</source>
+        <translation>ями</translation>
+    </message>
+    <message>
+        <source>thin columns</source>
+        <translation>тонкі стовпи</translation>
+    </message>
+    <message>
+        <source>city</source>
+        <translation>місто</translation>
+    </message>
+    <message>
+        <source>fractal terrain</source>
+        <translation>фрактальний рельєф</translation>
+    </message>
+    <message>
+        <source>hills</source>
+        <translation>пагорби</translation>
+    </message>
+    <message>
+        <source>terraces</source>
+        <translation>тераси</translation>
+    </message>
+    <message>
+        <source>checkerboard</source>
+        <translation>шахівниця</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s 8 × 8</source>
+        <translation>приклад 8 × 8</translation>
+    </message>
+    <message>
+        <source>walls and a trench</source>
+        <translation>стіни й рів</translation>
     </message>
 </context>
 </TS>

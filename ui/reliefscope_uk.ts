@@ -9,6 +9,13 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Space</source>
+        <translation>Пробіл</translation>
+    </message>
+</context>
+<context>
     <name>parts</name>
     <message>
         <source>bottom line</source>
@@ -436,7 +443,7 @@
     </message>
     <message>
         <source>%1: %2 ns per ray ± %3%, error %4 mean, %5 at most, %6 steps</source>
-        <translation>%1: %2 нс на промінь ± %3 %, похибка в середньому %4, найбільша %5, кроків %6</translation>
+        <translation>%1: %2 нс на промінь ± %3&#xa0;%, похибка в середньому %4, найбільша %5, кроків %6</translation>
     </message>
     <message>
         <source>%1 · click to choose such a pixel</source>
@@ -1313,10 +1320,6 @@
         <translation>Відстані збережено для центрів вокселів і між ними інтерпольовано; біля стінки інтерпольована відстань більша за справжню. Консервативна карта відстаней справджується для всього об’єму вокселя.</translation>
     </message>
     <message>
-        <source>With sixteen layers the surface is sampled at only sixteen points of the ray, so a spike between two of them goes unnoticed. The maximum pyramid misses no hit.</source>
-        <translation>За шістнадцяти шарів висоту поверхні перевіряють лише в шістнадцяти точках променя; шпиль між двома з них лишається непоміченим. MIP-піраміда максимальних значень не пропускає жодного перетину.</translation>
-    </message>
-    <message>
         <source>In a relaxed cone the ray may enter the relief once, so steps are longer. Behind a narrow ledge it has already left the relief again, and the hit is lost. A plain cone is always empty.</source>
         <translation>У розширеному конусі промінь може один раз зайти під поверхню, тому кроки довші; вузький виступ він може пройти наскрізь, і перетин утрачено. Звичайний конус завжди порожній.</translation>
     </message>
@@ -1335,6 +1338,10 @@
     <message>
         <source>Point C is 3 texels from the left wall. Rays from above that would meet that wall within 4 texels of C hit the right wall before they reach C. The nearest hit of all other rays is on the floor, 4 texels below; this is the refined distance. Ctrl+click shows the distances at another point.</source>
         <translation>Точка C лежить за 3 текселі від лівої стіни. Промені згори, які перетнули б цю стіну ближче ніж за 4 текселі від C, перетинають праву стіну ще до точки C; найближчий перетин усіх інших — на дні, на 4 текселі нижче: це уточнена відстань. Клацання з Ctrl показує відстані в іншій точці.</translation>
+    </message>
+    <message>
+        <source>With sixteen layers the surface is sampled at only seventeen points of the ray, so a spike between two of them goes unnoticed. The maximum pyramid misses no hit.</source>
+        <translation>За шістнадцяти шарів висоту поверхні перевіряють лише в сімнадцяти точках променя; шпиль між двома з них лишається непоміченим. MIP-піраміда максимальних значень не пропускає жодного перетину.</translation>
     </message>
 </context>
 <context>
@@ -2044,10 +2051,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Повторити останню скасовану зміну</translation>
     </message>
     <message>
-        <source>Cancel the running work</source>
-        <translation>Зупинити поточну роботу</translation>
-    </message>
-    <message>
         <source>Show one pane large, the picture in a corner and the step in words</source>
         <translation>Показати одну панель великою, зображення в кутку, а крок словами</translation>
     </message>
@@ -2140,16 +2143,20 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>перейти до елемента керування та змінити його; Enter у полі числа: назад до зображення</translation>
     </message>
     <message>
-        <source>cancel the running work</source>
-        <translation>зупинити поточну роботу</translation>
-    </message>
-    <message>
         <source>Go to the first step that contradicts the exact answer</source>
         <translation>Перейти до першого кроку, який суперечить точній відповіді</translation>
     </message>
     <message>
         <source>Rename and remove bookmarks</source>
         <translation>Перейменувати чи вилучити закладки</translation>
+    </message>
+    <message>
+        <source>Cancel the running work; without any, leave guessing, a filled pane or the projector</source>
+        <translation>Зупинити поточну роботу; якщо її немає, завершити «Де перетин?», панель на все вікно чи режим проєктора</translation>
+    </message>
+    <message>
+        <source>cancel the running work; without any, leave guessing, a filled pane or the projector</source>
+        <translation>зупинити поточну роботу; якщо її немає, завершити «Де перетин?», панель на все вікно чи режим проєктора</translation>
     </message>
 </context>
 <context>
@@ -3503,6 +3510,10 @@ Click to switch the method to %1</source>
         <source>hidden until you guess</source>
         <translation>приховано до вашого припущення</translation>
     </message>
+    <message>
+        <source>building the map “%1”</source>
+        <translation>побудова карти «%1»</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::StepBar</name>
@@ -3817,6 +3828,10 @@ Click to switch the method to %1</source>
     <message>
         <source>Meaning of the steps&apos; colours</source>
         <translation>Значення кольорів кроків</translation>
+    </message>
+    <message>
+        <source>%1: refined distance %2 texels</source>
+        <translation>%1: уточнена відстань, текселів: %2</translation>
     </message>
 </context>
 <context>
