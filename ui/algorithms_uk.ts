@@ -453,6 +453,11 @@
     </message>
     <message>
         <source>layers</source>
+        <translation>шарів</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <comment>title</comment>
         <translation>шари</translation>
     </message>
     <message>
