@@ -51,8 +51,8 @@ class WeightPictures {
     Plot graphPlot(const Box& room) const {
         constexpr double kMore = 1.04;
         double high = 1;
-        eachTexel([&](ItemId, const FootprintTexel& texel, double, double) {
-            high = std::max(high, PixelFootprint::weightOf(texel));
+        eachTexel([&](ItemId, const FootprintTexel& texel, double du, double dv) {
+            if (onGraph(squared(du, dv))) high = std::max(high, PixelFootprint::weightOf(texel));
         });
         const Box box = chart::plotIn(room, kMargins);
         return {box, {0, farthest() * kMore, box.x0, box.x1}, {0, high * kMore, box.y1, box.y0}};
@@ -184,9 +184,11 @@ class WeightPictures {
     // Position of a texel on the plot; std::nullopt if it is outside.
     std::optional<Point> onGraph(const Plot& plot, const FootprintTexel& texel, double du, double dv) const {
         const double square = squared(du, dv);
-        if (square > 2 * settings_.radius * settings_.radius) return std::nullopt;
+        if (!onGraph(square)) return std::nullopt;
         return plot.at(square, PixelFootprint::weightOf(texel));
     }
+    // The graph ends at twice the square of the filter's radius.
+    bool onGraph(double square) const { return square <= 2 * settings_.radius * settings_.radius; }
     std::optional<Point> onMap(const Plot& plot, double du, double dv) const {
         const relief::PixelFromTexel back = relief::pixelFromTexel(f_.log.footprint.widened);
         const double x = back.dx(du, dv), y = back.dy(du, dv);
