@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <string_view>
@@ -22,8 +23,7 @@ bool parseSize(std::string_view text, int& width, int& height) {
     const std::size_t x = text.find('x');
     const auto whole = [](std::string_view part, int& value) {
         const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
-        return result.ec == std::errc() && result.ptr == part.data() + part.size() && value > 0 &&
-               value <= reliefui::kMostRenderedPixels;
+        return result.ec == std::errc() && result.ptr == part.data() + part.size() && value > 0;
     };
     return whole(text.substr(0, x), width) && whole(x == std::string_view::npos ? text : text.substr(x + 1), height);
 }
@@ -136,6 +136,9 @@ Arguments parseArguments(int count, char** arguments) {
                            window ? parsed.height : parsed.pixelHeight)) {
                 throw InputError(argument, Message(MessageId::NotASize, {{"text", size}}));
             }
+            const int side =
+                window ? std::max(parsed.width, parsed.height) : std::max(parsed.pixelWidth, parsed.pixelHeight);
+            reliefui::requireRange(argument, side, 1, reliefui::kMostRenderedPixels);
         } else {
             throw unknownArgument(argument);
         }

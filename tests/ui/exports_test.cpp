@@ -365,7 +365,8 @@ TEST(Exports, theCommandChoosesWhatIsShown) {
     EXPECT_TRUE(words.contains(QStringLiteral(" cone ")));
     for (const auto& [option, value] :
          {std::pair("--pixel", "60"), std::pair("--pixel", "9999,1"), std::pair("--tracers", "nothing"),
-          std::pair("--tracers", "exact,exact,exact,exact,exact"), std::pair("--pixels", "0x9")}) {
+          std::pair("--tracers", "exact,exact,exact,exact,exact"), std::pair("--pixels", "0x9"),
+          std::pair("--pixels", "20000")}) {
         QString complaint;
         EXPECT_EQ(exportFigure({file, QStringLiteral("--export"), QStringLiteral("profile"), QStringLiteral("-o"),
                                 folder.filePath(QStringLiteral("no.svg")), QString::fromLatin1(option),
