@@ -9,7 +9,7 @@ namespace reliefui {
 using relief::Message;
 using relief::MessageId;
 
-Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame) {
+Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, bool stepNamed) {
     Drawing drawing;
     drawing.bounds = frame.whole;
     const Box seen = frame.seen();
@@ -26,7 +26,7 @@ Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame) {
     axes.sides();
     constexpr double kStepTitle = 110;  // width of "step 8: λ 0.61 → 0.61" at the right
     axes.corner(Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(source.field->slabTexels(), 3)}}),
-                kStepTitle);
+                stepNamed ? kStepTitle : 0);
     const double low = std::max(frame.low, frame.heightAt(y));
     const double high = std::min(1.0, frame.heightAt(seen.y0));
     axes.left({low, high, frame.yAt(low), frame.yAt(high)});
