@@ -80,7 +80,8 @@ class TiledHeights {
     std::size_t residentLimit() const { return limit_; }
 
   private:
-    // States of a tile. An access to a resident tile marks it as used; what stays unused is dropped first.
+    // States of a tile. The first access makes it resident, a further one marks it as used; what stays unused is
+    // dropped first.
     static constexpr std::uint8_t kAbsent = 0, kResident = 1, kUsed = 2;
 
     TiledHeights(std::string path, std::size_t residentBytes);
@@ -93,7 +94,7 @@ class TiledHeights {
         const auto i = static_cast<std::size_t>((y & kTileMask) << kTileShift | (x & kTileMask));
         return tileValue(page.type, tile, i);
     }
-    // Makes the tile at byte `at` resident and marks it as used.
+    // Makes the tile at byte `at` resident, or marks it as used if it is.
     void touch(const TilePage& page, std::uint64_t at, std::atomic<std::uint8_t>& state) const;
 
     struct Cache;

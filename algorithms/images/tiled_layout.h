@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "images/picture_input.h"
@@ -19,6 +20,8 @@ inline constexpr int kTileShift = 6;
 inline constexpr int kTileSide = 1 << kTileShift;
 inline constexpr int kTileMask = kTileSide - 1;
 inline constexpr std::size_t kTileTexels = std::size_t{kTileSide} * kTileSide;
+// Largest side of a map, texels: offsets and sums of a square of floats stay below 2^51.
+inline constexpr int kMostTiledSide = 1 << 24;
 // Tiles of 8 bits a texel; larger ones are two or four times as large.
 inline constexpr int kStateShift = 12;
 inline constexpr std::size_t kLeastTileBytes = std::size_t{1} << kStateShift;
@@ -55,6 +58,8 @@ struct TilePage {
         const int within = (y & ((1 << downShift) - 1)) << acrossShift | (x & ((1 << acrossShift) - 1));
         return first + (group << kGroupShift) + (static_cast<std::uint64_t>(within) << tileBytesShift);
     }
+    // Column and row of the tile at this byte.
+    std::pair<int, int> tileAt(std::uint64_t offset) const;
     // Entry of the table of checksums for the tile at this byte.
     std::uint64_t slot(std::uint64_t offset) const { return firstSlot + ((offset - first) >> tileBytesShift); }
 };
@@ -68,6 +73,14 @@ struct TiledLayout {
     std::uint64_t checksums = 0;          // byte of the table of checksums, 64 bits for each slot
     std::uint64_t slots = 0;
     std::uint64_t fileBytes = 0;
+
+    // The table of checksums is also a page: a picture of 32-bit numbers, the low half of each checksum first, in rows
+    // of this width. The last row is filled up with zeros.
+    static constexpr int kChecksumWidth = 1024;
+    int checksumHeight() const { return static_cast<int>((2 * slots + kChecksumWidth - 1) / kChecksumWidth); }
+    std::uint64_t checksumBytes() const {
+        return static_cast<std::uint64_t>(checksumHeight()) * kChecksumWidth * sizeof(std::uint32_t);
+    }
 
     // firstTile: a multiple of kGroupBytes. width, height >= 1.
     static TiledLayout of(int width, int height, NumberType type, std::uint64_t firstTile);
