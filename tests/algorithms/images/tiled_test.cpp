@@ -393,6 +393,24 @@ TEST(Tiled, ReadErrorsNameTheTexel) {
               faultOf([&] { read(picture, {.range = {HeightRange::Kind::Full}}); }));
 }
 
+TEST(Tiled, DamagedPicturesAreRefused) {
+    const TemporaryFolder folder;
+    const Size size{150, 200};
+    for (const std::string& picture :
+         {noisePicture<std::uint16_t>(folder / "a.tif", size), noisePicture<std::uint16_t>(folder / "a.png", size),
+          noisePicture<float>(folder / "a.exr", size), noisePicture<std::uint8_t>(folder / "a.jpg", size),
+          noisePicture<std::uint8_t>(folder / "a.bmp", size)}) {
+        // The middle of a TIFF file is missing: its directory stands at the end.
+        std::string bytes = bytesOf(picture);
+        bytes.erase(bytes.size() / 2, bytes.size() / 3);
+        folder.with(std::filesystem::path(picture).filename(), bytes);
+        const std::string fault = faultOf([&] { tile(picture, folder / "t.tif"); });
+        EXPECT_EQ(fault.substr(0, picture.size() + 13), picture + ": is damaged ") << fault;
+        std::filesystem::remove(folder / "t.tif.part");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "t.tif"));
+}
+
 // Heights of a picture that do something before a band is read.
 class WatchedRows final : public HeightRows {
   public:
