@@ -56,7 +56,7 @@ int runTile(const TileOptions& options, Session& session) {
 void addTileCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<TileOptions>();
     CLI::App* parser = addCommand(
-        program, "tile", "turn a height map larger than memory into tiles",
+        program, "tile", "write a height map larger than memory in tiles",
         "Reads a height map row by row and writes it as a tiled TIFF (BigTIFF) together with its pyramid of maxima, "
         "minima and means, which is then read tile by tile: neither takes memory for the whole map. 8- and 16-bit "
         "heights keep their numbers; what is scaled, inverted or of another type becomes 32-bit floats. The file takes "
@@ -69,7 +69,7 @@ void addTileCommand(CLI::App& program, Commands& commands) {
     addText(*parser, "FILE", options->file, "", "the height map (TIFF, OpenEXR, PNG, ...)", "Arguments");
     addText(*parser, "--height", options->height, "FILE", "height map: the same as FILE", "Pictures");
     addOutput(*parser, options->output, "the tiled height map: .tif");
-    options->restart.add(*parser, "a run that was stopped", "Output");
+    options->restart.add(*parser, "a map that takes long", "Output");
     options->reading.addForRows(*parser);
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runTile(*options, session); }});

@@ -79,14 +79,15 @@ TEST_P(TileTest, AnInterruptedRunGoesOn) {
     const Result stopped = run({"tile", checker, "-o", output}, setup);
     EXPECT_EQ(stopped.status, 130);
     EXPECT_EQ(stopped.err.find("relief: " + output + ".part: stopped: "), 0U) << stopped.err;
-    EXPECT_NE(stopped.err.find(" of 64 parts are done and kept in this file; the same command with --resume goes on\n"),
+    EXPECT_NE(stopped.err.find(
+                  " of 64 parts are done and kept in this file; run the same command with --resume to continue\n"),
               std::string::npos)
         << stopped.err;
     EXPECT_FALSE(std::filesystem::exists(output));
     expectRefusal({"tile", checker, "-o", output}, 2, {"t.tif.part", "--resume", "--anew"});
     const Result resumed = run({"tile", checker, "-o", output, "--resume"});
     EXPECT_EQ(resumed.status, 0);
-    EXPECT_NE(resumed.err.find(" of 64 parts are there already\n"), std::string::npos) << resumed.err;
+    EXPECT_NE(resumed.err.find(" of 64 parts are already done\n"), std::string::npos) << resumed.err;
     EXPECT_TRUE(read("t.tif") == read("whole.tif"));
     EXPECT_EQ(files(), (std::vector<std::string>{"checker.tif", "t.tif", "whole.tif"}));
 }
@@ -112,7 +113,7 @@ TEST_P(TileTest, AFullDiskKeepsWhatIsDone) {
         const Result result = run({size, disk, hills, path("whole.tif")}, setup);
         EXPECT_EQ(result.status, 1) << size;
         EXPECT_EQ(result.err.find("relief: " + disk + "/t.tif: no space left on the disk; "), 0U) << result.err;
-        EXPECT_NE(result.err.find(" of 8 parts are done and kept in " + disk + "/t.tif.part: "), std::string::npos);
+        EXPECT_NE(result.err.find(" of 8 parts are done and kept in " + disk + "/t.tif.part; "), std::string::npos);
         EXPECT_EQ(lines(result.err).size(), 1U) << result.err;
         EXPECT_EQ(result.out, "");
     }

@@ -513,15 +513,10 @@ TEST(Tiled, AFailureKeepsWhatIsDone) {
     });
     EXPECT_EQ(faultOf([&] { TiledWriter(rows, path, {}).write(work); }),
               picture + ": no space left on the disk; 3 of 5 parts are done and kept in " + path +
-                  ".part: the same command with --resume goes on");
-    EXPECT_EQ(faultOf([&] { tile(picture, path); }),
-              path +
-                  ".part: is there from an earlier run: --resume goes on with it, --anew throws it away and begins "
-                  "again");
+                  ".part; run the same command with --resume to continue");
+    EXPECT_EQ(faultOf([&] { tile(picture, path); }), path + ".part: " + sentence(Message(MessageId::SweepThere)));
     EXPECT_EQ(faultOf([&] { tile(picture, path, {.invert = true}, {.earlier = EarlierPart::Resume}); }),
-              path +
-                  ".part: was left by another command: --resume cannot go on with it, --anew throws it away and "
-                  "begins again");
+              path + ".part: " + sentence(Message(MessageId::SweepOther)));
     EXPECT_TRUE(std::filesystem::exists(path + ".part"));
     tile(picture, path, {}, {.earlier = EarlierPart::Resume});
     EXPECT_EQ(bytesOf(path), bytesOf(folder / "whole.tif"));
