@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 
+#include "images/openimageio_rows.h"
 #include "images/picture_bytes.h"
 #include "images/picture_library.h"
 #include "images/system_error.h"
@@ -148,9 +149,15 @@ bool stopRequested(void* work, float) {
     return static_cast<const Work*>(work)->stopped();
 }
 
-// Checks the file before any library reads it. Loads into `bytes` what must be cleaned first. Returns the format's
-// name.
-std::string loadFile(const std::string& path, std::int64_t maxPixels, Bytes& bytes) {
+struct LoadedFile {
+    std::string format;
+    bool byRows = true;                  // OpenImageIO decodes it by rows or tiles
+    Bytes bytes;                         // cleaned; empty if it is read from the disk
+    std::unique_ptr<TiffOnDisk> onDisk;  // a TIFF file for PictureAccess::Rows
+};
+
+// Checks the file before any library reads it, and loads what must be cleaned first.
+LoadedFile loadFile(const std::string& path, std::int64_t maxPixels, PictureAccess access) {
     const File file = openRegular(path);
     const Bytes head = readBytes(file.get(), kHeadBytes, path);
     std::string format(formatBySignature(head));
@@ -158,6 +165,8 @@ std::string loadFile(const std::string& path, std::int64_t maxPixels, Bytes& byt
     if (format.empty()) throw InputError(path, Message(MessageId::FileNotPicture));
     const std::optional<DeclaredSize> size = declaredSize(format, head);
     if (size) checkSize(path, size->width, size->height, maxPixels);
+    LoadedFile loaded{.format = format, .byRows = isReadByRows(format, head), .bytes = {}, .onDisk = {}};
+    Bytes& bytes = loaded.bytes;
     if (format == "png") {
         if (size) checkPngSides(path, *size);
         auto clean = cleanPng(wholeFile(file.get(), path));
@@ -165,18 +174,20 @@ std::string loadFile(const std::string& path, std::int64_t maxPixels, Bytes& byt
         bytes = std::move(*clean);
     } else if (format == "jpeg") {
         bytes = cleanJpeg(wholeFile(file.get(), path));
+    } else if (format == "tiff" && access == PictureAccess::Rows) {
+        loaded.onDisk = std::make_unique<TiffOnDisk>(path);
     } else if (format == "tiff") {
         bytes = wholeFile(file.get(), path);
         if (const std::uint64_t depth = tiffDepth(bytes); depth > 1)
             throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
         hideTiffMetadata(bytes);
     }
-    return format;
+    return loaded;
 }
 
 class OpenImageIoFile final : public PictureFile {
   public:
-    OpenImageIoFile(const std::string& path, std::int64_t maxPixels);
+    OpenImageIoFile(const std::string& path, std::int64_t maxPixels, PictureAccess access);
 
     ImageInfo info() const override;
     std::string attribute(const std::string& name) const override {
@@ -184,23 +195,27 @@ class OpenImageIoFile final : public PictureFile {
     }
     int alphaChannel() const override { return input_->spec().alpha_channel; }
     RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter) override;
+    NumberType type(int channel) const override { return *numberType(input_->spec().channelformat(channel)); }
+    void readRows(int channel, int first, int count, std::byte* samples) override;
 
   private:
+    void requireRowMemory() const;
     bool open(std::string& why);
     void checkSpec(std::int64_t maxPixels) const;
 
     std::string path_;
     // Declared before the input, which reads from these bytes and so must be destroyed first.
-    Bytes bytes_;
+    LoadedFile file_;
     std::optional<OIIO::Filesystem::IOMemReader> memory_;
     OIIO::ImageInput::unique_ptr input_;
+    RowReader rows_;
 };
 
-OpenImageIoFile::OpenImageIoFile(const std::string& path, std::int64_t maxPixels) : path_(path) {
+OpenImageIoFile::OpenImageIoFile(const std::string& path, std::int64_t maxPixels, PictureAccess access) : path_(path) {
     try {
-        const std::string format = loadFile(path, maxPixels, bytes_);
-        if (!bytes_.empty()) memory_.emplace(bytes_.data(), bytes_.size());
-        input_ = OIIO::ImageInput::create(format);
+        file_ = loadFile(path, maxPixels, access);
+        if (!file_.bytes.empty()) memory_.emplace(file_.bytes.data(), file_.bytes.size());
+        input_ = OIIO::ImageInput::create(file_.format);
         if (!input_) {
             OIIO::geterror();
             throw InputError(path, Message(MessageId::FileNotPicture));
@@ -215,12 +230,14 @@ OpenImageIoFile::OpenImageIoFile(const std::string& path, std::int64_t maxPixels
         throwDamaged(path, fault.what());
     }
     checkSpec(maxPixels);
+    if (access == PictureAccess::Rows) requireRowMemory();
 }
 
 bool OpenImageIoFile::open(std::string& why) {
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     if (memory_ && !input_->set_ioproxy(&*memory_)) return false;
+    if (file_.onDisk && !input_->set_ioproxy(file_.onDisk.get())) return false;
     OIIO::ImageSpec spec;
     const bool done = input_->open(path_, spec, hints);
     // Fetching the error also clears warnings about metadata, which would look like a failure to read the pixels.
@@ -293,10 +310,31 @@ RawPlanes OpenImageIoFile::read(std::span<const int> channels, Work& work, std::
     return raw;
 }
 
+// Memory for the rows of tiles, or for the whole picture where OpenImageIO decodes that at once.
+void OpenImageIoFile::requireRowMemory() const {
+    const OIIO::ImageSpec& spec = input_->spec();
+    std::uint64_t bytes = RowReader::keptBytes(spec);
+    if (!file_.byRows) bytes = byteSum({bytes, spec.image_bytes(true)});
+    requireMemory(bytes, path_, MemoryHint::SmallerPicture);
+}
+
+void OpenImageIoFile::readRows(int channel, int first, int count, std::byte* samples) {
+    try {
+        const OIIO::TypeDesc type = readType(input_->spec().channelformat(channel));
+        const bool done = rows_.read(*input_, channel, type, first, count, samples);
+        // As in read(): a warning means that rows are missing.
+        const std::string why = input_->geterror();
+        if (!done || !why.empty()) throwDamaged(path_, why);
+    } catch (const std::bad_alloc&) {
+        throw MemoryError(path_, systemMessage(ENOMEM, FileAccess::Read));
+    }
+}
+
 }  // namespace
 
-std::unique_ptr<PictureFile> openWithOpenImageIo(const std::string& path, std::int64_t maxPixels) {
-    return std::make_unique<OpenImageIoFile>(path, maxPixels);
+std::unique_ptr<PictureFile> openWithOpenImageIo(const std::string& path, std::int64_t maxPixels,
+                                                 PictureAccess access) {
+    return std::make_unique<OpenImageIoFile>(path, maxPixels, access);
 }
 
 }  // namespace relief

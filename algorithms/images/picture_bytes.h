@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace relief {
@@ -37,6 +38,9 @@ std::optional<Bytes> cleanPng(std::span<const unsigned char> file);
 Bytes cleanJpeg(std::span<const unsigned char> file);
 // Hides such metadata in place, in the first directory only (others are not read); the file keeps its length.
 void hideTiffMetadata(std::span<unsigned char> file);
+
+// Bytes [first, second) of the first directory, all that hideTiffMetadata() changes; an empty range if there is none.
+std::pair<std::uint64_t, std::uint64_t> tiffDirectory(std::span<const unsigned char> file);
 
 // Number of layers of a TIFF volume, of which OpenImageIO would silently read only the first; 1 for a picture.
 std::uint64_t tiffDepth(std::span<const unsigned char> file);

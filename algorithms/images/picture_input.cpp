@@ -36,8 +36,12 @@ double fullRange(NumberType type) {
     return 0;
 }
 
-PictureInput::PictureInput(const std::string& path, std::int64_t maxPixels)
-    : file_(pictureLibrary().open(path, maxPixels)), info_(file_->info()) {}
+std::size_t numberBytes(NumberType type) {
+    return withNumbers({nullptr, 1, type}, [](const auto* number) { return sizeof *number; });
+}
+
+PictureInput::PictureInput(const std::string& path, std::int64_t maxPixels, PictureAccess access)
+    : file_(pictureLibrary().open(path, maxPixels, access)), info_(file_->info()) {}
 
 PictureInput::~PictureInput() = default;
 
@@ -63,6 +67,14 @@ int PictureInput::alphaChannel() const {
 
 RawPlanes PictureInput::read(std::span<const int> channels, Work& work, std::size_t bytesAfter) {
     return file_->read(channels, work, bytesAfter);
+}
+
+NumberType PictureInput::type(int channel) const {
+    return file_->type(channel);
+}
+
+void PictureInput::readRows(int channel, int first, int count, std::byte* samples) {
+    file_->readRows(channel, first, count, samples);
 }
 
 ImageInfo readImageInfo(const std::string& path, std::int64_t maxPixels) {

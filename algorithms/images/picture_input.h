@@ -23,6 +23,9 @@ std::string lowerCase(std::string_view text);
 // The largest value of an integer type; 0 for floats.
 double fullRange(NumberType type);
 
+// Bytes of a number of the type.
+std::size_t numberBytes(NumberType type);
+
 // One channel of a block of interleaved samples; pixel i has the sample with index i * stride.
 struct RawPlane {
     const std::byte* first = nullptr;
@@ -60,12 +63,16 @@ struct RawPlanes {
     std::vector<RawPlane> planes;  // in the order requested
 };
 
+// How the samples of an opened picture are read: all at once, or in bands of rows from top to bottom, for pictures
+// larger than memory.
+enum class PictureAccess : std::uint8_t { Whole, Rows };
+
 class PictureFile;
 
 class PictureInput {
   public:
     // Checks the file, its format and its size. Allocates nothing proportional to the size of the picture.
-    PictureInput(const std::string& path, std::int64_t maxPixels);
+    PictureInput(const std::string& path, std::int64_t maxPixels, PictureAccess access = PictureAccess::Whole);
     ~PictureInput();
     PictureInput(const PictureInput&) = delete;
     PictureInput& operator=(const PictureInput&) = delete;
@@ -83,6 +90,13 @@ class PictureInput {
     // Reads these channels, into one block if they are of one type; half floats become float. Throws Cancelled, and
     // MemoryError if the samples and `bytesAfter` bytes per pixel, which the caller needs at the same time, do not fit.
     RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter);
+
+    // Type of a channel's samples; half floats become float.
+    NumberType type(int channel) const;
+    // Reads rows [first, first + count) of a channel of a picture opened for PictureAccess::Rows. samples: place for
+    // width x count samples of type(channel). Formats that can be decoded only as a whole, and rows of tiles, take more
+    // memory, which is checked. Fastest from top to bottom: compressed pictures begin anew for a row that has passed.
+    void readRows(int channel, int first, int count, std::byte* samples);
 
   private:
     std::unique_ptr<PictureFile> file_;

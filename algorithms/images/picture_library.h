@@ -27,6 +27,8 @@ class PictureFile {
     // Index of the channel that the file declares as alpha, or -1.
     virtual int alphaChannel() const = 0;
     virtual RawPlanes read(std::span<const int> channels, Work& work, std::size_t bytesAfter) = 0;
+    virtual NumberType type(int channel) const = 0;
+    virtual void readRows(int channel, int first, int count, std::byte* samples) = 0;
 };
 
 // A picture to be written. numbers: samples row by row, the channels of a pixel interleaved, of `type`, but float where
@@ -42,7 +44,7 @@ struct PictureBlock {
 
 struct PictureLibrary {
     // Opens and checks a picture. path: UTF-8. Throws InputError, MemoryError.
-    std::unique_ptr<PictureFile> (*open)(const std::string& path, std::int64_t maxPixels);
+    std::unique_ptr<PictureFile> (*open)(const std::string& path, std::int64_t maxPixels, PictureAccess access);
     // Writes a picture. format: OpenImageIO's name ("png", "openexr", ...). The file appears when it is complete.
     // Throws WorkError.
     void (*write)(const std::string& path, const std::string& format, const PictureBlock& block);
@@ -51,7 +53,7 @@ struct PictureLibrary {
 };
 
 // The implementations linked with OpenImageIO: openimageio_input.cpp and openimageio_output.cpp.
-std::unique_ptr<PictureFile> openWithOpenImageIo(const std::string& path, std::int64_t maxPixels);
+std::unique_ptr<PictureFile> openWithOpenImageIo(const std::string& path, std::int64_t maxPixels, PictureAccess access);
 void writeWithOpenImageIo(const std::string& path, const std::string& format, const PictureBlock& block);
 void writePagesWithOpenImageIo(const std::string& path, const std::vector<DescribedPage>& pages);
 inline constexpr PictureLibrary kOpenImageIo{&openWithOpenImageIo, &writeWithOpenImageIo, &writePagesWithOpenImageIo};

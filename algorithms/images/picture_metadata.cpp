@@ -32,7 +32,8 @@ class TiffFile {
     template <class Visit>
     void forEntries(const Visit& visit) const {
         const std::uint64_t directory = big_ ? get(8, 8) : get(4, 4);
-        const std::uint64_t count = get(directory, big_ ? 8 : 2);
+        // libtiff reads no directory with more entries.
+        const std::uint64_t count = std::min<std::uint64_t>(get(directory, big_ ? 8 : 2), UINT16_MAX);
         const std::uint64_t size = big_ ? 20 : 12;
         std::uint64_t entry = directory + (big_ ? 8 : 2);
         for (std::uint64_t i = 0; i < count && inside(entry, size); ++i, entry += size) visit(entry, get(entry, 2));
@@ -88,6 +89,16 @@ void hideTiffMetadata(std::span<unsigned char> file) {
         tiff.set(entry + 2, 2, 1);
         tiff.set(entry + 4, tiff.big() ? 8 : 4, 1);
     });
+}
+
+std::pair<std::uint64_t, std::uint64_t> tiffDirectory(std::span<const unsigned char> file) {
+    std::uint64_t first = 0, last = 0;
+    TiffFile<const unsigned char>(file).forEntries([&](std::uint64_t entry, std::uint64_t) {
+        if (last == 0) first = entry;
+        last = entry;
+    });
+    constexpr std::uint64_t kMostEntryBytes = 20;
+    return {first, last == 0 ? 0 : std::min<std::uint64_t>(last + kMostEntryBytes, file.size())};
 }
 
 std::uint64_t tiffDepth(std::span<const unsigned char> file) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "help_formatter.h"
+#include "images/tiled_heights.h"
 #include "installed.h"
 #include "options_common.h"
 #include "output.h"
@@ -108,6 +109,61 @@ Json pictureJson(const std::string& path, const PictureFacts& facts) {
     return json;
 }
 
+// A tiled pyramid is not read as a whole: its coarsest levels are the extremes and the mean of all heights.
+struct TiledFacts {
+    std::shared_ptr<const TiledHeights> heights;
+    std::string type;
+    std::size_t pages = 0;
+    double low = 0, high = 0, mean = 0;
+};
+
+TiledFacts tiledFacts(const std::string& path) {
+    constexpr std::size_t kResident = std::size_t{1} << 20;
+    TiledFacts facts{.heights = TiledHeights::open(path, kResident)};
+    const TiledHeights& heights = *facts.heights;
+    const int top = heights.levels() - 1;
+    facts.type = heights.type() == NumberType::UInt8    ? "uint8"
+                 : heights.type() == NumberType::UInt16 ? "uint16"
+                                                        : "float";
+    facts.pages = heights.layout().pages.size() + 1;
+    facts.low = static_cast<double>(heights.minimum(top, 0, 0));
+    facts.high = static_cast<double>(heights.maximum(top, 0, 0));
+    facts.mean = static_cast<double>(heights.mean(top, 0, 0));
+    return facts;
+}
+
+std::string tiledInfo(const std::string& path, const TiledFacts& facts, Session& session) {
+    const TiledHeights& heights = *facts.heights;
+    Table table(session.language());
+    table.title(path);
+    table.row(MessageId::InfoFormat, Message(MessageId::InfoTiled));
+    table.row(MessageId::InfoSize, sizeText(heights.width(), heights.height()));
+    table.row(MessageId::InfoType, facts.type);
+    table.row(MessageId::InfoPages,
+              Message(MessageId::InfoTiledPages,
+                      {{"count", facts.pages}, {"levels", heights.levels() - 1}, {"side", kTileSide}}));
+    table.row(MessageId::InfoFileBytes, std::to_string(heights.layout().fileBytes));
+    table.row(MessageId::InfoHeights, interval(facts.low, facts.high));
+    table.row(MessageId::InfoMeanHeight, numberText(facts.mean, 6));
+    return table.text();
+}
+
+Json tiledJson(const std::string& path, const TiledFacts& facts) {
+    const TiledHeights& heights = *facts.heights;
+    return {{"file", path},
+            {"kind", "tiled"},
+            {"format", "tiff"},
+            {"width", heights.width()},
+            {"height", heights.height()},
+            {"type", facts.type},
+            {"levels", heights.levels()},
+            {"pages", facts.pages},
+            {"tile_side", kTileSide},
+            {"bytes", heights.layout().fileBytes},
+            {"heights", {facts.low, facts.high}},
+            {"mean_height", facts.mean}};
+}
+
 std::string cameraText(const Camera& camera) {
     const std::string fov = ", fov " + numberText(camera.fov);
     if (camera.kind == Camera::Kind::Free) {
@@ -160,10 +216,20 @@ int runInfo(const InfoOptions& options, Session& session) {
     Json all = Json::array();
     for (const std::string& file : options.files) {
         const std::string path = shippedFile(file);
-        if (isScenarioFile(path)) {
-            if (const std::string given = options.reading.given(); !given.empty()) {
-                throw InputError(given, Message(MessageId::ArgumentsExclude, {{"other", path}}));
+        const bool tiled = TiledHeights::isTiled(path);
+        if (const std::string given = options.reading.given(); !given.empty() && (tiled || isScenarioFile(path))) {
+            throw InputError(given, Message(MessageId::ArgumentsExclude, {{"other", path}}));
+        }
+        if (tiled) {
+            const TiledFacts facts = tiledFacts(path);
+            if (options.json) {
+                all.push_back(tiledJson(path, facts));
+            } else {
+                text += tiledInfo(path, facts, session);
             }
+            continue;
+        }
+        if (isScenarioFile(path)) {
             if (options.json) {
                 all.push_back({{"file", path},
                                {"kind", "scenario"},
@@ -196,7 +262,8 @@ void addInfoCommand(CLI::App& program, Commands& commands) {
         addCommand(program, "info", "show what a picture or scenario contains and how it will be read",
                    "Shows a picture's size, channels, type and range, the channel that will be used for heights and "
                    "the scaling of its numbers to heights in [0, 1]; of a scenario (.json), its pictures, method, "
-                   "camera and scene. The options for reading take effect as in the other commands.",
+                   "camera and scene; of a map written by relief tile, its pages, without reading all of it. The "
+                   "options for reading take effect as in the other commands.",
                    "  relief info heights.png --channel R --range 0,200\n"
                    "  relief info *.png --json");
     parser->add_option("FILE", options->files, "pictures, or scenarios and reports (.json)")

@@ -182,7 +182,7 @@ void addLanguage(CLI::App& parser) {
         ->group("General");
 }
 
-void ReadingOptions::add(CLI::App& parser, const char* group) {
+void ReadingOptions::addForRows(CLI::App& parser, const char* group) {
     addText(parser, "--channel", channel_, "N|NAME",
             "channel that holds the heights: a number from 0, or a name (R, G, B, A, Y); default: grey, else the "
             "first. Other channels are never multiplied by alpha",
@@ -193,6 +193,10 @@ void ReadingOptions::add(CLI::App& parser, const char* group) {
             "in [0, 1] unchanged, other floats stretched, with a message; full: never stretched; LO,HI: LO becomes 0, "
             "HI becomes 1, and numbers outside are clamped",
             group);
+}
+
+void ReadingOptions::add(CLI::App& parser, const char* group) {
+    addForRows(parser, group);
     addText(parser, "--max-pixels", maxPixels_, "N",
             "largest number of pixels of a picture; larger ones are refused before memory is allocated. Default " +
                 std::to_string(kDefaultMaxPixels),

@@ -107,6 +107,8 @@ class RestartOptions {
 class ReadingOptions {
   public:
     void add(CLI::App& parser, const char* group = "Reading the height map");
+    // The same without --max-pixels, for pictures that are not read into memory as a whole.
+    void addForRows(CLI::App& parser, const char* group = "Reading the height map");
     void apply(HeightReadOptions& reading) const;
     // Returns the name of one of these options that was given; empty if none was.
     std::string given() const;

@@ -134,6 +134,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addMakeCommand(program, commands);
     addListCommand(program, commands);
     addMapCommand(program, commands);
+    addTileCommand(program, commands);
     addRenderCommand(program, commands);
     addTraceCommand(program, commands);
     addCompareCommand(program, commands);

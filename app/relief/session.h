@@ -77,6 +77,7 @@ void addHelpCommand(CLI::App& program, Commands& commands);
 void addInfoCommand(CLI::App& program, Commands& commands);
 void addMakeCommand(CLI::App& program, Commands& commands);
 void addMapCommand(CLI::App& program, Commands& commands);
+void addTileCommand(CLI::App& program, Commands& commands);
 void addClaimsCommand(CLI::App& program, Commands& commands);
 void addListCommand(CLI::App& program, Commands& commands);
 void addRenderCommand(CLI::App& program, Commands& commands);

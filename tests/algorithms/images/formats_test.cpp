@@ -1,10 +1,12 @@
 // Special features of picture formats: palettes, few bits, unusual chunks, alpha, channels of several types.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "file_bytes.h"
 #include "images/picture_bytes.h"
+#include "images/picture_input.h"
 #include "picture_files.h"
 #include "relief/files.h"
 #include "temporary_folder.h"
@@ -162,6 +164,11 @@ TEST(Formats, BrokenColourProfilesAreNotFollowed) {
             tiffEntry(262, 3, 1, 1) + tiffEntry(273, 4, 1, data) + tiffEntry(278, 3, 1, 1) + tiffEntry(279, 4, 1, 2) +
             tiffEntry(34675, 7, size, data + 2) + littleEndian(0, 4) + "\x33\x66" + profile;
     EXPECT_EQ(values(heights(folder.with("p.tif", tiff))), (std::vector<float>{0.2F, 0.4F}));
+    // Also where the file is read from the disk by rows.
+    PictureInput rows(folder / "p.tif", kDefaultMaxPixels, PictureAccess::Rows);
+    std::array<std::byte, 2> codes{};
+    rows.readRows(0, 0, 1, codes.data());
+    EXPECT_EQ(codes, (std::array<std::byte, 2>{std::byte{0x33}, std::byte{0x66}}));
 
     const std::string plain =
         bytesOf(writeRaw<std::uint8_t>(folder / "plain.jpg", 8, 8, 1, std::vector<std::uint8_t>(64, 77)));

@@ -1,0 +1,266 @@
+#include "images/tiled_heights.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "images/system_error.h"
+#include "images/tiled_pages.h"
+#include "relief/memory.h"
+
+namespace relief {
+
+namespace {
+
+// Groups that a thread may have begun to read when they were dropped are dropped once more after this many further
+// ones, since its read has mapped them again.
+constexpr std::size_t kDroppedAgain = 32;
+// States of a group.
+constexpr std::size_t kStates = kGroupBytes / kLeastTileBytes;
+
+class OpenFile {
+  public:
+    explicit OpenFile(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+    ~OpenFile() {
+        if (number_ >= 0) ::close(number_);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    int number() const { return number_; }
+    // Size of an ordinary file. Throws InputError.
+    std::uint64_t size(const std::string& path) const {
+        struct stat status {};
+        if (number_ < 0 || ::fstat(number_, &status) != 0)
+            throw InputError(path, systemMessage(errno, FileAccess::Read));
+        if (S_ISDIR(status.st_mode)) throw InputError(path, Message(MessageId::FileIsDirectory));
+        if (!S_ISREG(status.st_mode)) throw InputError(path, Message(MessageId::FileNotRegular));
+        return static_cast<std::uint64_t>(status.st_size);
+    }
+
+  private:
+    int number_;
+};
+
+// Reads `count` bytes. Throws WorkError if the file cannot be read, InputError if it ends before them.
+void readFully(int descriptor, std::uint64_t at, std::byte* to, std::size_t count, const std::string& path) {
+    for (std::size_t done = 0; done < count;) {
+        const ::ssize_t got = ::pread(descriptor, to + done, count - done, static_cast<::off_t>(at + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw WorkError(path, systemMessage(errno, FileAccess::Read));
+        if (got == 0) throw InputError(path, Message(MessageId::FileTruncated));
+        done += static_cast<std::size_t>(got);
+    }
+}
+
+// The file in memory, at an address that is a multiple of kGroupBytes: the kernel maps aligned blocks of that size.
+class Mapping {
+  public:
+    Mapping(int descriptor, std::uint64_t bytes, const std::string& path) : bytes_(bytes) {
+        reserved_ = bytes + kGroupBytes;
+        void* const place = ::mmap(nullptr, reserved_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (place == MAP_FAILED) fail(path);
+        place_ = place;
+        const auto address = reinterpret_cast<std::uintptr_t>(place);
+        auto* const aligned = static_cast<std::byte*>(place) + ((kGroupBytes - address % kGroupBytes) % kGroupBytes);
+        void* const map = ::mmap(aligned, bytes_, PROT_READ, MAP_SHARED | MAP_FIXED, descriptor, 0);
+        if (map == MAP_FAILED) {
+            const int error = errno;
+            ::munmap(place_, reserved_);
+            errno = error;
+            fail(path);
+        }
+        first_ = static_cast<std::byte*>(map);
+        // A page that is mapped again must not pull its neighbours from the disk.
+        static_cast<void>(::madvise(first_, bytes_, MADV_RANDOM));
+    }
+    ~Mapping() { ::munmap(place_, reserved_); }
+    Mapping(const Mapping&) = delete;
+    Mapping& operator=(const Mapping&) = delete;
+
+    const std::byte* first() const { return first_; }
+    // Takes a group out of memory. Safe while threads read it: they find the same bytes in the file.
+    void drop(std::uint64_t group) const {
+        static_cast<void>(::madvise(first_ + (group << kGroupShift), kGroupBytes, MADV_DONTNEED));
+    }
+
+  private:
+    [[noreturn]] static void fail(const std::string& path) {
+        throw MemoryError(path, systemMessage(errno, FileAccess::Read));
+    }
+
+    std::uint64_t bytes_, reserved_;
+    void* place_ = nullptr;
+    std::byte* first_ = nullptr;
+};
+
+}  // namespace
+
+struct TiledHeights::Cache {
+    // descriptor: owned.
+    Cache(std::unique_ptr<OpenFile> opened, const TiledHeights& heights)
+        : file(std::move(opened)), map(file->number(), heights.layout_.fileBytes, heights.path_) {}
+
+    std::unique_ptr<OpenFile> file;
+    Mapping map;
+    std::vector<std::uint64_t> checksums;
+    std::size_t tableBytes = 0;
+
+    std::mutex mutex;                   // guards what follows, and the changes of states other than resident to used
+    std::vector<std::uint64_t> groups;  // those resident, in a ring
+    std::vector<bool> resident;         // by group
+    std::size_t most = 1;               // groups that may be resident
+    std::size_t hand = 0;               // in the ring: what comes next when a group has to go
+    std::array<std::uint64_t, kDroppedAgain> dropped{};
+
+    std::atomic<std::uint64_t> tilesRead{0}, bytesRead{0}, misses{0}, evictions{0};
+    std::atomic<std::size_t> residentGroups{0};
+
+    void readChecksums(const TiledHeights& heights, std::uint64_t checksum);
+    void load(const TiledHeights& heights, const TilePage& page, std::uint64_t at);
+    void admit(std::atomic<std::uint8_t>* states, std::uint64_t group);
+    std::size_t placeOfUnused(std::atomic<std::uint8_t>* states);
+};
+
+void TiledHeights::Cache::readChecksums(const TiledHeights& heights, std::uint64_t checksum) {
+    checksums.resize(heights.layout_.checksumBytes() / sizeof(std::uint64_t));
+    auto* const bytes = reinterpret_cast<std::byte*>(checksums.data());
+    const std::size_t count = checksums.size() * sizeof(std::uint64_t);
+    readFully(file->number(), heights.layout_.checksums, bytes, count, heights.path_);
+    if (tileChecksum(bytes, count) != checksum) throw InputError(heights.path_, Message(MessageId::TiledTableDamaged));
+}
+
+// The clock algorithm: groups used since the hand passed them get a second chance. Returns a place of the ring whose
+// group has been dropped.
+std::size_t TiledHeights::Cache::placeOfUnused(std::atomic<std::uint8_t>* states) {
+    for (;;) {
+        const std::size_t place = hand;
+        hand = (hand + 1) % groups.size();
+        std::atomic<std::uint8_t>* const first = states + groups[place] * kStates;
+        bool used = false;
+        for (std::size_t i = 0; i < kStates; ++i) {
+            // Readers may have marked it as used again since it was made unused: another round would find none unused
+            // only if they marked every group faster than the hand moves.
+            if (first[i].load(std::memory_order_relaxed) != kUsed) continue;
+            first[i].store(kResident, std::memory_order_relaxed);
+            used = true;
+        }
+        if (used) continue;
+        for (std::size_t i = 0; i < kStates; ++i) first[i].store(kAbsent, std::memory_order_release);
+        resident[groups[place]] = false;
+        map.drop(groups[place]);
+        const std::uint64_t before = std::exchange(dropped[evictions++ % kDroppedAgain], groups[place]);
+        if (!resident[before]) map.drop(before);
+        return place;
+    }
+}
+
+void TiledHeights::Cache::admit(std::atomic<std::uint8_t>* states, std::uint64_t group) {
+    if (resident[group]) return;
+    if (groups.size() < most)
+        groups.push_back(group);
+    else
+        groups[placeOfUnused(states)] = group;
+    resident[group] = true;
+    residentGroups.store(groups.size(), std::memory_order_relaxed);
+}
+
+void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page, std::uint64_t at) {
+    ++misses;
+    alignas(8) std::array<std::byte, kTileTexels * sizeof(float)> tile;
+    // Reading the bytes before they are accessed in the mapping turns errors of the disk into exceptions.
+    readFully(file->number(), at, tile.data(), page.tileBytes(), heights.path_);
+    if (tileChecksum(tile.data(), page.tileBytes()) != checksums[page.slot(at)]) {
+        const auto [x, y] = page.tileAt(at);
+        throw InputError(heights.path_,
+                         Message(MessageId::TiledTileDamaged,
+                                 {{"kind", tileKindName(page.kind)}, {"level", page.level}, {"x", x}, {"y", y}}));
+    }
+    ++tilesRead;
+    bytesRead += page.tileBytes();
+    const std::lock_guard lock(mutex);
+    admit(heights.states_.get(), at >> kGroupShift);
+    // Not yet as used: what is read once only goes before what is read again.
+    heights.states_[at >> kStateShift].store(kResident, std::memory_order_release);
+}
+
+TiledHeights::TiledHeights(std::string path, std::size_t residentBytes) : path_(std::move(path)) {
+    auto file = std::make_unique<OpenFile>(path_);
+    const std::uint64_t size = file->size(path_);
+    if (size == 0) throw InputError(path_, Message(MessageId::FileEmpty));
+    const auto head = readTiledHead(file->number());
+    if (!head) throw InputError(path_, Message(MessageId::TiledNot));
+    layout_ = head->layout;
+    if (size < layout_.fileBytes)
+        throw InputError(path_, Message(MessageId::TiledTruncated, {{"bytes", size}, {"whole", layout_.fileBytes}}));
+    const std::size_t states = (layout_.fileBytes + kLeastTileBytes - 1) >> kStateShift;
+    const std::size_t groups = (layout_.checksums + kGroupBytes - 1) >> kGroupShift;
+    const std::size_t tables = layout_.checksumBytes() + states + groups / 8;
+    requireMemory(tables, path_);
+    cache_ = std::make_unique<Cache>(std::move(file), *this);
+    cache_->readChecksums(*this, head->checksum);
+    cache_->tableBytes = tables;
+    cache_->resident.resize(groups);
+    states_ = std::make_unique<std::atomic<std::uint8_t>[]>(states);
+    map_ = cache_->map.first();
+    limit_ = residentBytes;
+    cache_->most = residentBytes < tables ? 1 : std::max<std::size_t>(1, (residentBytes - tables) >> kGroupShift);
+}
+
+TiledHeights::~TiledHeights() = default;
+
+std::shared_ptr<TiledHeights> TiledHeights::open(const std::string& path, std::size_t residentBytes) {
+    // The constructor is private.
+    return std::shared_ptr<TiledHeights>(new TiledHeights(path, residentBytes));
+}
+
+bool TiledHeights::isTiled(const std::string& path) {
+    const OpenFile file(path);
+    return file.number() >= 0 && beginsTiled(file.number());
+}
+
+void TiledHeights::touch(const TilePage& page, std::uint64_t at, std::atomic<std::uint8_t>& state) const {
+    // Only from resident to used: if the tile is dropped at the same moment, it stays absent.
+    std::uint8_t seen = kResident;
+    if (state.compare_exchange_strong(seen, kUsed, std::memory_order_acq_rel) || seen == kUsed) return;
+    cache_->load(*this, page, at);
+}
+
+void TiledHeights::prefetch(std::span<const TileRange> ranges) const {
+    for (const TileRange& range : ranges) {
+        const TilePage& page = layout_.page(range.kind, range.level);
+        const int left = std::max(range.left, 0) >> kTileShift >> page.acrossShift;
+        const int top = std::max(range.top, 0) >> kTileShift >> page.downShift;
+        const int right = std::min(range.right, page.width - 1) >> kTileShift >> page.acrossShift;
+        const int bottom = std::min(range.bottom, page.height - 1) >> kTileShift >> page.downShift;
+        for (int y = top; y <= bottom; ++y) {
+            for (int x = left; x <= right; ++x) {
+                const std::uint64_t at = page.tileOffset(x << page.acrossShift, y << page.downShift);
+                const std::atomic<std::uint8_t>* const states = states_.get() + (at >> kStateShift);
+                const bool any = std::any_of(states, states + kStates, [](const std::atomic<std::uint8_t>& state) {
+                    return state.load(std::memory_order_relaxed) != kAbsent;
+                });
+                if (any) continue;
+                static_cast<void>(::posix_fadvise(cache_->file->number(), static_cast<::off_t>(at),
+                                                  static_cast<::off_t>(kGroupBytes), POSIX_FADV_WILLNEED));
+            }
+        }
+    }
+}
+
+TileStatistics TiledHeights::statistics() const {
+    return {cache_->tilesRead, cache_->bytesRead, cache_->misses, cache_->evictions};
+}
+
+std::size_t TiledHeights::residentBytes() const {
+    return cache_->tableBytes + (cache_->residentGroups.load(std::memory_order_relaxed) << kGroupShift);
+}
+
+}  // namespace relief

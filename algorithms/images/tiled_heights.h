@@ -1,0 +1,110 @@
+// Height maps larger than memory: the file that `relief tile` writes, read tile by tile within a bound on resident
+// memory. FORMATS.md describes the file.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "images/tiled_layout.h"
+
+namespace relief {
+
+// Totals since the file was opened.
+struct TileStatistics {
+    std::uint64_t tilesRead = 0;
+    std::uint64_t bytesRead = 0;
+    std::uint64_t misses = 0;     // accesses that had to wait for a tile; more than tilesRead if threads wait for one
+    std::uint64_t evictions = 0;  // groups of tiles (kGroupBytes) that were dropped
+};
+
+// The tiles of one level of one kind that cover a rectangle of texels; for prefetch().
+struct TileRange {
+    TileKind kind = TileKind::Height;
+    int level = 0;
+    int left = 0, top = 0;      // first texel
+    int right = 0, bottom = 0;  // last texel, included
+};
+
+// Heights in [0, 1] and their pyramid. Level 0 is the height map; texel (x, y) of a level l >= 1 is the maximum,
+// minimum or mean of the heights of 2^l x 2^l texels, with the same bits as in Pyramid.
+//
+// The file is mapped into memory, and a tile is checked against its checksum whenever it is read from the file.
+// Thread-safe. An access costs about two comparisons more than one to an array if its tile is resident; otherwise the
+// tile is read, and the groups of tiles that were not used for longest are dropped. Accesses throw WorkError if the
+// file cannot be read, InputError if a tile is damaged. The file must not be shortened while it is open.
+class TiledHeights {
+  public:
+    // Opens a file written by `relief tile`, checks its header, pages, size and the table of checksums. residentBytes:
+    // bound on the memory taken by tiles and tables. Only the tables and one group of tiles a thread may exceed it.
+    // Throws InputError (missing, another layout, truncated, damaged), MemoryError.
+    static std::shared_ptr<TiledHeights> open(const std::string& path, std::size_t residentBytes);
+    // Returns true if the file's first bytes are those of a file written by `relief tile`. Reads only these. False if
+    // the file cannot be read.
+    static bool isTiled(const std::string& path);
+
+    ~TiledHeights();
+    TiledHeights(const TiledHeights&) = delete;
+    TiledHeights& operator=(const TiledHeights&) = delete;
+
+    const std::string& path() const { return path_; }
+    int width() const { return layout_.width; }
+    int height() const { return layout_.height; }
+    // Number of levels, level 0 included: Pyramid::levelCount(width, height).
+    int levels() const { return layout_.levels; }
+    // Size of a level in texels.
+    int width(int level) const { return layout_.page(TileKind::Max, level).width; }
+    int height(int level) const { return layout_.page(TileKind::Max, level).height; }
+    // Type of the stored heights, maxima and minima: UInt8, UInt16 or Float. Means are floats.
+    NumberType type() const { return layout_.type; }
+    const TiledLayout& layout() const { return layout_; }
+
+    // 0 <= x < width(level), 0 <= y < height(level). Level 0 of each kind is the height.
+    float height(int x, int y) const { return value(layout_.pages.front(), x, y); }
+    float maximum(int level, int x, int y) const { return value(TileKind::Max, level, x, y); }
+    float minimum(int level, int x, int y) const { return value(TileKind::Min, level, x, y); }
+    float mean(int level, int x, int y) const { return value(TileKind::Mean, level, x, y); }
+    float value(TileKind kind, int level, int x, int y) const { return value(layout_.page(kind, level), x, y); }
+
+    // Asks the system to read the tiles that are not resident in the background. A hint: errors are ignored, nothing
+    // counts as read.
+    void prefetch(std::span<const TileRange> ranges) const;
+
+    TileStatistics statistics() const;
+    // Memory that tiles and tables take, in bytes, counted by whole groups; at most residentLimit(), except as said at
+    // open().
+    std::size_t residentBytes() const;
+    std::size_t residentLimit() const { return limit_; }
+
+  private:
+    // States of a tile. The first access makes it resident, a further one marks it as used; what stays unused is
+    // dropped first.
+    static constexpr std::uint8_t kAbsent = 0, kResident = 1, kUsed = 2;
+
+    TiledHeights(std::string path, std::size_t residentBytes);
+
+    float value(const TilePage& page, int x, int y) const {
+        const std::uint64_t at = page.tileOffset(x >> kTileShift, y >> kTileShift);
+        std::atomic<std::uint8_t>& state = states_[at >> kStateShift];
+        if (state.load(std::memory_order_acquire) != kUsed) touch(page, at, state);
+        const std::byte* const tile = map_ + at;
+        const auto i = static_cast<std::size_t>((y & kTileMask) << kTileShift | (x & kTileMask));
+        return tileValue(page.type, tile, i);
+    }
+    // Makes the tile at byte `at` resident, or marks it as used if it is.
+    void touch(const TilePage& page, std::uint64_t at, std::atomic<std::uint8_t>& state) const;
+
+    struct Cache;
+
+    std::string path_;
+    TiledLayout layout_;
+    std::size_t limit_ = 0;
+    const std::byte* map_ = nullptr;
+    std::unique_ptr<std::atomic<std::uint8_t>[]> states_;  // one for every kLeastTileBytes of the file
+    std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace relief
