@@ -2104,7 +2104,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>Go to the next step that meets a breakpoint condition</source>
-        <translation>Перейти до наступного кроку, на якому справджується умова зупинки</translation>
+        <translation>Перейти до наступного кроку, на якому справджується умова точки зупинки</translation>
     </message>
     <message>
         <source>Go back to the previous breakpoint</source>

@@ -86,7 +86,7 @@ const std::set<QString>& allowedWords() {
                  "English "  // in the menu of languages, each in its own
                  "CPU DIST17 FLIP MIP MIP18 MPI OpenGL GLX PERSP PSNR RMSE SIMD TEX "
                  "CSV JSON PDF PNG SVG TIFF csv exr json "
-                 "DISPLAY HI LO auto beyond border clamp double error false float full random repeat true "
+                 "DISPLAY HI LO auto beyond border clamp double error false float full random reads repeat true "
                  "lambda_in lambda_out layers mapping parallax bump normal MiB px");
         for (const relief::MethodDescription& method : relief::tracerList()) {
             addWords(all, method.name);

@@ -39,9 +39,8 @@ void savePyramid(const std::string& path, const Pyramid& pyramid) {
     auto checksums = nlohmann::ordered_json::array();
     for (int l = 0; l < pyramid.levels(); ++l) {
         const FloatImage& level = pyramid.level(l);
-        nlohmann::ordered_json header =
-            pyramidPage(kPyramidFileVersion, tileKind(pyramid.kind()), l, pyramid.levels(),
-                        {level.width(), level.height()}, {base.width(), base.height()});
+        nlohmann::ordered_json header = pyramidPage(kPyramidFileVersion, tileKind(pyramid.kind()), l, pyramid.levels(),
+                                                    {level.width(), level.height()}, {base.width(), base.height()});
         checksums.push_back(checksumText(level));
         if (l + 1 == pyramid.levels()) header["checksums"] = checksums;
         pages.push_back({&level, header.dump()});

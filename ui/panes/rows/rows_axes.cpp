@@ -57,10 +57,16 @@ Message curveText(const RowsData& data, std::size_t c) {
 void addStripTitle(Drawing& drawing, const RowsData& data, const RowsFrame& frame, std::size_t s) {
     const std::size_t c = frame.stripCurves[s];
     const Box& strip = frame.strips[s];
-    chart::text(drawing, {strip.x0, strip.y0},
-                Message(MessageId::DrawRowStrip,
-                        {{"name", data.names[c]}, {"from", frame.lens.begin}, {"to", frame.lens.end - 1}}),
-                Anchor::BottomLeft, {16, -1});
+    constexpr double kNumberRoom = 16;
+    Message title(MessageId::DrawRowStrip,
+                  {{"name", data.names[c]}, {"from", frame.lens.begin}, {"to", frame.lens.end - 1}});
+    const double size = chart::fittingSize(chart::widthOf(title), strip.width() - kNumberRoom);
+    drawing.add({}, Role::Legend,
+                Label{.at = {strip.x0, strip.y0},
+                      .text = std::move(title),
+                      .anchor = Anchor::BottomLeft,
+                      .size = size,
+                      .offset = {kNumberRoom, -1}});
     addCurveNumber(drawing, {strip.x0, strip.y0}, c, {0, -1}, Anchor::BottomLeft);
 }
 
