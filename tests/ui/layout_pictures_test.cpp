@@ -85,7 +85,7 @@ class LayoutPictures : public WindowTest {
         // The size of the full screen may arrive after this; a change of size in between makes the window adapt its
         // type to the final one.
         window_->resize(kWindow + QSize(1, 1));
-        QTest::qWait(kApart);
+        QTest::qWait(200);
         ASSERT_TRUE(QTest::qWaitFor(
             [this] {
                 window_->resize(kWindow);
