@@ -496,6 +496,10 @@ TEST_F(WindowTest, NothingToExportIsSaidInTheWindowsWords) {
     ASSERT_EQ(problems.size(), 1);
     EXPECT_TRUE(problems[0][0].toString().contains(QStringLiteral("no pixel is chosen")));
     EXPECT_FALSE(problems[0][0].toString().contains(QStringLiteral("--")));
+    // Menus ask the panes for figures without expecting an error.
+    for (const FigureView* const view : window_->findChildren<FigureView*>()) {
+        EXPECT_NO_THROW(view->figure()) << view->accessibleName().toStdString();
+    }
 }
 
 }  // namespace

@@ -303,7 +303,7 @@ void Trace3dView::render() {
 
 std::shared_ptr<const Figure> Trace3dView::figure() const {
     const auto& shown = picture_.shown();
-    if (!shown || !shown->request) return nullptr;
+    if (!shown || !shown->request || !shown->trace.onRelief) return nullptr;
     return traceFigure(shown, workspace_->scenario().step, {pane_.heights, stepColors(pane_.colors), picture_.camera});
 }
 
