@@ -48,7 +48,8 @@ fi
 # In a fresh checkout app/run explains itself without installing or building anything.
 mkdir -p "$folder/fresh/app"
 cp "$sources/app/run" "$sources/app/setup.sh" "$folder/fresh/app"
-"$folder/fresh/app/run" --help | grep -q '^Usage: app/run' || fail "app/run --help explains nothing"
+"$folder/fresh/app/run" --help > "$folder/help"
+grep -q '^Usage: app/run' "$folder/help" || fail "app/run --help explains nothing"
 [ "$(ls "$folder/fresh")" = app ] || fail "app/run --help makes $(ls "$folder/fresh")"
 
 [ -s "$prefix/share/doc/reliefscope/scenario.schema.json" ] || fail "the schema of scenarios is not installed"

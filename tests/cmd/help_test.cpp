@@ -54,7 +54,7 @@ TEST_P(HelpTest, WrongCommandsAndOptions) {
 
 TEST_P(HelpTest, MessagesSpeakUkrainian) {
     expectRefusal({"info", path("nothing.png"), "--language", "uk"}, 2, {"такого файлу немає"});
-    expectRefusal({"--language=uk", "redner"}, 2, {"немає такого"});
+    expectRefusal({"--language=uk", "redner"}, 2, {"не знайдено"});
 }
 
 TEST_P(HelpTest, OptionsOfOtherCommandsAreNamed) {

@@ -231,19 +231,19 @@ TEST(MergeParts, PartsOfOtherRunsAreNamedByWhatDiffers) {
     EXPECT_EQ(fault(runOf("rows")),
               "2of2.csv: is a part of a different kind from 1of2.csv; only parts of one run can be merged");
     EXPECT_EQ(fault(runOf("tracers", "ba9876543210")),
-              other + "commit is \"ba9876543210\" here, \"0123456789ab\" there");
+              other + "commit is \"ba9876543210\" here but \"0123456789ab\" there");
     const auto with = [&](const Json& options) { return fault(runOf("tracers", "0123456789ab", options)); };
-    EXPECT_EQ(with({{"rays", 64}, {"seed", "2"}, {"sizes", {8, 16}}}), other + "seed is \"2\" here, \"1\" there");
-    EXPECT_EQ(with({{"rays", 64}, {"seed", "1"}, {"sizes", {8, 32}}}), other + "sizes is [8,32] here, [8,16] there");
-    EXPECT_EQ(with({{"rays", 65}, {"seed", "2"}, {"sizes", {8}}}), other + "seed is \"2\" here, \"1\" there")
+    EXPECT_EQ(with({{"rays", 64}, {"seed", "2"}, {"sizes", {8, 16}}}), other + "seed is \"2\" here but \"1\" there");
+    EXPECT_EQ(with({{"rays", 64}, {"seed", "1"}, {"sizes", {8, 32}}}), other + "sizes is [8,32] here but [8,16] there");
+    EXPECT_EQ(with({{"rays", 65}, {"seed", "2"}, {"sizes", {8}}}), other + "seed is \"2\" here but \"1\" there")
         << "the seed is named first";
-    EXPECT_EQ(with({{"seed", "1"}, {"sizes", {8, 16}}}), other + "rays is null here, 64 there");
+    EXPECT_EQ(with({{"seed", "1"}, {"sizes", {8, 16}}}), other + "rays is null here but 64 there");
     EXPECT_EQ(with({{"rays", 64}, {"seed", "1"}, {"sizes", {8, 16}}, {"more", true}}),
-              other + "more is true here, null there");
+              other + "more is true here but null there");
     EXPECT_EQ(with({{"sizes", {8, 16}}, {"seed", "1"}, {"rays", 64}}), "") << "the order of members does not matter";
     Json cells = runOf();
     cells["cells"] = "ffeeddcc99887766";
-    EXPECT_EQ(fault(cells), other + "cells is \"ffeeddcc99887766\" here, \"00112233aabbccdd\" there");
+    EXPECT_EQ(fault(cells), other + "cells is \"ffeeddcc99887766\" here but \"00112233aabbccdd\" there");
 }
 
 TEST(MergeParts, DifferencesWithinOptionsHaveTheirPath) {

@@ -132,7 +132,7 @@ TEST_P(MergeTest, PartsOfAStressTestMakeTheReportOfOneProcess) {
     };
     refuse(third.substr(0, third.size() - 1), "line 3");
     refuse(replaced(third, "\"case\":2", "\"case\":5"), "line 2");
-    refuse(replaced(third, "\"seed\":7", "\"seed\":8"), "seed is 8 here, 7 there");
+    refuse(replaced(third, "\"seed\":7", "\"seed\":8"), "seed is 8 here but 7 there");
     for (const std::string name : {"s1.jsonl", "s2.jsonl", "s3.jsonl"}) violate(name);
     const Result result = run(merge(parts, ""));
     EXPECT_EQ(result.status, 1);
@@ -305,9 +305,9 @@ TEST_P(MergeTest, WhatIsMissingTwiceOrOfAnotherRunIsNamed) {
         return write("other.csv", replaced(even, from, to));
     };
     refuse({parts[0], other("\"seed\":\"1\"", "\"seed\":\"2\"")},
-           {parts[0], path("other.csv"), "seed is \"2\" here, \"1\" there"});
+           {parts[0], path("other.csv"), "seed is \"2\" here but \"1\" there"});
     refuse({parts[0], other("0123456789ab", "0123456789ab+")}, {"commit", "\"0123456789ab+\""});
-    refuse({parts[0], other("\"rays\":64", "\"rays\":65")}, {"rays is 65 here, 64 there"});
+    refuse({parts[0], other("\"rays\":64", "\"rays\":65")}, {"rays is 65 here but 64 there"});
     refuse({parts[0], other("\"of\":2", "\"of\":3")}, {"2/3", "1/2"});
     refuse({parts[0], other("tracers", "rows")}, {parts[0], path("other.csv"), "kind"});
     refuse({parts[0], other("\"relief part\":2", "\"relief part\":3")}, {path("other.csv"), "not a part"});

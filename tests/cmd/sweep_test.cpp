@@ -99,7 +99,7 @@ TEST_P(SweepTest, StoppedBeforeTheFirstPartItLeavesNothing) {
     kill(child, SIGINT);
     EXPECT_EQ(statusOf(child), 128 + SIGINT);
     EXPECT_EQ(files(), std::vector<std::string>{"said"});
-    EXPECT_NE(read("said").find("no result was saved"), std::string::npos) << read("said");
+    EXPECT_NE(read("said").find("nothing was saved"), std::string::npos) << read("said");
 }
 
 TEST_P(SweepTest, ASecondRunWithTheSameOutputIsRefusedWhileTheFirstLives) {

@@ -78,7 +78,9 @@ TEST_F(DistanceTest, OfThePapersPointBothSpheresAndLinesAreDrawn) {
         }
     }
     EXPECT_NE(text.find("3.000"), std::string::npos) << text;
-    EXPECT_NE(text.find("4.000 texels; decided by V2, the ray that enters at (4, 4.5) and runs by (0, 0) texels"), std::string::npos) << text;
+    EXPECT_NE(text.find("4.000 texels; decided by V2, the ray that enters at (4, 4.5) and runs by (0, 0) texels"),
+              std::string::npos)
+        << text;
 }
 
 TEST_F(DistanceTest, CtrlClickChoosesAPointAndASecondOneRemovesIt) {

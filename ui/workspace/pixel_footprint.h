@@ -51,7 +51,7 @@ struct PixelFootprint {
     // centre with its whole weight, and a second time with the hidden part of its weight, if any.
     relief::FootprintLog log;
     relief::FootprintCounts counts;
-    bool listed = true;          // false: too many texels to list each of them
+    bool listed = true;  // false: too many texels to list each of them
     double weightSum = 0;
     // largest weight of a visible texel; of a hidden one if only hidden ones are listed
     double greatest = 0;

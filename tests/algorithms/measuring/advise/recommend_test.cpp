@@ -380,7 +380,7 @@ TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {
     const std::string text = adviceText(options, advice);
     const std::string method = methodText(advice.best().method);
     for (const std::string& part : {"Method: " + method, std::string("steps and"), std::string("per ray"),
-                                    std::string("mean slope"), std::string("flat"), std::string("KB"),
+                                    std::string("mean slope"), std::string("flat"), std::string("KiB"),
                                     std::string("Of 4 candidates (methods with options), 1 exceed the error bound")}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }

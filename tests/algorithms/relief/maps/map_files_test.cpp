@@ -323,7 +323,7 @@ TEST(MapFiles, TooLargeIsRefusedBeforeAllocating) {
         Work work;
         OptionValues options;
         if (methodOfMap(kind).starts_with("distance")) options = {{"footprint", "1"}, {"layers", "1024"}};
-        expectPart(faultOf([&] { (void)buildMap(kind, options, large, cache, work); }), "MB");
+        expectPart(faultOf([&] { (void)buildMap(kind, options, large, cache, work); }), "MiB");
         EXPECT_EQ(cache.bytes(), 0U);
     }
 }
