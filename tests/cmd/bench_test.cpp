@@ -173,7 +173,8 @@ TEST_P(MeasureTest, StressSaysWhatItCovered) {
     const std::string out = runFine({"stress", "--seconds", "0", "--seed", "5", "--tracers", "exact,layers:layers=3"});
     EXPECT_EQ(out.substr(0, 8), "seed 5: ");
     EXPECT_NE(out.find("violations: 0\n"), std::string::npos) << out;
-    for (const std::string part : {"at-limit", "through-corners", "steps/bound", "maps (number of cases)", "\n  layers "}) {
+    for (const std::string part :
+         {"at-limit", "through-corners", "steps/bound", "maps (number of cases)", "\n  layers "}) {
         EXPECT_NE(out.find(part), std::string::npos) << part;
     }
     EXPECT_TRUE(files().empty());

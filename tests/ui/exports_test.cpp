@@ -498,7 +498,7 @@ TEST_F(WindowTest, NothingToExportIsSaidInTheWindowsWords) {
     EXPECT_FALSE(problems[0][0].toString().contains(QStringLiteral("--")));
     // Menus ask the panes for figures without expecting an error.
     for (const FigureView* const view : window_->findChildren<FigureView*>()) {
-        EXPECT_NO_THROW(view->figure()) << view->accessibleName().toStdString();
+        EXPECT_NO_THROW(view->image(64)) << view->accessibleName().toStdString();
     }
 }
 
