@@ -183,6 +183,7 @@ void PyramidView::showSnapshot() {
 // A legend that would take too much of the pane is shortened or left out.
 void PyramidView::showStackLegend() {
     constexpr double kMost = 0.25;
+    constexpr double kLeastTower = 150;  // points; in a lower pane the slabs would be hardly recognisable
     const Style& style = workspace_->style();
     const double unit = style.pixelsPerPoint();
     bool shown = false;
@@ -191,7 +192,7 @@ void PyramidView::showStackLegend() {
         const Drawing legend = pyramidLegend(pyramidSource(*shown_, options_), parts_.heights,
                                              width() / unit - 2 * kFigureMargin, style.language, brief);
         const double high = (legend.bounds.height() + kFigureMargin) * unit;
-        if (high > kMost * height()) continue;
+        if (high > kMost * height() || height() - high < kLeastTower * unit) continue;
         stackLegend_->setStyle(style);
         stackLegend_->setFixedHeight(static_cast<int>(std::ceil(high)));
         stackLegend_->setLayers({}, std::make_shared<const Drawing>(legend));
