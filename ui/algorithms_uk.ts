@@ -4,152 +4,8 @@
 <context>
     <name>core</name>
     <message>
-        <source>a step by the distance: from where the ray leaves the voxel, or from where it is</source>
-        <translation>крок на відстань: від точки виходу променя з вокселя або від поточної точки</translation>
-    </message>
-    <message>
-        <source>u, v linear along the row, no perspective: wrong on purpose.</source>
-        <translation>Афінне текстурування: u, v змінюються вздовж рядка лінійно, без перспективи; навмисно неправильно.</translation>
-    </message>
-    <message>
-        <source>(A x + B y + C) / (G x + H y + I), the denominator made for each of u and v.</source>
-        <translation>Метод Хекберта: (A x + B y + C) / (G x + H y + I), знаменник обчислюється окремо для u та для v.</translation>
-    </message>
-    <message>
-        <source>(u_t + A n) / (u_b + G n): what does not change along a row once.</source>
-        <translation>(u_t + A n) / (u_b + G n): сталі для рядка частини чисельника та знаменника обчислено один раз ([PERSP]).</translation>
-    </message>
-    <message>
-        <source>w += A, q += G, a denominator for each of u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>w += A, q += G, знаменник окремо для u та для v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
-    </message>
-    <message>
-        <source>The same with one q for u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Те саме з одним q для u та v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
-    </message>
-    <message>
-        <source>The same with one 1 / q for u and v. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Те саме з одним 1 / q для u та v. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
-    </message>
-    <message>
-        <source>Pixel n from pixel n - k, k streams at once; 2, 4, 8, 16 and 32 run in vector lanes. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Піксель n із пікселя n - k, k потоків одночасно; 2, 4, 8, 16 та 32 обчислюються у векторних регістрах (SIMD). Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
-    </message>
-    <message>
-        <source>From both ends of the row to its middle. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Від обох кінців рядка до середини. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
-    </message>
-    <message>
-        <source>Interleaved streams, the rows by several threads. Starts again from an exact value every anchor pixels; without that it drifts.</source>
-        <translation>Почергові потоки в рядку; самі рядки паралельно растеризує кілька потоків процесора. Через кожні anchor пікселів (перезапуск) обчислюється точне значення; без цього похибка накопичується.</translation>
-    </message>
-    <message>
-        <source>A division every m pixels, u and v linear between; m as given, or the longest that keeps an error.</source>
-        <translation>Ділення через кожні m пікселів, між ними u та v лінійні; m задане або найбільше, за якого похибка не перевищує заданої.</translation>
-    </message>
-    <message>
-        <source>Steps to the edge of the cone that the map promises to be empty above each cell; below its apex the cell is skipped if the ray stays above it, else tested.</source>
-        <translation>Просувається до межі конуса, який за картою порожній над коміркою; нижче його вершини комірку пропускають, якщо промінь лишається над нею, інакше перевіряють.</translation>
-    </message>
-    <message>
-        <source>packed: four square cones per cell, compact and fast; texel: one round cone per cell, as engines store them. Sectors, a precision or a map file select texel</source>
-        <translation>packed: чотири квадратні конуси на комірку, компактно й швидко; texel: один круглий конус на комірку, як в ігрових рушіях. Сектори, точність зберігання або файл карти вибирають texel</translation>
-    </message>
-    <message>
-        <source>azimuth sectors that have slopes of their own</source>
-        <translation>азимутальні сектори з власними нахилами конусів</translation>
-    </message>
-    <message>
-        <source>how cones are stored</source>
-        <translation>як зберігаються конуси</translation>
-    </message>
-    <message>
-        <source>Steps to the edge of the interpolated cone, a fixed number of times.</source>
-        <translation>Просувається до межі інтерпольованого конуса; кількість кроків стала.</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>щонайбільше</translation>
-    </message>
-    <message>
-        <source>Wider cones that the ray may leave below the surface, once; then halving of the last step.</source>
-        <translation>Ширші конуси: точка виходу променя з конуса може лежати під поверхнею, але перетинає він її щонайбільше раз; далі останній крок ділять навпіл.</translation>
-    </message>
-    <message>
-        <source>of the last step</source>
-        <translation>останнього кроку</translation>
-    </message>
-    <message>
-        <source>how far cones are looked for</source>
-        <translation>до якої відстані шукають перешкоди для конуса</translation>
-    </message>
-    <message>
-        <source>along which cones are measured</source>
-        <translation>напрямків, уздовж яких вимірюють конуси</translation>
-    </message>
-    <message>
-        <source>Sphere tracing by trilinear distances, until the ray is at the surface.</source>
-        <translation>Метод Доннеллі: трасування сферами за трилінійно інтерпольованими відстанями, доки промінь не дійде до поверхні.</translation>
-    </message>
-    <message>
-        <source>Sphere tracing with distances that hold for whole voxels; near the surface the cells themselves are tested.</source>
-        <translation>Трасування сферами з відстанями, що справджуються для всього об’єму вокселя; біля поверхні перевіряють самі комірки.</translation>
-    </message>
-    <message>
-        <source>The papers&apos; refined map as it stands, from sampled rays; overshoots at walls.</source>
-        <translation>Уточнена карта зі статей без змін, за вибірковими променями; біля стінок можливий проскок за поверхню.</translation>
-    </message>
-    <message>
-        <source>Sphere tracing with the larger distances that rays from above may use; safe for whole voxels.</source>
-        <translation>Трасування сферами з більшими відстанями для видових променів згори; вони справджуються для всього об’єму вокселя.</translation>
-    </message>
-    <message>
         <source>side of a voxel&apos;s footprint</source>
         <translation>сторона основи вокселя</translation>
-    </message>
-    <message>
-        <source>how many voxels the slab is high</source>
-        <translation>скільки вокселів уміщується за висотою товщі рельєфу</translation>
-    </message>
-    <message>
-        <source>how distances are stored</source>
-        <translation>як зберігаються відстані</translation>
-    </message>
-    <message>
-        <source>elevation of the flattest ray that it serves</source>
-        <translation>кут піднесення найпологішого променя, для якого карта справджується</translation>
-    </message>
-    <message>
-        <source>azimuth sectors in which what hides a voxel is looked for</source>
-        <translation>азимутальні сектори, у яких шукають перешкоди, що перекривають воксель</translation>
-    </message>
-    <message>
-        <source>azimuth sectors that have distances of their own (a divisor of horizons)</source>
-        <translation>азимутальні сектори з власними відстанями (дільник кількості секторів горизонту)</translation>
-    </message>
-    <message>
-        <source>sampled from each voxel</source>
-        <translation>вибіркових променів із кожного вокселя</translation>
-    </message>
-    <message>
-        <source>at most; with stop=never all</source>
-        <translation>щонайбільше; за stop=never — усі</translation>
-    </message>
-    <message>
-        <source>where the march ends: at the surface, where the distance is below `within`, or nowhere</source>
-        <translation>де закінчується трасування: на поверхні, там, де відстань менша за `within`, або ніде</translation>
-    </message>
-    <message>
-        <source>of stop=distance</source>
-        <translation>для stop=distance</translation>
-    </message>
-    <message>
-        <source>what Euclidean distances are measured to: the surface, or the nearest solid voxel&apos;s centre</source>
-        <translation>до чого вимірюють евклідові відстані: до поверхні чи до центра найближчого заповненого вокселя</translation>
-    </message>
-    <message>
-        <source>the map that it traces with</source>
-        <translation>карта, за якою виконується трасування</translation>
     </message>
     <message>
         <source>Relief depth</source>
@@ -200,40 +56,8 @@
         <translation>товщина рельєфу</translation>
     </message>
     <message>
-        <source>how high the camera stands above the horizontal</source>
-        <translation>кут камери над горизонтом</translation>
-    </message>
-    <message>
-        <source>how far the camera has turned to the right, 0 in front</source>
-        <translation>наскільки камера повернута праворуч, 0 — спереду</translation>
-    </message>
-    <message>
-        <source>from the camera to what it looks at</source>
-        <translation>від камери до того, на що вона спрямована</translation>
-    </message>
-    <message>
         <source>vertical field of view</source>
         <translation>вертикальний кут огляду</translation>
-    </message>
-    <message>
-        <source>where the light comes from, 0 in front</source>
-        <translation>звідки падає світло, 0 — спереду</translation>
-    </message>
-    <message>
-        <source>how high the light stands</source>
-        <translation>кут світла над горизонтом</translation>
-    </message>
-    <message>
-        <source>share of the light that comes from everywhere</source>
-        <translation>частка світла, що йде звідусіль</translation>
-    </message>
-    <message>
-        <source>strength of the light</source>
-        <translation>сила світла, що падає з одного напрямку</translation>
-    </message>
-    <message>
-        <source>of the picture</source>
-        <translation>зображення</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -268,44 +92,12 @@
         <translation>тексель, у якому лежить точка</translation>
     </message>
     <message>
-        <source>the four texels around the point, weighted by closeness</source>
-        <translation>білінійна фільтрація: чотири текселі навколо точки, ваговий коефіцієнт тим більший, чим ближчий тексель</translation>
-    </message>
-    <message>
-        <source>Skips what lies below the ray by the pyramid of maxima; iterative, stackless.</source>
-        <translation>Пропускає ділянки, що лежать нижче за промінь, за допомогою MIP-піраміди максимальних значень; ітеративно, без стека.</translation>
-    </message>
-    <message>
-        <source>Plain texturing: no relief, lit as the polygon is.</source>
-        <translation>Звичайне текстурування: без рельєфу, освітлення як у полігона.</translation>
-    </message>
-    <message>
-        <source>The picture stays flat; the light sees the slopes of the heights.</source>
-        <translation>Геометрія лишається плоскою; освітлення враховує нахили карти висот (bump mapping).</translation>
-    </message>
-    <message>
-        <source>The picture stays flat; the light sees a normal map, the given one or one baked from the heights.</source>
-        <translation>Геометрія лишається плоскою; освітлення враховує карту нормалей, задану або обчислену з висот (normal mapping).</translation>
-    </message>
-    <message>
-        <source>A mesh of triangles at the heights; frames rasterise it with a depth buffer.</source>
-        <translation>Сітка трикутників, вершини якої підняті на висоти карти (displacement mapping); кадр растеризують із буфером глибини.</translation>
-    </message>
-    <message>
-        <source>many rays a pixel, traced and lit one by one: the picture&apos;s truth, slow</source>
-        <translation>надвибірка: багато променів на піксель, кожен трасовано й освітлено окремо; еталон зображення, повільно</translation>
-    </message>
-    <message>
         <source>samples</source>
         <translation>формування вибірок</translation>
     </message>
     <message>
         <source>quads</source>
         <translation>чотирикутників</translation>
-    </message>
-    <message>
-        <source>along each side of the texture</source>
-        <translation>уздовж кожної сторони текстури</translation>
     </message>
     <message>
         <source>Bilinear</source>
@@ -338,14 +130,6 @@
     <message>
         <source>Cube</source>
         <translation>Куб</translation>
-    </message>
-    <message>
-        <source>Skips what lies below the ray by the pyramid of maxima; recursive, as the paper tells it.</source>
-        <translation>Пропускає ділянки, що лежать нижче за промінь, за допомогою MIP-піраміди максимальних значень; рекурсивно, як у [MIP18].</translation>
-    </message>
-    <message>
-        <source>Tests every cell that the ray crosses, in order: the truth that others are held against.</source>
-        <translation>Перевіряє по черзі кожну комірку, яку перетинає промінь: еталон, з яким порівнюють інші методи.</translation>
     </message>
     <message>
         <source>brick wall in a running bond with deep mortar</source>
@@ -400,36 +184,8 @@
         <translation>MIP-піраміда</translation>
     </message>
     <message>
-        <source>One sample: the ray is taken to the height found where it enters.</source>
-        <translation>Зміщення за один відлік: промінь продовжують до висоти, прочитаної в точці входу.</translation>
-    </message>
-    <message>
-        <source>One sample, the shift never longer than the relief is deep.</source>
-        <translation>Один відлік, з обмеженням зміщення: воно не довше за глибину рельєфу.</translation>
-    </message>
-    <message>
-        <source>Equal layers of depth; the first one below the surface.</source>
-        <translation>Шари однакової товщини; відповідь — перший шар, нижчий за поверхню.</translation>
-    </message>
-    <message>
-        <source>Equal layers, then a straight line between the last two.</source>
-        <translation>Шари однакової товщини, потім пряма між двома останніми.</translation>
-    </message>
-    <message>
-        <source>Equal layers, then halving the last one.</source>
-        <translation>Шари однакової товщини, потім ділення останнього навпіл.</translation>
-    </message>
-    <message>
-        <source>One level of the max pyramid marks the segments worth testing; another method works inside them and gives its guarantee. It mostly takes more steps than that method alone: compare the two.</source>
-        <translation>Один рівень MIP-піраміди максимальних значень виділяє відрізки, які варто перевірити; всередині них працює інший метод, і гарантія така, як у нього. Кроків здебільшого більше, ніж у самого того методу: порівняйте обидва.</translation>
-    </message>
-    <message>
         <source>Density</source>
         <translation>Густота</translation>
-    </message>
-    <message>
-        <source>base level: above 0, the mean pyramid&apos;s level is traced instead of the heights (the last if there are fewer); auto: the highest whose texels are no wider than the narrowest pixel of the view</source>
-        <translation>базовий MIP-рівень: якщо більший за 0, замість висот трасують рівень MIP-піраміди середніх значень (останній, якщо рівнів менше); auto: найвищий рівень, текселі якого не ширші за найвужчу проєкцію пікселя цього ракурсу</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -469,22 +225,6 @@
         <translation>рівня</translation>
     </message>
     <message>
-        <source>how many the slab is cut into</source>
-        <translation>на скільки шарів поділено товщу рельєфу</translation>
-    </message>
-    <message>
-        <source>of the last layer</source>
-        <translation>останнього шару</translation>
-    </message>
-    <message>
-        <source>the middle level (the top if there are fewer)</source>
-        <translation>середній рівень (найвищий, якщо рівнів менше)</translation>
-    </message>
-    <message>
-        <source>the method inside the segments; its own options as inner.NAME</source>
-        <translation>метод усередині відрізків; його параметри: inner.НАЗВА</translation>
-    </message>
-    <message>
         <source>error against exact</source>
         <translation>похибка відносно точного методу</translation>
     </message>
@@ -517,80 +257,8 @@
         <translation>карта конусів: relaxed-cone</translation>
     </message>
     <message>
-        <source>two levels of the mean pyramid, by the longer side of the pixel&apos;s projection</source>
-        <translation>трилінійна фільтрація: два рівні MIP-піраміди середніх значень, за довшою стороною проєкції пікселя</translation>
-    </message>
-    <message>
-        <source>all texels in the ellipse of the pixel, weighted by the pixel&apos;s own shape</source>
-        <translation>анізотропна фільтрація: усі текселі в еліпсі — проєкції пікселя — з ваговими коефіцієнтами за моделлю пікселя</translation>
-    </message>
-    <message>
-        <source>the same without the texels that the relief hides from the viewer</source>
-        <translation>анізотропна фільтрація без текселів, які перекриває рельєф (зворотне трасування променя)</translation>
-    </message>
-    <message>
-        <source>how the texels of a footprint are weighed</source>
-        <translation>вагова функція текселів проєкції пікселя</translation>
-    </message>
-    <message>
-        <source>of the Gaussian pixel</source>
-        <translation>гаусівської моделі пікселя</translation>
-    </message>
-    <message>
-        <source>of the footprint; 0: what suits the weights</source>
-        <translation>проєкції пікселя; 0: радіус, що відповідає ваговій функції</translation>
-    </message>
-    <message>
-        <source>the level by the footprint&apos;s minor axis, or always level 0</source>
-        <translation>рівень за малою віссю проєкції пікселя або завжди рівень 0</translation>
-    </message>
-    <message>
-        <source>smallest minor semi-axis of the 1-pixel circle on the level chosen</source>
-        <translation>найменша допустима мала піввісь еліпса, у який проєктується коло радіуса 1 піксель, на вибраному рівні</translation>
-    </message>
-    <message>
-        <source>largest ratio of the axes; longer footprints get wider</source>
-        <translation>найбільше відношення осей; довші проєкції розширюються</translation>
-    </message>
-    <message>
-        <source>whether the Gaussian makes allowance for the size of texels</source>
-        <translation>чи враховує гаусівська модель розмір текселів</translation>
-    </message>
-    <message>
-        <source>where weights come from: the formula, a table over the distance, a map of the pixel</source>
-        <translation>звідки беруться вагові коефіцієнти: формула, таблиця за відстанню чи текстурна карта вагових коефіцієнтів</translation>
-    </message>
-    <message>
-        <source>of the map of weights along each side; the table has its square</source>
-        <translation>роздільна здатність карти вагових коефіцієнтів за кожною стороною; таблиця за відстанню має стільки комірок, скільки вся карта</translation>
-    </message>
-    <message>
-        <source>many pixels at once, of 16-bit levels, where the formula is direct; or one by one in double</source>
-        <translation>багато пікселів одночасно, за 16-бітовими рівнями (лише для прямої формули); або по одному, з подвійною точністю</translation>
-    </message>
-    <message>
-        <source>where in the pixel a texel counts: its place on the plane (the paper&apos;s), its own, and with its area seen (ours); or what rays through parts of the pixel see, of its own or on a grid that neighbours share (ours; grid: the default)</source>
-        <translation>де в пікселі враховується тексель: на площині полігона (plane); на своїй висоті (position); те саме з видимою площею (position-area); або за променями крізь частини пікселя: власними (rays) чи зі спільної із сусідами сітки (grid)</translation>
-    </message>
-    <message>
-        <source>how footprints are computed: each pixel&apos;s derivatives in double; or along rows in float ([TEX]), by differences or by cached squares; slower</source>
-        <translation>як обчислюють проєкцію пікселя: похідні кожного пікселя з подвійною точністю; або вздовж рядків з одинарною ([TEX]), різницями чи збереженими квадратами; повільніше</translation>
-    </message>
-    <message>
-        <source>form=rays: through a pixel in which the relief is no plane</source>
-        <translation>form=rays: променів крізь піксель, у якому рельєф не є площиною</translation>
-    </message>
-    <message>
-        <source>form=grid: looked at for each pixel where the relief is no plane</source>
-        <translation>form=grid: точок на піксель там, де рельєф не є площиною</translation>
-    </message>
-    <message>
         <source>samples along each side of a pixel</source>
         <translation>вибірок уздовж кожної сторони пікселя</translation>
-    </message>
-    <message>
-        <source>what a pixel of the display is: how samples are weighed</source>
-        <translation>модель пікселя екрана: вагова функція вибірок</translation>
     </message>
     <message>
         <source>Weights</source>
@@ -652,14 +320,6 @@
     <message>
         <source>Bounded</source>
         <translation>Межа похибки</translation>
-    </message>
-    <message>
-        <source>what hits may be wrong by where that spares work; its error is measured</source>
-        <translation>допустима похибка точки перетину там, де це заощаджує обчислення; фактичну похибку вимірюють</translation>
-    </message>
-    <message>
-        <source>looking for pixels</source>
-        <translation>пошук пікселів</translation>
     </message>
     <message>
         <source>Precision</source>
@@ -817,18 +477,6 @@
     <message>
         <source>hybrid</source>
         <translation>гібрид</translation>
-    </message>
-    <message>
-        <source>the heights as they were read</source>
-        <translation>висоти, як їх прочитано</translation>
-    </message>
-    <message>
-        <source>heights rounded to so many bits, as files of whole numbers have them</source>
-        <translation>висоти, округлені до стількох бітів, як у файлах цілих чисел</translation>
-    </message>
-    <message>
-        <source>of a height: 2^bits values, uniform from 0 to 1</source>
-        <translation>на висоту: 2 у степені цього числа значень, рівномірно від 0 до 1</translation>
     </message>
     <message>
         <source>Bits</source>
@@ -1209,18 +857,6 @@
     <message>
         <source>number of azimuth sectors with separate distances (a divisor of horizons); needs map=refined</source>
         <translation>кількість азимутальних секторів з окремими відстанями (дільник кількості секторів горизонту); потребує map=refined</translation>
-    </message>
-    <message>
-        <source>elevation of the flattest ray that it serves; needs map=refined</source>
-        <translation>кут піднесення найпологішого променя, для якого карта справджується; потребує map=refined</translation>
-    </message>
-    <message>
-        <source>azimuth sectors in which what hides a voxel is looked for; needs map=refined</source>
-        <translation>азимутальні сектори, у яких шукають перешкоди, що перекривають воксель; потребує map=refined</translation>
-    </message>
-    <message>
-        <source>azimuth sectors that have distances of their own (a divisor of horizons); needs map=refined</source>
-        <translation>азимутальні сектори з власними відстанями (дільник кількості секторів горизонту); потребує map=refined</translation>
     </message>
     <message>
         <source> px</source>

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "images/file_descriptor.h"
+#include "images/file_replacing.h"
 #include "images/system_error.h"
 #include "relief/files.h"
 #include "relief/memory.h"
@@ -56,48 +58,9 @@ namespace {
 // Limit on the size of a text file to read, bytes: the path may name a device that never ends.
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 32;
 
-// A file descriptor that is closed by the destructor.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
-    bool open() const { return number_ >= 0; }
-    // Closes the descriptor; a full disk may be reported only here. Returns 0 or an errno.
-    int close() {
-        const int result = ::close(number_);
-        number_ = -1;
-        return result == 0 ? 0 : errno;
-    }
-
-  private:
-    int number_;
-};
-
 std::string folderOf(const std::string& path) {
     const std::string folder = fs::path(path).parent_path().string();
     return folder.empty() ? "." : folder;
-}
-
-[[noreturn]] void throwUnwritable(const std::string& path, int error, const std::string& target) {
-    throw WorkError(path, systemMessage(error, FileAccess::Write, folderOf(target)));
-}
-
-// The path that writing to `path` writes to: symbolic links are followed, also where their target does not exist yet.
-std::string linkTarget(const std::string& path) {
-    fs::path target = path;
-    for (int links = 0; links < 40; ++links) {
-        std::error_code error;
-        if (!fs::is_symlink(fs::symlink_status(target, error))) return target.string();
-        const fs::path next = fs::read_symlink(target, error);
-        if (error) throwUnwritable(path, error.value(), target.string());
-        target = next.is_absolute() ? next : target.parent_path() / next;
-    }
-    throwUnwritable(path, ELOOP, path);
 }
 
 // A unique file name: clock, process id and a counter, mixed by splitmix64.
@@ -141,6 +104,29 @@ bool isWrittenInPlace(const std::string& path) {
 
 }  // namespace
 
+void throwUnwritable(const std::string& path, int error, const std::string& target) {
+    throw WorkError(path, systemMessage(error, FileAccess::Write, folderOf(target)));
+}
+
+std::string linkTarget(const std::string& path) {
+    fs::path target = path;
+    for (int links = 0; links < 40; ++links) {
+        std::error_code error;
+        if (!fs::is_symlink(fs::symlink_status(target, error))) return target.string();
+        const fs::path next = fs::read_symlink(target, error);
+        if (error) throwUnwritable(path, error.value(), target.string());
+        target = next.is_absolute() ? next : target.parent_path() / next;
+    }
+    throwUnwritable(path, ELOOP, path);
+}
+
+void replaceFile(const std::string& complete, const std::string& target, const std::string& path) {
+    if (::rename(complete.c_str(), target.c_str()) != 0) throwUnwritable(path, errno, target);
+    // Makes the new name survive a power cut. Not every file system allows it; the file is complete either way.
+    const Descriptor folder(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.open()) static_cast<void>(::fsync(folder.number()));
+}
+
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     if (path_.empty()) throwUnwritable(path_, EINVAL, path_);
     target_ = linkTarget(path_);
@@ -175,11 +161,8 @@ void AtomicFile::commit() {
         const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
         if (!file.open() || (::fsync(file.number()) != 0 && errno != EINVAL)) throwUnwritable(path_, errno, target_);
     }
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) throwUnwritable(path_, errno, target_);
+    replaceFile(temporary_, target_, path_);
     committed_ = true;
-    // Makes the new name survive a power cut. Not every file system allows it; the file is complete either way.
-    const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (folder.open()) static_cast<void>(::fsync(folder.number()));
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {

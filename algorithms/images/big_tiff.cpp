@@ -1,12 +1,10 @@
 #include "images/big_tiff.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 
+#include "images/file_descriptor.h"
 #include "images/tiled_layout.h"
 
 namespace relief {
@@ -175,15 +173,8 @@ TiffDirectories::TiffDirectories(int descriptor) : descriptor_(descriptor) {
 }
 
 bool TiffDirectories::read(std::uint64_t at, void* to, std::size_t count) const {
-    // The offset may be anything: a negative one is refused by pread().
-    for (std::size_t done = 0; done < count;) {
-        const ::ssize_t got =
-            ::pread(descriptor_, static_cast<char*>(to) + done, count - done, static_cast<::off_t>(at + done));
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        done += static_cast<std::size_t>(got);
-    }
-    return true;
+    // The offset may be anything.
+    return readAt(descriptor_, static_cast<std::int64_t>(at), to, count) == static_cast<::ssize_t>(count);
 }
 
 // Returns false if the entry says that the page is not such as tiffHead() writes.

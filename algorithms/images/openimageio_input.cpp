@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 
+#include "images/file_descriptor.h"
 #include "images/openimageio_rows.h"
 #include "images/picture_bytes.h"
 #include "images/picture_library.h"
@@ -54,8 +55,7 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 File openRegular(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) throw InputError(path, systemMessage(errno, FileAccess::Read));
-    if (S_ISDIR(status.st_mode)) throw InputError(path, Message(MessageId::FileIsDirectory));
-    if (!S_ISREG(status.st_mode)) throw InputError(path, Message(MessageId::FileNotRegular));
+    requireRegular(path, status);
     File file(std::fopen(path.c_str(), "rbe"));
     if (!file) throw InputError(path, systemMessage(errno, FileAccess::Read));
     if (status.st_size == 0) throw InputError(path, Message(MessageId::FileEmpty));

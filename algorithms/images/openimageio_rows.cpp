@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,12 +14,12 @@
 namespace relief {
 
 TiffOnDisk::TiffOnDisk(const std::string& path)
-    : IOProxy(path, Read), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : IOProxy(path, Read), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat status {};
-    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0 || status.st_size == 0)
+    if (!file_.open() || ::fstat(file_.number(), &status) != 0 || status.st_size == 0)
         throw InputError(path, systemMessage(errno, FileAccess::Read));
     size_ = static_cast<std::size_t>(status.st_size);
-    void* const map = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE, descriptor_, 0);
+    void* const map = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE, file_.number(), 0);
     if (map == MAP_FAILED) throw InputError(path, systemMessage(errno, FileAccess::Read));
     // A private mapping: hiding changes a copy of the directory's pages, not the file.
     const std::span<unsigned char> file(static_cast<unsigned char*>(map), size_);
@@ -34,10 +33,6 @@ TiffOnDisk::TiffOnDisk(const std::string& path)
     if (depth > 1) throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
 }
 
-TiffOnDisk::~TiffOnDisk() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 std::size_t TiffOnDisk::read(void* bytes, std::size_t count) {
     const std::size_t got = pread(bytes, count, m_pos);
     m_pos += static_cast<std::int64_t>(got);
@@ -45,15 +40,9 @@ std::size_t TiffOnDisk::read(void* bytes, std::size_t count) {
 }
 
 std::size_t TiffOnDisk::pread(void* bytes, std::size_t count, std::int64_t offset) {
-    std::size_t done = 0;
-    while (done < count) {
-        const ::ssize_t got = ::pread(descriptor_, static_cast<char*>(bytes) + done, count - done,
-                                      offset + static_cast<std::int64_t>(done));
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) break;
-        done += static_cast<std::size_t>(got);
-    }
-    if (offset < 0) return 0;
+    const ::ssize_t got = readAt(file_.number(), offset, bytes, count);
+    if (got < 0) return 0;
+    const auto done = static_cast<std::size_t>(got);
     const auto at = static_cast<std::size_t>(offset);
     const std::size_t first = std::max(at, directoryAt_);
     const std::size_t last = std::min(at + done, directoryAt_ + directory_.size());

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "images/file_descriptor.h"
 #include "images/picture_bytes.h"
 
 namespace relief {
@@ -19,9 +20,6 @@ class TiffOnDisk final : public OIIO::Filesystem::IOProxy {
   public:
     // Throws InputError if the file cannot be read, or is a volume.
     explicit TiffOnDisk(const std::string& path);
-    ~TiffOnDisk() override;
-    TiffOnDisk(const TiffOnDisk&) = delete;
-    TiffOnDisk& operator=(const TiffOnDisk&) = delete;
 
     const char* proxytype() const override { return "tiff on disk"; }
     std::size_t size() const override { return size_; }
@@ -29,7 +27,7 @@ class TiffOnDisk final : public OIIO::Filesystem::IOProxy {
     std::size_t pread(void* bytes, std::size_t count, std::int64_t offset) override;
 
   private:
-    int descriptor_ = -1;
+    Descriptor file_;
     std::size_t size_ = 0;
     std::size_t directoryAt_ = 0;
     Bytes directory_;  // with the metadata hidden; replaces the file's bytes from directoryAt_ on

@@ -60,17 +60,12 @@ Image<double> summedLevel(const Image<T>& below, bool tell, Work& work) {
     return level;
 }
 
-// Number of level-0 texels below texel i of level l along one axis of `size` texels.
-std::int64_t covered(std::int64_t i, int l, std::int64_t size) {
-    return std::min(size, (i + 1) << l) - (i << l);
-}
-
 FloatImage meansOf(const Image<double>& sums, int l, const FloatImage& base, bool tell, Work& work) {
     FloatImage level(sums.width(), sums.height());
     forRows(level.width(), level.height(), tell, work, [&](int y) {
-        const std::int64_t rows = covered(y, l, base.height());
+        const std::int64_t rows = coveredTexels(y, l, base.height());
         for (int x = 0; x < level.width(); ++x) {
-            const std::int64_t count = rows * covered(x, l, base.width());
+            const std::int64_t count = rows * coveredTexels(x, l, base.width());
             level(x, y) = static_cast<float>(sums(x, y) / static_cast<double>(count));
         }
     });
@@ -92,7 +87,7 @@ double sumAt(const FloatImage& base, int l, int x, int y) {
 // Value of texel (x, y) of level l, computed from the level below or, for means, from level 0.
 float valueAt(PyramidKind kind, const FloatImage& base, const FloatImage& below, int l, int x, int y) {
     if (kind == PyramidKind::Mean) {
-        const std::int64_t count = covered(x, l, base.width()) * covered(y, l, base.height());
+        const std::int64_t count = coveredTexels(x, l, base.width()) * coveredTexels(y, l, base.height());
         return static_cast<float>(sumAt(base, l, x, y) / static_cast<double>(count));
     }
     const int right = std::min(2 * x + 1, below.width() - 1), lower = std::min(2 * y + 1, below.height() - 1);

@@ -1,6 +1,7 @@
 // MIP pyramids of any size: mean (weighted by area), maximum, minimum. [MIP18], figs. 2 and 3.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -48,5 +49,10 @@ class Pyramid {
     std::vector<std::shared_ptr<const FloatImage>> levels_;
     bool ownsBase_ = false;
 };
+
+// Number of texels of level 0, `size` along one axis, below texel i of level l.
+inline std::int64_t coveredTexels(std::int64_t i, int l, std::int64_t size) {
+    return std::min(size, (i + 1) << l) - (i << l);
+}
 
 }  // namespace relief

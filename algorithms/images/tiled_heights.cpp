@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "images/file_descriptor.h"
 #include "images/system_error.h"
 #include "images/tiled_pages.h"
 #include "relief/memory.h"
@@ -26,38 +27,25 @@ constexpr std::size_t kDroppedAgain = 32;
 // States of a group.
 constexpr std::size_t kStates = kGroupBytes / kLeastTileBytes;
 
-class OpenFile {
-  public:
-    explicit OpenFile(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-    ~OpenFile() {
-        if (number_ >= 0) ::close(number_);
-    }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-    int number() const { return number_; }
-    // Size of an ordinary file. Throws InputError.
-    std::uint64_t size(const std::string& path) const {
-        struct stat status {};
-        if (number_ < 0 || ::fstat(number_, &status) != 0)
-            throw InputError(path, systemMessage(errno, FileAccess::Read));
-        if (S_ISDIR(status.st_mode)) throw InputError(path, Message(MessageId::FileIsDirectory));
-        if (!S_ISREG(status.st_mode)) throw InputError(path, Message(MessageId::FileNotRegular));
-        return static_cast<std::uint64_t>(status.st_size);
-    }
+// Opens a file for reading; the descriptor is not open if that fails. A pipe without a writer does not block.
+int openedToRead(const std::string& path) {
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
 
-  private:
-    int number_;
-};
+// Size of an open file. Throws InputError if it is not open, or not an ordinary file.
+std::uint64_t sizeOf(const Descriptor& file, const std::string& path) {
+    struct stat status {};
+    if (!file.open() || ::fstat(file.number(), &status) != 0)
+        throw InputError(path, systemMessage(errno, FileAccess::Read));
+    requireRegular(path, status);
+    return static_cast<std::uint64_t>(status.st_size);
+}
 
 // Reads `count` bytes. Throws WorkError if the file cannot be read, InputError if it ends before them.
 void readFully(int descriptor, std::uint64_t at, std::byte* to, std::size_t count, const std::string& path) {
-    for (std::size_t done = 0; done < count;) {
-        const ::ssize_t got = ::pread(descriptor, to + done, count - done, static_cast<::off_t>(at + done));
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw WorkError(path, systemMessage(errno, FileAccess::Read));
-        if (got == 0) throw InputError(path, Message(MessageId::FileTruncated));
-        done += static_cast<std::size_t>(got);
-    }
+    const ::ssize_t got = readAt(descriptor, static_cast<std::int64_t>(at), to, count);
+    if (got < 0) throw WorkError(path, systemMessage(errno, FileAccess::Read));
+    if (got != static_cast<::ssize_t>(count)) throw InputError(path, Message(MessageId::FileTruncated));
 }
 
 // The file in memory, at an address that is a multiple of kGroupBytes: the kernel maps aligned blocks of that size.
@@ -105,10 +93,10 @@ class Mapping {
 
 struct TiledHeights::Cache {
     // descriptor: owned.
-    Cache(std::unique_ptr<OpenFile> opened, const TiledHeights& heights)
+    Cache(std::unique_ptr<Descriptor> opened, const TiledHeights& heights)
         : file(std::move(opened)), map(file->number(), heights.layout_.fileBytes, heights.path_) {}
 
-    std::unique_ptr<OpenFile> file;
+    std::unique_ptr<Descriptor> file;
     Mapping map;
     std::vector<std::uint64_t> checksums;
     std::size_t tableBytes = 0;
@@ -192,8 +180,8 @@ void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page
 }
 
 TiledHeights::TiledHeights(std::string path, std::size_t residentBytes) : path_(std::move(path)) {
-    auto file = std::make_unique<OpenFile>(path_);
-    const std::uint64_t size = file->size(path_);
+    auto file = std::make_unique<Descriptor>(openedToRead(path_));
+    const std::uint64_t size = sizeOf(*file, path_);
     if (size == 0) throw InputError(path_, Message(MessageId::FileEmpty));
     const auto head = readTiledHead(file->number());
     if (!head) throw InputError(path_, Message(MessageId::TiledNot));
@@ -222,8 +210,8 @@ std::shared_ptr<TiledHeights> TiledHeights::open(const std::string& path, std::s
 }
 
 bool TiledHeights::isTiled(const std::string& path) {
-    const OpenFile file(path);
-    return file.number() >= 0 && beginsTiled(file.number());
+    const Descriptor file(openedToRead(path));
+    return file.open() && beginsTiled(file.number());
 }
 
 void TiledHeights::touch(const TilePage& page, std::uint64_t at, std::atomic<std::uint8_t>& state) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "images/pyramid.h"
+
 namespace relief {
 
 namespace {
@@ -15,11 +17,6 @@ NumberType typeOf() {
 
 std::uint64_t numberBytesOf(const TiledLayout& layout) {
     return static_cast<std::uint64_t>(numberBytes(layout.type));
-}
-
-// Number of level-0 texels below texel i of level l along one axis of `size` texels.
-std::int64_t covered(std::int64_t i, int l, std::int64_t size) {
-    return std::min(size, (i + 1) << l) - (i << l);
 }
 
 template <class Number>
@@ -117,10 +114,10 @@ class LevelsOf final : public TiledLevels {
         means_.resize(rows.texels());
         threads.run(rows.filled, 1, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t y = begin; y < end; ++y) {
-                const std::int64_t down = covered(rows.first + y, level, layout_.height);
+                const std::int64_t down = coveredTexels(rows.first + y, level, layout_.height);
                 const std::size_t at = rows.width * static_cast<std::size_t>(y);
                 for (std::size_t x = 0; x < rows.width; ++x) {
-                    const std::int64_t count = down * covered(static_cast<std::int64_t>(x), level, layout_.width);
+                    const std::int64_t count = down * coveredTexels(static_cast<std::int64_t>(x), level, layout_.width);
                     means_[at + x] = static_cast<float>(rows.sums[at + x] / static_cast<double>(count));
                 }
             }

@@ -5,12 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <filesystem>
-#include <system_error>
 
-#include "images/system_error.h"
+#include "images/file_descriptor.h"
+#include "images/file_replacing.h"
 #include "images/tiled_levels.h"
 #include "images/tiled_pages.h"
 #include "relief/files.h"
@@ -45,19 +43,9 @@ std::uint64_t stateBytes(std::uint64_t work, std::uint64_t learned, std::uint64_
     return sizeof(StateHead) + roundedUp(work + learned + levels, kChunk);
 }
 
-std::string hostName() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
-std::string folderOf(const std::string& path) {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
-}
-
 }  // namespace
 
-TiledPart::TiledPart(const std::string& path, const TiledLayout& layout, const std::string& work, EarlierPart earlier)
+TiledPart::TiledPart(const std::string& path, const TiledLayout& layout, const std::string& work, EarlierRun earlier)
     : path_(path),
       part_(path + ".part"),
       work_(work),
@@ -87,19 +75,19 @@ void TiledPart::close() {
 }
 
 void TiledPart::fail(int error) const {
-    throw WorkError(path_, systemMessage(error, FileAccess::Write, folderOf(path_)));
+    throwUnwritable(path_, error, path_);
 }
 
-void TiledPart::open(EarlierPart earlier) {
+void TiledPart::open(EarlierRun earlier) {
     descriptor_ = ::open(part_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     const bool fresh = descriptor_ >= 0;
     if (!fresh && errno != EEXIST) fail(errno);
-    if (!fresh && earlier == EarlierPart::Refuse) throw InputError(part_, Message(MessageId::SweepThere));
+    if (!fresh && earlier == EarlierRun::Refuse) throw InputError(part_, Message(MessageId::SweepThere));
     if (!fresh) descriptor_ = ::open(part_.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor_ < 0) fail(errno);
     kept_ = fresh ? 0 : 1;  // what an exception leaves alone
     lock();
-    if (!fresh && earlier == EarlierPart::Resume) {
+    if (!fresh && earlier == EarlierRun::Resume) {
         findEarlier();
         kept_ = earlier_->bands;
         return;
@@ -138,17 +126,13 @@ void TiledPart::reserve() {
 
 std::optional<TiledPart::State> TiledPart::stateAt(int place, std::uint64_t& sequence) const {
     StateHead head;
-    const auto at = static_cast<::off_t>(placeOfState(place));
-    if (::pread(descriptor_, &head, sizeof head, at) != sizeof head || head.magic != kMagic) return std::nullopt;
+    const auto at = static_cast<std::int64_t>(placeOfState(place));
+    if (readAt(descriptor_, at, &head, sizeof head) != sizeof head || head.magic != kMagic) return std::nullopt;
     if (std::max({head.work, head.learned, head.levels}) > most_) return std::nullopt;
     const std::uint64_t bytes = stateBytes(head.work, head.learned, head.levels);
     if (bytes > most_) return std::nullopt;
     std::vector<std::byte> all(bytes);
-    for (std::size_t done = 0; done < bytes;) {
-        const ::ssize_t got = ::pread(descriptor_, all.data() + done, bytes - done, at + static_cast<::off_t>(done));
-        if (got <= 0) return std::nullopt;
-        done += static_cast<std::size_t>(got);
-    }
+    if (readAt(descriptor_, at, all.data(), bytes) != static_cast<::ssize_t>(bytes)) return std::nullopt;
     const std::uint64_t checksum = std::exchange(head.checksum, 0);
     std::memcpy(all.data(), &head, sizeof head);
     if (tileChecksum(all.data(), bytes) != checksum) return std::nullopt;
@@ -169,13 +153,9 @@ void TiledPart::findEarlier() {
         sequence_ = sequence;
     }
     if (!earlier_) throw InputError(part_, Message(MessageId::SweepOther));
-    const auto bytes = std::as_writable_bytes(std::span(checksums_));
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ::ssize_t got = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
-                                      static_cast<::off_t>(layout_.checksums + done));
-        if (got <= 0) throw InputError(part_, Message(MessageId::FileTruncated));
-        done += static_cast<std::size_t>(got);
-    }
+    const auto at = static_cast<std::int64_t>(layout_.checksums);
+    if (readAt(descriptor_, at, checksums_.data(), table().size()) != static_cast<::ssize_t>(table().size()))
+        throw InputError(part_, Message(MessageId::FileTruncated));
 }
 
 void TiledPart::write(std::uint64_t at, const void* bytes, std::size_t count) {
@@ -226,18 +206,8 @@ void TiledPart::finish() {
     if (::ftruncate(descriptor_, static_cast<::off_t>(layout_.fileBytes)) != 0 ||
         (::fsync(descriptor_) != 0 && errno != EINVAL))
         fail(errno);
-    // Follows symbolic links, as AtomicFile does.
-    std::error_code none, error;
-    const bool linked = std::filesystem::is_symlink(std::filesystem::symlink_status(path_, none));
-    const std::string target = linked ? std::filesystem::weakly_canonical(path_, error).string() : path_;
-    if (error) fail(error.value());
-    if (::rename(part_.c_str(), target.c_str()) != 0) fail(errno);
+    replaceFile(part_, linkTarget(path_), path_);
     finished_ = true;
-    // Makes the new name survive a power cut, where the file system allows it.
-    const int folder = ::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return;
-    static_cast<void>(::fsync(folder));
-    ::close(folder);
 }
 
 }  // namespace relief

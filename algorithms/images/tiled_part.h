@@ -9,12 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "base/part_file.h"
 #include "images/tiled_layout.h"
 
 namespace relief {
-
-// What to do with FILE.part of an earlier run: refuse to start, go on with it, or begin again.
-enum class EarlierPart : std::uint8_t { Refuse, Resume, Replace };
 
 class TiledPart {
   public:
@@ -26,7 +24,7 @@ class TiledPart {
 
     // Creates or opens `path`.part. work: what the file will hold; Resume refuses what another work has left. Throws
     // InputError (it is there and `earlier` is Refuse, another process writes it, or it is of other work), WorkError.
-    TiledPart(const std::string& path, const TiledLayout& layout, const std::string& work, EarlierPart earlier);
+    TiledPart(const std::string& path, const TiledLayout& layout, const std::string& work, EarlierRun earlier);
     // Removes the file if nothing has been kept in it.
     ~TiledPart();
     TiledPart(const TiledPart&) = delete;
@@ -46,7 +44,7 @@ class TiledPart {
     void finish();
 
   private:
-    void open(EarlierPart earlier);
+    void open(EarlierRun earlier);
     void close();
     void lock();
     void reserve();

@@ -14,7 +14,7 @@
 namespace relief {
 
 struct TiledWriting {
-    EarlierPart earlier = EarlierPart::Refuse;
+    EarlierRun earlier = EarlierRun::Refuse;
     // What is done is kept in FILE.part this often, and when the work stops or fails.
     double keepEverySeconds = 30;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/part_file.h"
 #include "measuring/bench/bench_columns.h"
 #include "measuring/bench/machine.h"
 #include "measuring/bench/measured_method.h"

@@ -15,12 +15,10 @@
 #include <string>
 #include <utility>
 
+#include "base/part_file.h"
 #include "json_line.h"
 
 namespace relief::app {
-
-// What to do with the journal of an earlier run: refuse to start, resume it (--resume), or discard it (--anew).
-enum class EarlierRun : std::uint8_t { Refuse, Resume, Replace };
 
 class Journal {
   public:

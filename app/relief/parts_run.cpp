@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "base/part_file.h"
 #include "relief/errors.h"
 #include "team.h"
 

@@ -14,6 +14,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "base/part_file.h"
 #include "help_formatter.h"
 #include "manual.h"
 #include "options_common.h"

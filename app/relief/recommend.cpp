@@ -131,8 +131,8 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
             "percentage of the rays that may exceed this error, hit where exact misses, or miss where exact hits; "
             "default 0.01",
             group);
-    addText(parser, "--memory", options.memory, "MB", "largest memory of the maps besides the heights, MB, default 256",
-            group);
+    addText(parser, "--memory", options.memory, "MB",
+            "largest memory of the maps besides the heights, MiB, default 256", group);
     addText(parser, "--form", options.form, "simd|scalar",
             "simd (default): for use of this library; the cost is processor time on one thread. scalar: for porting to "
             "a shader; the cost is height samples (reads) + C x steps",

@@ -1,8 +1,6 @@
 #include "team.h"
 
 #include <dlfcn.h>
-#include <unistd.h>
-
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -28,11 +26,6 @@ int environmentNumber(const char* name) {
 }
 
 }  // namespace
-
-std::string hostName() {
-    char name[256] = {};
-    return gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
 
 int launchedProcesses() {
     for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {

@@ -13,9 +13,6 @@ struct ReliefMpi;  // mpi/relief_mpi.h
 
 namespace relief::app {
 
-// Returns the name of this machine; empty if it cannot be determined.
-std::string hostName();
-
 // Returns the number of processes according to the launcher's environment variables (Open MPI, PMI, Slurm); 1 if none
 // is set.
 int launchedProcesses();

@@ -15,11 +15,6 @@ struct TileOptions {
     RunOptions run;
 };
 
-EarlierPart earlierPart(EarlierRun earlier) {
-    if (earlier == EarlierRun::Resume) return EarlierPart::Resume;
-    return earlier == EarlierRun::Replace ? EarlierPart::Replace : EarlierPart::Refuse;
-}
-
 const std::string& chosenPicture(const TileOptions& options) {
     if (!options.height) return needed(options.file, "FILE", "tile");
     if (options.file) throw InputError("--height", Message(MessageId::ArgumentsExclude, {{"other", *options.file}}));
@@ -31,11 +26,10 @@ int runTile(const TileOptions& options, Session& session) {
     const std::string picture = shippedFile(chosenPicture(options));
     const std::string& output = needed(options.output, "--output", "tile");
     checkOutput(output, {"tif", "tiff"});
-    const EarlierPart earlier = earlierPart(options.restart.chosen());
     HeightReadOptions reading;
     options.reading.apply(reading);
     const auto rows = pictureHeightRows(picture, reading);
-    TiledWriter writer(*rows, output, {.earlier = earlier});
+    TiledWriter writer(*rows, output, {.earlier = options.restart.chosen()});
     const auto note = [&](MessageId message, std::int64_t done) {
         session.note(writer.partPath(), Message(message, {{"done", done}, {"total", writer.bands()}}));
     };
@@ -58,8 +52,9 @@ void addTileCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "tile", "write a height map larger than memory in tiles",
         "Reads a height map row by row and writes it as a tiled TIFF (BigTIFF) together with its pyramid of maxima, "
-        "minima and means, which is then read tile by tile: neither takes memory for the whole map. 8- and 16-bit "
-        "heights keep their numbers; what is scaled, inverted or of another type becomes 32-bit floats. The file takes "
+        "minima and means, without holding the map in memory. Of such a file relief info reads only the tiles that it "
+        "needs; the other commands read its heights as a whole, as those of any TIFF. 8- and 16-bit heights keep "
+        "their numbers; what is scaled, inverted or of another type becomes 32-bit floats. The file takes "
         "2 (floats), 2.4 (16 bits) or 3 times (8 bits) the space of the heights. A run that is stopped goes on from "
         "FILE.part with --resume. TIFF, OpenEXR, HDR and BMP are read in pieces; the file of a PNG or JPEG is held in "
         "memory; other formats are decoded as a whole.",

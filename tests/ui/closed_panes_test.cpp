@@ -119,7 +119,7 @@ TEST_F(ClosedPanes, ComeBackWithoutRoom) {
     dock(pane)->show();
     dock(pane)->raise();
     QTest::qWait(kDrawnMs);
-    EXPECT_LE(face->height(), 2);
+    EXPECT_EQ(face->height(), 2);
     EXPECT_TRUE(face->isValid());
     view->setMaximumHeight(QWIDGETSIZE_MAX);
     ASSERT_NO_FATAL_FAILURE(bringUp(pane));

@@ -151,7 +151,6 @@ TEST_F(PaneChoices, ThePyramidStandsInSpace) {
     view->showNearRay(false);
     view->showMeans(true);  // the mean pyramid shows all its slabs
     view->setStacked(true);
-    QTest::qWait(200);  // the legend takes its room
     const QImage shown = grab(view->stack());
     EXPECT_GT(colorsIn(shown), 30);
     ASSERT_NE(snapshot()->means, nullptr);

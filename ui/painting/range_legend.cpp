@@ -1,6 +1,5 @@
 #include "painting/range_legend.h"
 
-#include <array>
 #include <cmath>
 
 #include <QCoreApplication>
@@ -37,12 +36,7 @@ std::string numberOf(double value) {
         relief::numberText(value, std::clamp(static_cast<int>(std::floor(std::log10(size))) + 1, kLeast, kMost));
     const std::size_t e = text.find('e');
     if (e == std::string::npos) return text;
-    constexpr std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string power = text[e + 1] == '-' ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(std::stoi(text.substr(e + 1))))) {
-        power += kRaised[static_cast<std::size_t>(digit - '0')];
-    }
-    return text.substr(0, e) + "×10" + power;
+    return text.substr(0, e) + "×" + chart::powerOfTen(std::stoi(text.substr(e + 1)));
 }
 
 QString number(double value) {

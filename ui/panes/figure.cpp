@@ -200,8 +200,7 @@ std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption captio
     const auto aspect = [maker](const FigurePage& page) {
         const double points = page.widthMm / kMmPerPoint;
         const Drawing legend = maker.legend(points - kFigureMargins, page.style.language);
-        const double below = (legend.bounds.height() + 1.5 * kFigureMargins) / points;
-        return std::max(maker.aspect, maker.leastRoom * page.taller() + below);
+        return std::max(maker.aspect, maker.leastRoom * page.taller() + legendRoom(legend) / points);
     };
     return paintedFigure(paint, std::move(caption), aspect);
 }

@@ -80,6 +80,10 @@ struct ChartMaker {
 std::shared_ptr<const Figure> chartFigure(ChartMaker maker, FigureCaption caption);
 
 inline constexpr double kFigureMargins = 2 * kFigureMargin;  // sum of both sides
+// Height, in points, that a legend below a drawing and the margins above, between and below them take.
+inline double legendRoom(const Drawing& legend) {
+    return legend.bounds.height() + 1.5 * kFigureMargins;
+}
 
 // Thrown if there is nothing to draw. The message names the command line option to set; a window shows a text of its
 // own.

@@ -117,17 +117,15 @@ inline constexpr std::array<std::string_view, 11> kSubjectNames{
     "point", "square-cone", "refined-voxel", "refined-sphere", "relaxed-cone"};
 static_assert(kSubjectNames.size() == std::variant_size_v<Subject> + 4);
 inline std::string_view subjectName(const Subject& subject) {
-    if (const auto* const cone = std::get_if<subject::Cone>(&subject); cone != nullptr && cone->square) {
-        return kSubjectNames[7];
+    if (const auto* const cone = std::get_if<subject::Cone>(&subject); cone != nullptr) {
+        if (cone->square) return kSubjectNames[7];
+        if (cone->relaxed) return kSubjectNames[10];
     }
     if (const auto* const voxel = std::get_if<subject::Voxel>(&subject); voxel != nullptr && voxel->refined) {
         return kSubjectNames[8];
     }
     if (const auto* const sphere = std::get_if<subject::Sphere>(&subject); sphere != nullptr && sphere->refined) {
         return kSubjectNames[9];
-    }
-    if (const auto* const cone = std::get_if<subject::Cone>(&subject); cone != nullptr && cone->relaxed) {
-        return kSubjectNames[10];
     }
     return kSubjectNames[subject.index()];
 }

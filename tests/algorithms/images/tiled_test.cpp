@@ -110,20 +110,17 @@ TEST(Tiled, EveryCodeHasTheBitsOfTheHeightInMemory) {
     std::vector<std::uint16_t> codes(65536);
     for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = static_cast<std::uint16_t>(i);
     const std::string picture = writeRaw(folder / "all.png", 256, 256, 1, codes);
-    tile(picture, folder / "t.tif");
-    const auto tiled = TiledHeights::open(folder / "t.tif", kPlenty);
-    const FloatImage heights = read(picture).heights;
     std::vector<std::uint8_t> bytes(256);
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i);
-    const std::string small = writeRaw(folder / "bytes.png", 16, 16, 1, bytes);
-    tile(small, folder / "u.tif");
-    const auto tiledBytes = TiledHeights::open(folder / "u.tif", kPlenty);
-    const FloatImage byteHeights = read(small).heights;
-    for (int y = 0; y < 256; ++y) {
-        for (int x = 0; x < 256; ++x) ASSERT_EQ(tiled->height(x, y), heights(x, y)) << 256 * y + x;
-    }
-    for (int y = 0; y < 16; ++y) {
-        for (int x = 0; x < 16; ++x) ASSERT_EQ(tiledBytes->height(x, y), byteHeights(x, y)) << 16 * y + x;
+    for (const std::string& file : {picture, writeRaw(folder / "bytes.png", 16, 16, 1, bytes)}) {
+        tile(file, folder / "t.tif");
+        const auto tiled = TiledHeights::open(folder / "t.tif", kPlenty);
+        const FloatImage heights = read(file).heights;
+        for (int y = 0; y < heights.height(); ++y) {
+            for (int x = 0; x < heights.width(); ++x) {
+                ASSERT_EQ(tiled->height(x, y), heights(x, y)) << file << ", code " << heights.width() * y + x;
+            }
+        }
     }
 }
 
@@ -456,7 +453,7 @@ TEST(Tiled, ResumedRunsGiveTheSameBytes) {
             WatchedRows rows(picture, reading, [&](int) {
                 if (++reads == 3) stop.request_stop();
             });
-            TiledWriter writer(rows, path, {.earlier = EarlierPart::Resume});
+            TiledWriter writer(rows, path, {.earlier = EarlierRun::Resume});
             EXPECT_EQ(writer.earlierBands(), kept);
             try {
                 writer.write(work);
@@ -494,7 +491,7 @@ TEST(Tiled, ResumesFromAnyMoment) {
     int goneOn = 0;
     for (const std::string& copy : left) {
         const auto again = pictureHeightRows(picture, {});
-        TiledWriter writer(*again, copy, {.earlier = EarlierPart::Resume});
+        TiledWriter writer(*again, copy, {.earlier = EarlierRun::Resume});
         goneOn += writer.earlierBands() > 0 ? 1 : 0;
         writer.write(work);
         EXPECT_EQ(bytesOf(copy), bytesOf(folder / "whole.tif")) << copy;
@@ -515,14 +512,14 @@ TEST(Tiled, AFailureKeepsWhatIsDone) {
               picture + ": no space left on the disk; 3 of 5 parts are done and kept in " + path +
                   ".part; run the same command with --resume to continue");
     EXPECT_EQ(faultOf([&] { tile(picture, path); }), path + ".part: " + sentence(Message(MessageId::SweepThere)));
-    EXPECT_EQ(faultOf([&] { tile(picture, path, {.invert = true}, {.earlier = EarlierPart::Resume}); }),
+    EXPECT_EQ(faultOf([&] { tile(picture, path, {.invert = true}, {.earlier = EarlierRun::Resume}); }),
               path + ".part: " + sentence(Message(MessageId::SweepOther)));
     EXPECT_TRUE(std::filesystem::exists(path + ".part"));
-    tile(picture, path, {}, {.earlier = EarlierPart::Resume});
+    tile(picture, path, {}, {.earlier = EarlierRun::Resume});
     EXPECT_EQ(bytesOf(path), bytesOf(folder / "whole.tif"));
 
     EXPECT_NE(faultOf([&] { TiledWriter(rows, path, {}).write(work); }), "");
-    tile(picture, path, {}, {.earlier = EarlierPart::Replace});
+    tile(picture, path, {}, {.earlier = EarlierRun::Replace});
     EXPECT_EQ(bytesOf(path), bytesOf(folder / "whole.tif"));
     EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }

@@ -15,7 +15,7 @@ double weightsHeight(const PixelFootprint& footprint, const FootprintOptions& op
                      relief::Language language) {
     if (!options.weights || !hasWeights(footprint)) return 0;
     const Drawing legend = weightLegend(footprint, points - kFigureMargins, language);
-    return std::clamp(0.42 * points, 110.0, 220.0) + legend.bounds.height() + 1.5 * kFigureMargins;
+    return std::clamp(0.42 * points, 110.0, 220.0) + legendRoom(legend);
 }
 
 void paintWeights(QPainter& painter, const PixelFootprint& footprint, const Box& page, const Style& style) {
@@ -64,7 +64,7 @@ std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> sn
         const double points = page.widthMm / kMmPerPoint;
         const PixelFootprint& footprint = *snapshot->footprint;
         const Drawing legend = legendOf(footprint, options, true, points - kFigureMargins, page.style.language);
-        const double texture = kLeastTexture * page.taller() * points + legend.bounds.height() + 1.5 * kFigureMargins;
+        const double texture = kLeastTexture * page.taller() * points + legendRoom(legend);
         return std::max(kFigureAspect, texture / points) +
                weightsHeight(footprint, options, points, page.style.language) / points;
     };

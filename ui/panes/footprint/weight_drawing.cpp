@@ -146,6 +146,7 @@ class WeightPictures {
         bool off = false;
         if (radial(settings_)) {
             eachTexel([&](ItemId, const FootprintTexel& texel, double du, double dv) {
+                if (!onGraph(squared(du, dv))) return;
                 const double r = std::sqrt(squared(du, dv));
                 const double curve = r <= settings_.radius ? relief::radialWeight(settings_, r) : 0;
                 off = off || std::abs(PixelFootprint::weightOf(texel) - curve) > kVisible;
