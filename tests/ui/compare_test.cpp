@@ -21,6 +21,7 @@ CompareSource madeUp(std::size_t count, relief::CompareMode mode) {
     for (std::size_t n = 0; n < count; ++n) {
         CompareTile tile;
         tile.name = std::string(1, static_cast<char>('A' + n)) + " method-" + std::to_string(n);
+        tile.title = "Method " + std::to_string(n);
         tile.rmse = 0.0123456;
         tile.psnr = 38.17;
         tile.flip = 0.05;
@@ -69,6 +70,24 @@ TEST(Compare, WhatStandsAroundThePicturesIsAsStored) {
         paintFigure(painter, {&layout.drawing}, legend, page, style);
     };
     expectGoldens(paint, 420, 260, "compare");
+}
+
+// A lecturer reads the title; what to type stands below, with its options.
+TEST(Compare, TitlesHeadTheTilesAndIdentifiersStandBelow) {
+    const CompareSource source = madeUp(3, relief::CompareMode::Tiles);
+    const CompareLayout layout = compareLayout(source, 700, 300, relief::Language::English);
+    std::vector<std::string> headings, below;
+    for (const Item& item : layout.drawing.items) {
+        const auto* const label = std::get_if<Label>(&item.primitive);
+        if (label == nullptr) continue;
+        (item.role == Role::Title ? headings : below).push_back(relief::sentence(label->text));
+    }
+    EXPECT_EQ(headings, (std::vector<std::string>{"A Method 0", "B Method 1", "C Method 2"}));
+    for (const char* const name : {"method-0", "method-1", "method-2"}) {
+        EXPECT_TRUE(std::any_of(below.begin(), below.end(), [&](const std::string& line) {
+            return line.starts_with(name);
+        })) << name;
+    }
 }
 
 // Even in narrow tiles, no line of numbers overlaps the next one.

@@ -50,10 +50,18 @@ struct Grid {
     double scale = 0;  // width of a picture, in points
 };
 
+// What stands below a tile: the identifier with its options, if the heading does not say it, and the numbers.
+std::vector<std::string> textsBelow(const CompareTile& tile, relief::Language language) {
+    std::vector<std::string> all;
+    if (!tile.title.empty()) all.push_back(tile.name.substr(2));
+    for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
+    return all;
+}
+
 std::size_t mostLines(const CompareSource& source, double width, relief::Language language) {
     std::size_t most = std::max<std::size_t>(source.lines, 1);
     for (const CompareTile& tile : source.tiles) {
-        most = std::max(most, lines(compareNumbers(tile, language), width).size());
+        most = std::max(most, lines(textsBelow(tile, language), width).size());
     }
     return most;
 }
@@ -83,10 +91,14 @@ void add(Drawing& drawing, Point at, std::string text, double size, Anchor ancho
                 emphasis);
 }
 
+std::string headingOf(const CompareTile& tile) {
+    return tile.title.empty() ? tile.name : tile.name.substr(0, 2) + tile.title;
+}
+
 void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
     constexpr double kSmallest = 0.6;
     const double room = box.width() - 4;
-    std::string name = tile.name;
+    std::string name = headingOf(tile);
     if (tile.reference) {
         const std::string whole = name + " · " + relief::sentence(Message(MessageId::DrawCompareReference), language);
         if (textWidth(whole, kSmallest, true) <= room) name = whole;
@@ -97,7 +109,7 @@ void addTitle(Drawing& drawing, const CompareTile& tile, const Box& box, relief:
 
 void addNumbers(Drawing& drawing, const CompareTile& tile, const Box& box, relief::Language language) {
     double y = box.y0 + kLine / 2;
-    for (const std::string& line : lines(compareNumbers(tile, language), box.width())) {
+    for (const std::string& line : lines(textsBelow(tile, language), box.width())) {
         add(drawing, {box.x0 + 2, y}, line, chart::kTextSize, Anchor::Left, Role::Legend);
         y += kLine;
     }
@@ -151,12 +163,6 @@ CompareLayout tiled(const CompareSource& source, double width, double height, re
         layout.clips.push_back(room);
     }
     return layout;
-}
-
-std::vector<std::string> stackedNumbers(const CompareTile& tile, double width, relief::Language language) {
-    std::vector<std::string> all{tile.name};
-    for (std::string& number : compareNumbers(tile, language)) all.push_back(std::move(number));
-    return lines(all, width);
 }
 
 // All pictures in one place, with the numbers of each in lines below.
@@ -266,11 +272,7 @@ std::vector<std::string> compareNumbers(const CompareTile& tile, relief::Languag
 double compareLeastHeight(const CompareSource& source, double width, relief::Language language) {
     constexpr double kLeastPicture = 80;  // smallest width of a picture, in points
     const double picture = kLeastPicture * source.aspect;
-    if (!beside(source)) {
-        std::size_t below = 0;
-        for (const CompareTile& tile : source.tiles) below += stackedNumbers(tile, width, language).size();
-        return picture + kLine * static_cast<double>(std::max(below, source.lines)) + 3;
-    }
+    if (!beside(source)) return picture + kLine * static_cast<double>(linesBelow(source, width, language)) + 3;
     double least = HUGE_VAL;
     const int count = static_cast<int>(source.tiles.size());
     for (int columns = 1; columns <= count; ++columns) {

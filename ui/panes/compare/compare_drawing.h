@@ -14,6 +14,7 @@ namespace reliefui {
 
 struct CompareTile {
     std::string name;                         // "A max-pyramid"
+    std::string title;                        // "Max pyramid"; empty: none
     bool reference = false;                   // reference for the other tiles
     std::optional<relief::Message> missing;   // message shown instead of a picture
     std::string same;                         // letter of an earlier tile with the same picture; empty: none

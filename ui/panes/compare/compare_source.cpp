@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "panes/compare/compare_data.h"
+#include "panes/core_texts.h"
 #include "panes/result/result_painting.h"
 #include "scenario/step_sentence.h"
 
@@ -50,6 +51,7 @@ CompareSource compareSource(const ComparedView& view, const relief::Scenario& sc
     for (std::size_t n = 0; n < all.size(); ++n) {
         CompareTile tile;
         tile.name = comparedName(n, how.subject, all[n]);
+        tile.title = titleText(relief::describedVariation(how.subject, all[n]).title).toStdString();
         tile.reference = relief::sameVariation(how.subject, all[n], reference);
         const auto same = static_cast<std::size_t>(first(n) - all.begin());
         if (same < n) tile.same = std::string(1, static_cast<char>('A' + same));
