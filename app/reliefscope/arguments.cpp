@@ -66,8 +66,9 @@ Arguments parseArguments(int count, char** arguments) {
     for (int i = 1; i < count; ++i) {
         const std::string argument = arguments[i];
         const auto value = [&] {
-            if (i + 1 >= count) throw InputError(argument, Message(MessageId::ValueMissing, {{"help", kHelp}}));
-            return std::string(arguments[++i]);
+            const std::string text = i + 1 < count ? arguments[++i] : "";
+            if (text.empty()) throw InputError(argument, Message(MessageId::ValueMissing, {{"help", kHelp}}));
+            return text;
         };
         if (onlyFiles || argument.empty() || argument.front() != '-') {
             if (!parsed.file.empty())

@@ -439,7 +439,9 @@ TEST_F(WindowTest, PanesAreExportedAtAnySize) {
     }
     EXPECT_GT(ink.width() * ink.height(), 0.6 * page.width() * page.height());
     EXPECT_GT(ink.height(), 0.9 * page.height());
-    EXPECT_GT(inked, 0.1 * page.width() * page.height());
+    // The tower is narrow and has gaps: it covers 0.113 of this page.
+    constexpr double kSilhouette = 0.1;
+    EXPECT_GT(inked, kSilhouette * page.width() * page.height());
     EXPECT_TRUE(page.rect().adjusted(2, 2, -2, -2).contains(ink));
     // The pane itself still draws.
     EXPECT_GT(colorsIn(grab(window_->pane<Trace3dView>())), 30);

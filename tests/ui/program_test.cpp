@@ -71,6 +71,7 @@ TEST(Program, BadUsage) {
     const QList<QStringList> cases{{QStringLiteral("--nonsense")},
                                    {QStringLiteral("a.png"), QStringLiteral("b.png")},
                                    {QStringLiteral("--screenshot")},
+                                   {QStringLiteral("--screenshot"), QString()},
                                    {QStringLiteral("--size"), QStringLiteral("12")}};
     for (const QStringList& arguments : cases) {
         const Ran ran = start(arguments, false);

@@ -66,8 +66,13 @@ void LegendRows::text(Point at, Message message) {
 }
 
 Point LegendRows::sign(Role role, Primitive sign, const Message& what, LevelTint tint, Emphasis emphasis, double room) {
+    constexpr double kHalf = 5;  // of the widest marker
+    constexpr double kHalo = 3;  // a ring's line and the halo around it
+    const auto* const round = std::get_if<Ring>(&sign);
+    const double half = round != nullptr ? round->radius + kHalo : kHalf;
+    room += 2 * (half - kHalf);
     const Point at = place(room + textRoom(what) + kBetween);
-    const Point middle{at.x + 5, at.y};
+    const Point middle{at.x + half, at.y};
     if (auto* const marker = std::get_if<Marker>(&sign)) marker->at = middle;
     if (auto* const ring = std::get_if<Ring>(&sign)) ring->center = middle;
     if (auto* const circle = std::get_if<Circle>(&sign)) circle->center = middle;
