@@ -127,6 +127,8 @@ class ScenarioOptions {
     // options of a method that the command itself chooses. HeightsOnly: only the height field.
     enum class OptionGroups { All, View, None, Heights, HeightsOnly };
     void add(CLI::App& parser, OptionGroups groups);
+    // --memory, for commands that work with maps read by tiles.
+    void addMemory(CLI::App& parser);
     // Returns the scenario of the file, or the default one, with the options applied and validated. Throws InputError.
     Scenario scenario() const { return scenario(file_); }
     // The same for another file, a scenario or a height map; std::nullopt: for the default scenario.
@@ -158,7 +160,7 @@ class ScenarioOptions {
     void applyCamera(Scenario& scenario) const;
 
     OptionText file_;
-    OptionText height_, recipe_, color_, normal_;
+    OptionText height_, recipe_, color_, normal_, memory_;
     ReadingOptions reading_;
     OptionText reliefDepth_, address_, surface_;
     std::string tracerOption_ = "--tracer";  // for messages

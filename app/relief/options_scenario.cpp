@@ -136,6 +136,13 @@ void ScenarioOptions::addPictures(CLI::App& parser, OptionGroups groups) {
             "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
 }
 
+void ScenarioOptions::addMemory(CLI::App& parser) {
+    addText(parser, "--memory", memory_, "MB",
+            "a height map written by relief tile is read by tiles, within this much memory, so that it may be larger "
+            "than the machine's; default: it is read as a whole",
+            "Pictures");
+}
+
 void ScenarioOptions::addMethod(CLI::App& parser, OptionGroups groups) {
     const char* group = groups == OptionGroups::HeightsOnly ? "Relief" : "Method";
     if (groups == OptionGroups::All || groups == OptionGroups::View || groups == OptionGroups::None) {
@@ -246,7 +253,7 @@ Scenario ScenarioOptions::scenario(const OptionText& file) const {
 void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work,
                                    bool follow) const {
     if (!map_) return;
-    const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
+    const HeightField field = assets.field(scenario);
     const StoredMap map = loadMap(*map_, field, maps.budget(), work);
     if (follow && !tracer_ && !(file_ && isScenarioFile(shippedFile(*file_))))
         scenario.method.name = methodOfMap(mapKindName(map));
@@ -278,6 +285,7 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
         scenario.pictures.recipe.clear();
         scenario.pictures.drawn = {};
     }
+    if (memory_) scenario.pictures.memory = static_cast<int>(parseWhole(*memory_, "--memory", 1, kMostTileMemory));
     if (color_) scenario.pictures.color = *color_;
     if (normal_) scenario.pictures.normal = *normal_;
 }
