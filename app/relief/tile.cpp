@@ -52,15 +52,17 @@ void addTileCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "tile", "write a height map larger than memory in tiles",
         "Reads a height map row by row and writes it as a tiled TIFF (BigTIFF) together with its pyramid of maxima, "
-        "minima and means, without holding the map in memory. Of such a file relief info reads only the tiles that it "
-        "needs; the other commands read its heights as a whole, as those of any TIFF. 8- and 16-bit heights keep "
-        "their numbers; what is scaled, inverted or of another type becomes 32-bit floats. The file takes "
+        "minima and means, without holding the map in memory. relief info reads only the tiles of such a file that it "
+        "needs, trace and render do so with --memory; other commands read its heights as a whole, as those of any "
+        "TIFF. 8- and 16-bit heights keep their numbers; what is scaled, inverted or of another type becomes 32-bit "
+        "floats. The file takes "
         "2 (floats), 2.4 (16 bits) or 3 times (8 bits) the space of the heights. A run that is stopped goes on from "
         "FILE.part with --resume. TIFF, OpenEXR, HDR and BMP are read in pieces; the file of a PNG or JPEG is held in "
         "memory; other formats are decoded as a whole.",
         "  relief tile terrain.exr --range 0,4810 -o terrain.tif\n"
         "  relief tile terrain.exr --range 0,4810 -o terrain.tif --resume\n"
-        "  relief info terrain.tif");
+        "  relief info terrain.tif\n"
+        "  relief render terrain.tif --memory 512 -o picture.png");
     addText(*parser, "FILE", options->file, "", "the height map (TIFF, OpenEXR, PNG, ...)", "Arguments");
     addText(*parser, "--height", options->height, "FILE", "height map: the same as FILE", "Pictures");
     addOutput(*parser, options->output, "the tiled height map: .tif");
