@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -125,11 +126,13 @@ TEST(TiledField, EveryMethodFindsTheHitsOfTheMapInMemory) {
         const Map map = tiledMap(folder / "map.tif", width, height, kLittle);
         overFields(map, 0.4, [&](const HeightField& field, const HeightField& byTiles) {
             RayBlock rays = randomRays(7, field, 300, 3);
-            // Under border these begin outside; under repeat far away; one is level with an axis, one is no ray.
+            // Under border these begin outside; under repeat far away; one is level with an axis, three are no rays.
             rays.push({-3.5, 2, 20, 5});
             rays.push({1e6 + 0.25, -1e5, 30, -11});
             rays.push({0.5, 0.25, 50, 0});
             rays.push({0.5, 1, std::nan(""), 0});
+            rays.push({std::nan(""), 1, 3, 4});
+            rays.push({0.5, std::numeric_limits<double>::infinity(), 3, 4});
             expectSameHits(field, byTiles, rays);
         });
     }
