@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "relief/maps/max_pyramid_map.h"
+#include "relief/maps/tile_prefetch.h"
 #include "relief/methods/look_up_point.h"
 #include "relief/simd/packed_cone_hits.h"
-#include "relief/tile_prefetch.h"
 #include "rendering/query_lanes.h"
 #include "rendering/tile_work.h"
 

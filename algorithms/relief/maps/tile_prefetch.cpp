@@ -1,4 +1,4 @@
-#include "relief/tile_prefetch.h"
+#include "relief/maps/tile_prefetch.h"
 
 #include <algorithm>
 #include <cmath>
