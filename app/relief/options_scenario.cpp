@@ -82,6 +82,10 @@ void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts, const
 
 }  // namespace
 
+int parseTileMemory(const std::string& text, const std::string& option) {
+    return static_cast<int>(parseWhole(text, option, 1, kMostTileMemory));
+}
+
 void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option) {
     const auto given =
         applySettings(scenario, text, option,
@@ -90,7 +94,7 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
     if (given != std::vector<std::string>{"fov"}) scenario.camera.kind = Camera::Kind::Orbit;
 }
 
-void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option) {
+void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option, int mostSide) {
     const std::vector<std::string> parts = splitText(text, ':');
     if (parts[0] == kDrawn && parts.size() == 3) return applyDrawn(pictures, parts, option);
     pictures.drawn = {};
@@ -100,7 +104,7 @@ void applyRecipe(Pictures& pictures, const std::string& text, const std::string&
     pictures.recipe = parts[0];
     pictures.recipeWidth = pictures.recipeHeight = found.defaultSize;
     if (parts.size() > 1) {
-        const SizeText size = parseSize(parts[1], option, kMaxPictureSide);
+        const SizeText size = parseSize(parts[1], option, mostSide);
         pictures.recipeWidth = size.width;
         pictures.recipeHeight = size.height;
         const std::int64_t limit = pictures.reading.maxPixels;
@@ -136,8 +140,9 @@ void ScenarioOptions::addPictures(CLI::App& parser, OptionGroups groups) {
             "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
 }
 
-void ScenarioOptions::addMemory(CLI::App& parser) {
-    addText(parser, "--memory", memory_, "MB",
+void ScenarioOptions::addMemory(CLI::App& parser, const std::string& name) {
+    memoryOption_ = name;
+    addText(parser, name, memory_, "MB",
             "a height map written by relief tile is read by tiles, within this much memory, so that it may be larger "
             "than the machine's; default: it is read as a whole",
             "Pictures");
@@ -285,7 +290,7 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
         scenario.pictures.recipe.clear();
         scenario.pictures.drawn = {};
     }
-    if (memory_) scenario.pictures.memory = static_cast<int>(parseWhole(*memory_, "--memory", 1, kMostTileMemory));
+    if (memory_) scenario.pictures.memory = parseTileMemory(*memory_, memoryOption_);
     if (color_) scenario.pictures.color = *color_;
     if (normal_) scenario.pictures.normal = *normal_;
 }
