@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <span>
 
 #include <nlohmann/json.hpp>
 
@@ -176,18 +175,6 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
                          {"write", seconds.write},
                          {"total", seconds.load + seconds.render + seconds.count + seconds.write}};
     return report.dump(2) + "\n";
-}
-
-// A hash of coarse means, which depend on every height.
-std::string tilesHash(const TiledHeights& tiles) {
-    constexpr int kSide = 64;
-    int level = 0;
-    while (std::max(tiles.width(level), tiles.height(level)) > kSide) ++level;
-    std::vector<float> means;
-    for (int y = 0; y < tiles.height(level); ++y) {
-        for (int x = 0; x < tiles.width(level); ++x) means.push_back(tiles.mean(level, x, y));
-    }
-    return hashText(std::as_bytes(std::span(means)));
 }
 
 // Returns everything that the picture depends on. Input pictures are identified by content, not by name, which may

@@ -1,8 +1,16 @@
 #include "tiles_report.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <nlohmann/json.hpp>
+
+#include "images/file_descriptor.h"
+#include "images/tiled_pages.h"
+#include "part.h"
 
 namespace relief::app {
 
@@ -13,6 +21,16 @@ double bytesEach(const TileStatistics& read, std::size_t rays) {
 }
 
 }  // namespace
+
+std::string tilesHash(const TiledHeights& tiles) {
+    const Descriptor file(::open(tiles.path().c_str(), O_RDONLY | O_CLOEXEC));
+    const auto head = file.open() ? readTiledHead(file.number()) : std::nullopt;
+    if (!head) throw InputError(tiles.path(), Message(MessageId::TiledNot));
+    // The checksum is of the table of all tiles' checksums.
+    const std::array facts{static_cast<std::uint64_t>(tiles.width()), static_cast<std::uint64_t>(tiles.height()),
+                           static_cast<std::uint64_t>(tiles.type()), head->checksum};
+    return hashText(std::as_bytes(std::span(facts)));
+}
 
 nlohmann::ordered_json tilesJson(const TiledHeights& tiles, std::size_t rays) {
     const TileStatistics read = tiles.statistics();

@@ -1,7 +1,8 @@
-// What reading a height map by tiles took, for reports and --verbose.
+// A height map that is read by tiles: what it holds, and what reading it took, for reports and --verbose.
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,6 +11,8 @@
 
 namespace relief::app {
 
+// A hash that differs if any height does, for Json that says what a result depends on. Throws InputError, WorkError.
+std::string tilesHash(const TiledHeights& tiles);
 // rays: by which the bytes read are divided.
 nlohmann::ordered_json tilesJson(const TiledHeights& tiles, std::size_t rays);
 // Prints the same as a note, with --verbose.
