@@ -1,7 +1,9 @@
 // Fields that are read by tiles: every method that reads them finds the hits of the map in memory, bit for bit, within
 // the bound on memory; the others refuse them.
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -10,11 +12,13 @@
 
 #include "algorithms/images/temporary_folder.h"
 #include "fields.h"
+#include "images/recipe_rows.h"
 #include "images/tiled_heights.h"
 #include "images/tiled_writer.h"
 #include "relief/maps/depth_pyramid.h"
 #include "relief/visibility/any_hit.h"
 #include "rendering/frame.h"
+#include "resident_memory.h"
 
 namespace relief::test {
 namespace {
@@ -153,6 +157,51 @@ TEST(TiledField, KeepsWithinTheBoundOfMemory) {
     const auto pyramid = depthPyramid(byTiles, maxPyramidMap(byTiles, cache, work), cache, work);
     ASSERT_NE(pyramid->tiled, nullptr);
     EXPECT_LE(pyramid->tiled->bytes(), kBound / 3);
+}
+
+// The largest resident memory of the process since the last call, megabytes; 0 where the system does not say.
+double peakMegabytes() {
+    std::ifstream status("/proc/self/status");
+    double kilobytes = 0;
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmHWM:")) kilobytes = std::stod(line.substr(6));
+    }
+    std::ofstream("/proc/self/clear_refs") << 5;
+    return kilobytes * 1024 / 1e6;
+}
+
+// A map of 4,096 texels a side, and with RELIEF_LONG of 32,768: made, traced and drawn.
+TEST(TiledField, LargeMapsAreMadeTracedAndDrawnInLittleMemory) {
+    const bool isLong = std::getenv("RELIEF_LONG") != nullptr;
+    const int side = isLong ? 32768 : 4096;
+    const std::size_t bound = std::size_t{isLong ? 512U : 6U} << 20;
+    const TemporaryFolder folder;
+    Work work;
+    // Before memory that is not the map's: of the program, the writer (1.5 kB for each column), threads and a picture.
+    peakMegabytes();
+    const double allowed = residentMegabytes() + static_cast<double>(bound) / 1e6 + 2e-3 * side + 30;
+    const auto rows = reliefHeightRows("bricks", side, side, 1);
+    TiledWriter(*rows, folder / "map.tif", {}).write(work);
+    const auto tiles = TiledHeights::open(folder / "map.tif", bound / 4 * 3);
+    const HeightField byTiles(tiles, Surface::Bilinear, Address::Repeat, 0.02);
+    const RayBlock rays = randomRays(5, byTiles, 1000, 20);
+    const HitBlock hits = traced({"max-pyramid", {}}, byTiles, rays, Form::Simd);
+    FrameRequest request(byTiles);
+    request.width = 160;
+    request.height = 90;
+    request.shadows = true;
+    const auto picture = FrameRenderer(std::make_shared<MapCache>()).render(request, work)->light->color;
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    EXPECT_LE(peakMegabytes(), allowed);
+#endif
+    EXPECT_LE(tiles->residentBytes(), bound / 4 * 3);
+    const HitBlock expected = traced({"exact", {}}, byTiles, rays, Form::Scalar);
+    for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_TRUE(sameBits(hits[i], expected[i])) << i;
+    if (isLong) return;
+    request.field = HeightField(share(makeRelief("bricks", side, side, 1)), Surface::Bilinear, Address::Repeat, 0.02);
+    EXPECT_TRUE(FrameRenderer(std::make_shared<MapCache>()).render(request, work)->light->color == picture);
+    const HitBlock whole = traced({"max-pyramid", {}}, request.field, rays, Form::Simd);
+    for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_TRUE(sameBits(hits[i], whole[i])) << i;
 }
 
 TEST(TiledField, TheBoundsOfThePyramidHoldAndAreTight) {
