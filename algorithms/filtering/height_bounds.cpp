@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "images/tiled_heights.h"
 
 #include "relief/maps/map_memory.h"
 
@@ -16,6 +17,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Longest side, in texels, of maps that are bounded per texel. Larger maps are bounded over blocks.
 constexpr int kFinestSide = 4096;
+// The same for maps that are read by tiles: over blocks in any case, since others take a multiple of the map's memory.
+constexpr int kFinestTiledSide = 1024;
 
 // Texels from `first` to `last` along an axis after addressing: one interval, or two if they cross the seam.
 struct Stretches {
@@ -111,6 +114,26 @@ void overNodes(const Stretches& across, const Stretches& down, int shift, int le
     }
 }
 
+HeightBoundsMap blockBounds(FloatImage low, FloatImage high, int shift, Work& work) {
+    float smallestRange = kInfinity;
+    for (std::size_t i = 0; i < low.size(); ++i)
+        smallestRange = std::min(smallestRange, high.pixels()[i] - low.pixels()[i]);
+    return {Pyramid(PyramidKind::Min, std::move(low), work),
+            Pyramid(PyramidKind::Max, std::move(high), work),
+            shift,
+            {},
+            smallestRange};
+}
+
+HeightBoundsMap tiledBounds(const TiledHeights& tiles, int shift, Work& work) {
+    FloatImage low(tiles.width(shift), tiles.height(shift)), high = low;
+    parallelFor(work, low.height(), [&](int y) {
+        for (int x = 0; x < low.width(); ++x)
+            low(x, y) = tiles.minimum(shift, x, y), high(x, y) = tiles.maximum(shift, x, y);
+    });
+    return blockBounds(std::move(low), std::move(high), shift, work);
+}
+
 }  // namespace
 
 void SurfaceBounds::join(const SurfaceBounds& other) {
@@ -127,19 +150,23 @@ std::size_t HeightBoundsMap::bytes() const {
 
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work) {
     // Large maps are bounded by blocks: this saves memory, and single texels there hardly affect what can be skipped.
+    const bool tiled = field.tiles() != nullptr;
     int shift = 0;
-    while ((std::max(field.width(), field.height()) >> shift) > kFinestSide) ++shift;
+    while ((std::max(field.width(), field.height()) >> shift) > (tiled ? kFinestTiledSide : kFinestSide)) ++shift;
     // Bytes per texel: the levels of lowest and highest, and of the surface's bounds.
     constexpr std::uint64_t kBytes = 4 * (2 * sizeof(float) + sizeof(SurfaceBounds)) / 3 + 1;
-    const std::uint64_t need = bytesForTexels(field, shift == 0 ? kBytes : sizeof(float));
-    return cache.get<HeightBoundsMap>({"height-bounds", field.sharedHeights()}, need, work, [&](Work& w) {
-        HeightBoundsMap map = coarseHeightBounds(field.sharedHeights(), shift, w);
-        if (shift == 0) map.surface = surfacePyramid(field.heights(), w);
+    const std::uint64_t need = tiled ? 0 : bytesForTexels(field, shift == 0 ? kBytes : sizeof(float));
+    const std::string kind = (tiled ? kTiledKind : "") + "height-bounds";
+    return cache.get<HeightBoundsMap>({kind, field.identity()}, need, work, [&](Work& w) {
+        HeightBoundsMap map = coarseHeightBounds(field, shift, w);
+        if (shift == 0 && !tiled) map.surface = surfacePyramid(field.heights(), w);
         return map;
     });
 }
 
-HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heights, int shift, Work& work) {
+HeightBoundsMap coarseHeightBounds(const HeightField& field, int shift, Work& work) {
+    if (field.tiles() != nullptr) return tiledBounds(*field.tiles(), shift, work);
+    const std::shared_ptr<const FloatImage>& heights = field.sharedHeights();
     if (shift == 0) return {Pyramid(PyramidKind::Min, heights, work), Pyramid(PyramidKind::Max, heights, work)};
     const int side = 1 << shift;
     FloatImage low((heights->width() + side - 1) >> shift, (heights->height() + side - 1) >> shift, kInfinity);
@@ -155,14 +182,7 @@ HeightBoundsMap coarseHeightBounds(const std::shared_ptr<const FloatImage>& heig
             }
         }
     });
-    float smallestRange = kInfinity;
-    for (std::size_t i = 0; i < low.size(); ++i)
-        smallestRange = std::min(smallestRange, high.pixels()[i] - low.pixels()[i]);
-    return {Pyramid(PyramidKind::Min, std::move(low), work),
-            Pyramid(PyramidKind::Max, std::move(high), work),
-            shift,
-            {},
-            smallestRange};
+    return blockBounds(std::move(low), std::move(high), shift, work);
 }
 
 HeightBounds heightBounds(const HeightBoundsMap& map, const HeightField& field, double s0, double t0, double s1,

@@ -1,10 +1,11 @@
-#include "relief/reliefs.h"
+#include "images/recipe_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
+#include "images/recipe_parts.h"
 #include "relief/errors.h"
 #include "relief/memory.h"
 
@@ -30,378 +31,227 @@ namespace relief {
 
 namespace {
 
-// splitmix64's finalizer: every bit of the result depends on every bit of the key.
-constexpr std::uint64_t mixed(std::uint64_t z) {
-    z += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-}
-
-// Random numbers that depend on the seed and on a purpose, not on the order of the calls.
-class Chance {
+// Rows that need nothing but their number.
+class Bricks final : public RecipeRows {
   public:
-    Chance(std::uint64_t seed, std::uint64_t purpose) : key_(mixed(mixed(seed) ^ purpose)) {}
-    std::uint64_t bits(std::int64_t i, std::int64_t j = 0) const {
-        return mixed(mixed(key_ ^ static_cast<std::uint64_t>(i)) ^ static_cast<std::uint64_t>(j));
-    }
-    // Uniform in [0, 1).
-    double at(std::int64_t i, std::int64_t j = 0) const { return static_cast<double>(bits(i, j) >> 11) * 0x1p-53; }
-    double between(double low, double high, std::int64_t i, std::int64_t j = 0) const {
-        return low + (high - low) * at(i, j);
-    }
-    // Uniform in [low, high].
-    int whole(int low, int high, std::int64_t i, std::int64_t j = 0) const {
-        return low + static_cast<int>(bits(i, j) % static_cast<std::uint64_t>(high - low + 1));
+    explicit Bricks(const Canvas& canvas) : canvas_(canvas), faces_(canvas.seed, 1), grain_(canvas.seed, 2) {}
+    void row(int y, float* out) const override {
+        const int row = cellOf(y, down_, canvas_.height);
+        const bool bed = y - cellBegin(row, down_, canvas_.height) < mortar_;
+        // Half a brick. The shift wraps around, so that the bond continues across the seam.
+        const int shift = row % 2 == 0 ? 0 : canvas_.width / (2 * across_);
+        for (int x = 0; x < canvas_.width; ++x) {
+            const int sx = (x + shift) % canvas_.width;
+            const int column = cellOf(sx, across_, canvas_.width);
+            const bool joint = bed || sx - cellBegin(column, across_, canvas_.width) < mortar_;
+            const double rough = grain_.at(x, y);
+            out[x] = height(joint ? 0.08 + 0.04 * rough : faces_.between(0.90, 0.96, column, row) + 0.04 * rough);
+        }
     }
 
   private:
-    std::uint64_t key_;
+    Canvas canvas_;
+    int across_ = canvas_.cells(canvas_.width, 32);
+    int down_ = canvas_.cells(canvas_.height, 16, 2);
+    int mortar_ = canvas_.scaled(5);
+    Chance faces_, grain_;
 };
 
-float height(double value) {
-    return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * 65535.0 + 0.5) / 65535.0);
-}
-
-int rounded(double value) {
-    return static_cast<int>(std::floor(value + 0.5));
-}
-
-// Arguments of a recipe.
-struct Canvas {
-    int width;
-    int height;
-    std::uint64_t seed;
-    Work* work;  // may be null
-
-    // Starts the progress; the recipe will pass over all rows `passes` times.
-    void begin(std::int64_t passes = 1) const {
-        if (work != nullptr) work->progress().begin("making the relief", passes * height);
-    }
-    // To be called at the end of each row.
-    void rowDone() const {
-        if (work == nullptr) return;
-        work->throwIfStopped();
-        work->progress().advance();
-    }
-    int side() const { return std::min(width, height); }
-    double scale() const { return side() / 128.0; }
-    int scaled(double at128) const { return std::max(1, rounded(at128 * scale())); }
-    // Number of cells of that size that fit into `size` texels; a multiple of `step` where there is room.
-    int cells(int size, double at128, int step = 1) const {
-        const double count = step * std::floor(size / (at128 * scale() * step) + 0.5);
-        return static_cast<int>(std::clamp(count, 1.0, static_cast<double>(size)));
-    }
-    // Number of seeds that cover the fraction `share` of the texels of the 128 picture.
-    std::int64_t seeds(double share) const {
-        const double shrink = std::max(1.0, scale());
-        const double texels = static_cast<double>(width) * height / (shrink * shrink);
-        return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(share * texels + 0.5)));
-    }
-    FloatImage image() const { return {width, height}; }
-};
-
-// Index of the cell, of `count` equal cells over `size` texels, that contains texel i, and where that cell begins.
-int cellOf(int i, int count, int size) {
-    return static_cast<int>(static_cast<std::int64_t>(i) * count / size);
-}
-int cellBegin(int cell, int count, int size) {
-    return static_cast<int>((static_cast<std::int64_t>(cell) * size + count - 1) / count);
-}
-
-FloatImage bricks(const Canvas& canvas) {
-    FloatImage out = canvas.image();
-    const int across = canvas.cells(canvas.width, 32);
-    const int down = canvas.cells(canvas.height, 16, 2);
-    const int mortar = canvas.scaled(5);
-    const Chance faces(canvas.seed, 1);
-    const Chance grain(canvas.seed, 2);
-    canvas.begin();
-    for (int y = 0; y < canvas.height; ++y) {
-        const int row = cellOf(y, down, canvas.height);
-        const bool bed = y - cellBegin(row, down, canvas.height) < mortar;
-        // Half a brick. The shift wraps around, so that the bond continues across the seam.
-        const int shift = row % 2 == 0 ? 0 : canvas.width / (2 * across);
-        for (int x = 0; x < canvas.width; ++x) {
-            const int sx = (x + shift) % canvas.width;
-            const int column = cellOf(sx, across, canvas.width);
-            const bool joint = bed || sx - cellBegin(column, across, canvas.width) < mortar;
-            const double rough = grain.at(x, y);
-            out(x, y) = height(joint ? 0.08 + 0.04 * rough : faces.between(0.90, 0.96, column, row) + 0.04 * rough);
-        }
-        canvas.rowDone();
-    }
-    return out;
-}
-
-// Squares at random places over rough ground. Where squares overlap, choose(old, new) is kept.
+// Squares at random places over rough ground. Where squares overlap, the highest or the lowest is kept.
 struct Scatter {
     double groundLow, groundHigh;
     double low, high;
     int narrowest, widest;
     std::int64_t count;
+    bool highest;
 };
 
-template <class Choose>
-FloatImage scattered(const Canvas& canvas, const Scatter& scatter, const Choose& choose) {
-    FloatImage out = canvas.image();
-    const Chance ground(canvas.seed, 3);
-    canvas.begin();
-    for (int y = 0; y < canvas.height; ++y) {
-        for (int x = 0; x < canvas.width; ++x)
-            out(x, y) = height(ground.between(scatter.groundLow, scatter.groundHigh, x, y));
-        canvas.rowDone();
+class Scattered final : public RecipeRows {
+  public:
+    Scattered(const Canvas& canvas, const Scatter& scatter)
+        : canvas_(canvas), scatter_(scatter), ground_(canvas.seed, 3), place_(canvas.seed, 4), value_(canvas.seed, 5) {
+        requireMemory(byteProduct({sizeof(std::uint32_t), static_cast<std::uint64_t>(scatter.count)}), "");
+        // Counting sort by the row in which a square begins.
+        begins_.resize(static_cast<std::size_t>(canvas.height) + 1);
+        for (std::int64_t i = 0; i < scatter.count; ++i) ++begins_[static_cast<std::size_t>(top(i)) + 1];
+        for (std::size_t y = 1; y < begins_.size(); ++y) begins_[y] += begins_[y - 1];
+        std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
+        squares_.resize(static_cast<std::size_t>(scatter.count));
+        for (std::int64_t i = 0; i < scatter.count; ++i)
+            squares_[next[static_cast<std::size_t>(top(i))]++] = static_cast<std::uint32_t>(i);
     }
-    const Chance place(canvas.seed, 4);
-    const Chance value(canvas.seed, 5);
-    for (std::int64_t i = 0; i < scatter.count; ++i) {
-        const int left = place.whole(0, canvas.width - 1, i, 0);
-        const int top = place.whole(0, canvas.height - 1, i, 1);
-        const int size = place.whole(scatter.narrowest, scatter.widest, i, 2);
-        const float h = height(value.between(scatter.low, scatter.high, i));
-        for (int y = top; y < top + std::min(size, canvas.height); ++y)
-            for (int x = left; x < left + std::min(size, canvas.width); ++x) {
-                float& texel = out(x % canvas.width, y % canvas.height);
-                texel = choose(texel, h);
+
+    void row(int y, float* out) const override {
+        for (int x = 0; x < canvas_.width; ++x)
+            out[x] = height(ground_.between(scatter_.groundLow, scatter_.groundHigh, x, y));
+        for (int above = 0; above < std::min(scatter_.widest, canvas_.height); ++above) {
+            const int begin = y - above + (y < above ? canvas_.height : 0);
+            const auto at = static_cast<std::size_t>(begin);
+            for (std::uint32_t n = begins_[at]; n < begins_[at + 1]; ++n) {
+                const std::int64_t i = squares_[n];
+                const int size = place_.whole(scatter_.narrowest, scatter_.widest, i, 2);
+                if (above < size) put(i, size, out);
             }
+        }
     }
-    return out;
-}
 
-constexpr auto kHigher = [](float a, float b) { return std::max(a, b); };
-constexpr auto kLower = [](float a, float b) { return std::min(a, b); };
+  private:
+    int top(std::int64_t i) const { return place_.whole(0, canvas_.height - 1, i, 1); }
+    void put(std::int64_t i, int size, float* out) const {
+        const int left = place_.whole(0, canvas_.width - 1, i, 0);
+        const float h = height(value_.between(scatter_.low, scatter_.high, i));
+        for (int x = left; x < left + std::min(size, canvas_.width); ++x) {
+            float& texel = out[x % canvas_.width];
+            texel = scatter_.highest ? std::max(texel, h) : std::min(texel, h);
+        }
+    }
 
-FloatImage spikes(const Canvas& canvas) {
+    Canvas canvas_;
+    Scatter scatter_;
+    Chance ground_, place_, value_;
+    std::vector<std::uint32_t> begins_, squares_;  // squares_[begins_[y]] is the first that begins in row y
+};
+
+Scatter spikes(const Canvas& canvas) {
     // A needle covers 1 or 4 texels, 2.5 on average.
     const double count = 0.01 * canvas.width * canvas.height / 2.5;
-    return scattered(canvas,
-                     {.groundLow = 0.02,
-                      .groundHigh = 0.05,
-                      .low = 0.6,
-                      .high = 1,
-                      .narrowest = 1,
-                      .widest = 2,
-                      .count = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(count + 0.5)))},
-                     kHigher);
+    return {.groundLow = 0.02,
+            .groundHigh = 0.05,
+            .low = 0.6,
+            .high = 1,
+            .narrowest = 1,
+            .widest = 2,
+            .count = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(count + 0.5))),
+            .highest = true};
 }
 
-FloatImage pits(const Canvas& canvas) {
-    return scattered(canvas,
-                     {.groundLow = 0.93,
-                      .groundHigh = 1,
-                      .low = 0,
-                      .high = 0.1,
-                      .narrowest = canvas.scaled(3),
-                      .widest = canvas.scaled(9),
-                      .count = canvas.seeds(0.01)},
-                     kLower);
+Scatter pits(const Canvas& canvas) {
+    return {.groundLow = 0.93,
+            .groundHigh = 1,
+            .low = 0,
+            .high = 0.1,
+            .narrowest = canvas.scaled(3),
+            .widest = canvas.scaled(9),
+            .count = canvas.seeds(0.01),
+            .highest = false};
 }
 
-FloatImage columns(const Canvas& canvas) {
-    return scattered(canvas,
-                     {.groundLow = 0.02,
-                      .groundHigh = 0.05,
-                      .low = 0.3,
-                      .high = 1,
-                      .narrowest = canvas.scaled(1),
-                      .widest = canvas.scaled(3),
-                      .count = canvas.seeds(0.012)},
-                     kHigher);
+Scatter columns(const Canvas& canvas) {
+    return {.groundLow = 0.02,
+            .groundHigh = 0.05,
+            .low = 0.3,
+            .high = 1,
+            .narrowest = canvas.scaled(1),
+            .widest = canvas.scaled(3),
+            .count = canvas.seeds(0.012),
+            .highest = true};
 }
 
-FloatImage city(const Canvas& canvas) {
-    FloatImage out = canvas.image();
-    const int across = canvas.cells(canvas.width, 12);
-    const int down = canvas.cells(canvas.height, 12);
-    const int street = rounded(2 * canvas.scale());
-    const int building = canvas.scaled(8);
-    const Chance roofs(canvas.seed, 6);
-    const auto built = [&](int offset) { return offset >= street && offset < street + building; };
-    canvas.begin();
-    for (int y = 0; y < canvas.height; ++y) {
-        const int row = cellOf(y, down, canvas.height);
-        const bool inRow = built(y - cellBegin(row, down, canvas.height));
-        for (int x = 0; x < canvas.width; ++x) {
-            const int column = cellOf(x, across, canvas.width);
-            const bool inside = inRow && built(x - cellBegin(column, across, canvas.width));
-            out(x, y) = height(inside ? roofs.between(0.5, 1, column, row) : 0.02);
+class City final : public RecipeRows {
+  public:
+    explicit City(const Canvas& canvas) : canvas_(canvas), roofs_(canvas.seed, 6) {}
+    void row(int y, float* out) const override {
+        const int row = cellOf(y, down_, canvas_.height);
+        const bool inRow = built(y - cellBegin(row, down_, canvas_.height));
+        for (int x = 0; x < canvas_.width; ++x) {
+            const int column = cellOf(x, across_, canvas_.width);
+            const bool inside = inRow && built(x - cellBegin(column, across_, canvas_.width));
+            out[x] = height(inside ? roofs_.between(0.5, 1, column, row) : 0.02);
         }
-        canvas.rowDone();
     }
-    return out;
-}
 
-// Maps the lowest value to 0 and the highest to 1; a constant picture becomes 0.5.
-FloatImage stretched(const Image<double>& values) {
-    FloatImage out(values.width(), values.height());
-    const auto [low, high] = std::minmax_element(values.pixels().begin(), values.pixels().end());
-    const double base = *low;
-    const double span = *high - *low;
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out.pixels()[i] = height(span > 0 ? (values.pixels()[i] - base) / span : 0.5);
-    return out;
-}
+  private:
+    bool built(int offset) const { return offset >= street_ && offset < street_ + building_; }
 
-// Position of texel i between the nodes of a periodic lattice.
-struct LatticePoint {
-    int node;
-    int next;
-    double weight;  // of `next`, after smoothing
+    Canvas canvas_;
+    int across_ = canvas_.cells(canvas_.width, 12);
+    int down_ = canvas_.cells(canvas_.height, 12);
+    int street_ = rounded(2 * canvas_.scale());
+    int building_ = canvas_.scaled(8);
+    Chance roofs_;
 };
 
-std::vector<LatticePoint> latticePoints(int size, int cells) {
-    std::vector<LatticePoint> points(static_cast<std::size_t>(size));
-    for (int i = 0; i < size; ++i) {
-        const int node = cellOf(i, cells, size);
-        const double f = static_cast<double>(static_cast<std::int64_t>(i) * cells % size) / size;
-        points[static_cast<std::size_t>(i)] = {node, (node + 1) % cells, f * f * (3 - 2 * f)};
+class Checker final : public RecipeRows {
+  public:
+    explicit Checker(const Canvas& canvas) : canvas_(canvas) {}
+    void row(int y, float* out) const override {
+        for (int x = 0; x < canvas_.width; ++x)
+            out[x] = static_cast<float>((cellOf(x, across_, canvas_.width) + cellOf(y, down_, canvas_.height)) % 2);
     }
-    return points;
-}
 
-void addOctave(const Canvas& canvas, Image<double>& values, int cellsAcross, int cellsDown, double amplitude,
-               const Chance& chance) {
-    const auto across = latticePoints(values.width(), cellsAcross);
-    const auto down = latticePoints(values.height(), cellsDown);
-    std::vector<double> nodes(static_cast<std::size_t>(cellsAcross));
-    for (int y = 0; y < values.height(); ++y) {
-        const LatticePoint& py = down[static_cast<std::size_t>(y)];
-        for (int i = 0; i < cellsAcross; ++i) {
-            const double upper = chance.at(i, py.node);
-            nodes[static_cast<std::size_t>(i)] = upper + (chance.at(i, py.next) - upper) * py.weight;
-        }
-        const auto row = values.row(y);
-        for (std::size_t x = 0; x < row.size(); ++x) {
-            const double left = nodes[static_cast<std::size_t>(across[x].node)];
-            const double right = nodes[static_cast<std::size_t>(across[x].next)];
-            row[x] += amplitude * (left + (right - left) * across[x].weight);
-        }
-        canvas.rowDone();
-    }
-}
-
-FloatImage fractal(const Canvas& canvas) {
-    Image<double> values(canvas.width, canvas.height);
-    double amplitude = 1;
-    std::int64_t octaves = 1;
-    while (std::int64_t{16} << (octaves - 1) <= canvas.side()) ++octaves;
-    canvas.begin(octaves);
-    // The longer side gets proportionally more cells.
-    for (std::int64_t cells = 4; cells == 4 || cells * 2 <= canvas.side(); cells *= 2, amplitude *= 0.6) {
-        const auto along = [&](int size) {
-            const std::int64_t count = (cells * size + canvas.side() / 2) / canvas.side();
-            return static_cast<int>(std::clamp<std::int64_t>(count, 1, size));
-        };
-        addOctave(canvas, values, along(canvas.width), along(canvas.height), amplitude,
-                  Chance(canvas.seed, 100 + static_cast<std::uint64_t>(cells)));
-    }
-    return stretched(values);
-}
-
-// sin(2 pi turns) for turns >= 0, within 1e-6. A polynomial, so that the bits are the same on every platform.
-double sineOfTurns(double turns) {
-    double q = (turns - std::floor(turns)) * 4;  // quarters, [0, 4)
-    if (q > 3)
-        q -= 4;
-    else if (q > 1)
-        q = 2 - q;
-    const double x = q * 1.5707963267948966;
-    const double s = x * x;
-    return x * (1 + s * (-1.0 / 6 + s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 - s / 39916800)))));
-}
-
-FloatImage hills(const Canvas& canvas) {
-    Image<double> values(canvas.width, canvas.height);
-    const Chance chance(canvas.seed, 7);
-    constexpr int kWaves = 6;
-    canvas.begin(kWaves);
-    for (int wave = 0; wave < kWaves; ++wave) {
-        // The first two waves run along the axes, so that heights vary in both directions.
-        const int kx = wave == 1 ? 0 : wave == 0 ? 1 : chance.whole(1, 3, wave, 0);
-        const int ky = wave == 0 ? 0 : wave == 1 ? 1 : chance.whole(-3, 3, wave, 1);
-        const double phase = chance.at(wave, 2) + 8;  // keeps the argument positive
-        const double amplitude = chance.between(0.4, 1, wave, 3);
-        for (int y = 0; y < canvas.height; ++y) {
-            for (int x = 0; x < canvas.width; ++x) {
-                const double turns = static_cast<double>(static_cast<std::int64_t>(kx) * x) / canvas.width +
-                                     static_cast<double>(static_cast<std::int64_t>(ky) * y) / canvas.height;
-                values(x, y) += amplitude * sineOfTurns(turns + phase);
-            }
-            canvas.rowDone();
-        }
-    }
-    return stretched(values);
-}
-
-FloatImage steps(const Canvas& canvas) {
-    FloatImage out = hills(canvas);
-    for (float& h : out.pixels()) h = height(std::min(7.0, std::floor(static_cast<double>(h) * 8)) / 7);
-    return out;
-}
-
-FloatImage checker(const Canvas& canvas) {
-    FloatImage out = canvas.image();
-    const int block = std::max(1, canvas.side() / 16);
+  private:
     // The number of blocks is even; otherwise two of one colour would meet at the seam.
-    const auto blocks = [block](int size) {
+    int blocks(int size) const {
+        const int block = std::max(1, canvas_.side() / 16);
         const int pairs = std::max(1, (size + block) / (2 * block));
         return std::max(1, std::min(2 * pairs, size - size % 2));
-    };
-    const int across = blocks(canvas.width);
-    const int down = blocks(canvas.height);
-    for (int y = 0; y < canvas.height; ++y)
-        for (int x = 0; x < canvas.width; ++x) {
-            const int sum = cellOf(x, across, canvas.width) + cellOf(y, down, canvas.height);
-            out(x, y) = static_cast<float>(sum % 2);
-        }
-    return out;
-}
+    }
+    Canvas canvas_;
+    int across_ = blocks(canvas_.width);
+    int down_ = blocks(canvas_.height);
+};
 
-FloatImage paper8x8(const Canvas&) {
-    constexpr std::array<std::uint8_t, 64> kTenths{9, 8, 5, 6, 8, 6, 5, 6,  //
-                                                   2, 3, 2, 6, 5, 7, 1, 2,  //
-                                                   5, 4, 5, 4, 5, 4, 5, 4,  //
-                                                   3, 7, 7, 3, 3, 6, 7, 3,  //
-                                                   3, 4, 4, 5, 5, 4, 4, 3,  //
-                                                   5, 2, 2, 3, 5, 4, 3, 2,  //
-                                                   5, 4, 5, 4, 5, 4, 3, 2,  //
-                                                   1, 7, 7, 3, 3, 7, 2, 3};
-    FloatImage out(8, 8);
-    for (std::size_t i = 0; i < kTenths.size(); ++i) out.pixels()[i] = static_cast<float>(kTenths[i] / 10.0);
-    return out;
-}
+class Paper8x8 final : public RecipeRows {
+  public:
+    explicit Paper8x8(const Canvas& /*canvas*/) {}
+    bool codes() const override { return false; }
+    void row(int y, float* out) const override {
+        constexpr std::array<std::uint8_t, 64> kTenths{9, 8, 5, 6, 8, 6, 5, 6,  //
+                                                       2, 3, 2, 6, 5, 7, 1, 2,  //
+                                                       5, 4, 5, 4, 5, 4, 5, 4,  //
+                                                       3, 7, 7, 3, 3, 6, 7, 3,  //
+                                                       3, 4, 4, 5, 5, 4, 4, 3,  //
+                                                       5, 2, 2, 3, 5, 4, 3, 2,  //
+                                                       5, 4, 5, 4, 5, 4, 3, 2,  //
+                                                       1, 7, 7, 3, 3, 7, 2, 3};
+        for (int x = 0; x < 8; ++x) out[x] = static_cast<float>(kTenths[static_cast<std::size_t>(8 * y + x)] / 10.0);
+    }
+};
 
 // Columns of heights 7 2 2 2 2 2 2 2 10 tenths; all rows are the same.
-FloatImage paperWalls(const Canvas& canvas) {
-    constexpr std::array<double, 9> kHeights{0.7, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 1.0};
-    FloatImage out = canvas.image();
-    for (int y = 0; y < canvas.height; ++y)
-        for (int x = 0; x < canvas.width; ++x) {
-            const auto column = static_cast<std::size_t>(cellOf(x, static_cast<int>(kHeights.size()), canvas.width));
-            out(x, y) = height(kHeights[column]);
-        }
-    return out;
+class PaperWalls final : public RecipeRows {
+  public:
+    explicit PaperWalls(const Canvas& canvas) : canvas_(canvas) {}
+    void row(int, float* out) const override {
+        constexpr std::array<double, 9> kHeights{0.7, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 1.0};
+        for (int x = 0; x < canvas_.width; ++x)
+            out[x] =
+                height(kHeights[static_cast<std::size_t>(cellOf(x, static_cast<int>(kHeights.size()), canvas_.width))]);
+    }
+
+  private:
+    Canvas canvas_;
+};
+
+template <class Recipe>
+std::unique_ptr<RecipeRows> made(const Canvas& canvas) {
+    return std::make_unique<Recipe>(canvas);
+}
+
+template <Scatter (*scatter)(const Canvas&)>
+std::unique_ptr<RecipeRows> scattered(const Canvas& canvas) {
+    return std::make_unique<Scattered>(canvas, scatter(canvas));
 }
 
 struct Maker {
     ReliefRecipe recipe;
-    FloatImage (*make)(const Canvas&);
+    std::unique_ptr<RecipeRows> (*make)(const Canvas&);
 };
 
 constexpr std::array kMakers{
-    Maker{{"bricks", "bricks", "brick wall in a running bond with deep mortar", 256, true}, bricks},
-    Maker{{"spikes", "spikes", "thin needles on a low ground", 256, true}, spikes},
-    Maker{{"pits", "pits", "square pits in a high plateau", 256, true}, pits},
-    Maker{{"columns", "thin columns", "thin columns on a low ground", 256, true}, columns},
-    Maker{{"city", "city", "blocks with buildings of different heights", 256, true}, city},
-    Maker{{"fractal", "fractal terrain", "rough terrain: value noise in octaves", 256, true}, fractal},
-    Maker{{"hills", "hills", "smooth hills: a few sines", 256, true}, hills},
-    Maker{{"steps", "terraces", "eight terraces with vertical walls", 256, true}, steps},
-    Maker{{"checker", "checkerboard", "blocks of 0 and 1", 256, true}, checker},
-    Maker{{"paper8x8", "the paper's 8 × 8", "the 8 x 8 example of the max pyramid's paper", 8, false}, paper8x8},
+    Maker{{"bricks", "bricks", "brick wall in a running bond with deep mortar", 256, true}, made<Bricks>},
+    Maker{{"spikes", "spikes", "thin needles on a low ground", 256, true}, scattered<spikes>},
+    Maker{{"pits", "pits", "square pits in a high plateau", 256, true}, scattered<pits>},
+    Maker{{"columns", "thin columns", "thin columns on a low ground", 256, true}, scattered<columns>},
+    Maker{{"city", "city", "blocks with buildings of different heights", 256, true}, made<City>},
+    Maker{{"fractal", "fractal terrain", "rough terrain: value noise in octaves", 256, true}, makeFractal},
+    Maker{{"hills", "hills", "smooth hills: a few sines", 256, true}, makeHills},
+    Maker{{"steps", "terraces", "eight terraces with vertical walls", 256, true}, makeSteps},
+    Maker{{"checker", "checkerboard", "blocks of 0 and 1", 256, true}, made<Checker>},
+    Maker{{"paper8x8", "the paper's 8 × 8", "the 8 x 8 example of the max pyramid's paper", 8, false}, made<Paper8x8>},
     Maker{{"paper-walls", "walls and a trench",
            "two walls with a trench between them: the example of the refined map's paper", 9, true},
-          paperWalls},
+          made<PaperWalls>},
 };
 
 }  // namespace
@@ -437,16 +287,11 @@ void checkRecipeSize(const ReliefRecipe& recipe, int width, int height) {
                                                      {"height", height}}));
 }
 
-FloatImage makeRelief(std::string_view name, int width, int height, std::uint64_t seed, Work* work) {
+std::unique_ptr<RecipeRows> recipeRows(std::string_view name, int width, int height, std::uint64_t seed) {
     checkRecipeSize(findRecipe(name, {}), width, height);
     const auto maker =
         std::find_if(kMakers.begin(), kMakers.end(), [&](const Maker& m) { return m.recipe.name == name; });
-    const std::string subject(name);
-    // Some recipes accumulate in double first.
-    requireMemory(byteProduct({static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
-                               sizeof(double) + sizeof(float)}),
-                  subject + ":" + std::to_string(width) + "x" + std::to_string(height), MemoryHint::SmallerSize);
-    return maker->make({width, height, seed, work});
+    return maker->make({width, height, seed});
 }
 
 }  // namespace relief

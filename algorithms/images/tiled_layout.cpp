@@ -41,9 +41,9 @@ TiledLayout TiledLayout::of(int width, int height, NumberType type, std::uint64_
         page.groupsAcross = ((page.tilesAcross() - 1) >> page.acrossShift) + 1;
         page.groupsDown = ((page.tilesDown() - 1) >> page.downShift) + 1;
         page.first = at;
-        page.firstSlot = layout.slots;
+        page.firstSlot = layout.places;
         at += page.bytes();
-        layout.slots += page.slots();
+        layout.places += page.places();
         layout.pages.push_back(page);
     };
     add(TileKind::Height, 0);

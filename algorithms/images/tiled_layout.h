@@ -49,7 +49,7 @@ struct TilePage {
     std::uint64_t bytes() const {
         return static_cast<std::uint64_t>(groupsAcross) * static_cast<std::uint64_t>(groupsDown) << kGroupShift;
     }
-    std::uint64_t slots() const { return bytes() >> tileBytesShift; }
+    std::uint64_t places() const { return bytes() >> tileBytesShift; }
 
     // Byte in the file of the tile in column x and row y of tiles.
     std::uint64_t tileOffset(int x, int y) const {
@@ -71,13 +71,13 @@ struct TiledLayout {
     std::vector<TilePage> pages;          // the heights, then levels 1 to levels - 1 of maxima, of minima, of means
     std::uint64_t firstTile = 0;          // byte; all before it is the TIFF's directories
     std::uint64_t checksums = 0;          // byte of the table of checksums, 64 bits for each slot
-    std::uint64_t slots = 0;
+    std::uint64_t places = 0;
     std::uint64_t fileBytes = 0;
 
     // The table of checksums is also a page: a picture of 32-bit numbers, the low half of each checksum first, in rows
     // of this width. The last row is filled up with zeros.
     static constexpr int kChecksumWidth = 1024;
-    int checksumHeight() const { return static_cast<int>((2 * slots + kChecksumWidth - 1) / kChecksumWidth); }
+    int checksumHeight() const { return static_cast<int>((2 * places + kChecksumWidth - 1) / kChecksumWidth); }
     std::uint64_t checksumBytes() const {
         return static_cast<std::uint64_t>(checksumHeight()) * kChecksumWidth * sizeof(std::uint32_t);
     }

@@ -8,9 +8,10 @@ namespace relief {
 
 // The largest stored height of the surface within a cell.
 inline double cellMaximum(const HeightField& field, const CellGrid& grid, AxisCell cx, AxisCell cy) {
-    return field.surface() == Surface::Bilinear
-               ? cellMaximum<Surface::Bilinear>(field.heights(), grid, cx.index, cy.index)
-               : cellMaximum<Surface::Columns>(field.heights(), grid, cx.index, cy.index);
+    return withHeights(field, [&](const auto& heights) {
+        return field.surface() == Surface::Bilinear ? cellMaximum<Surface::Bilinear>(heights, grid, cx.index, cy.index)
+                                                    : cellMaximum<Surface::Columns>(heights, grid, cx.index, cy.index);
+    });
 }
 
 // Record of a decision about the cell (cx, cy) over the lambda interval [in, out], with the cell's largest height as

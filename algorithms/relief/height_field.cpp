@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "images/tiled_heights.h"
+#include "relief/errors.h"
+
 namespace relief {
 
 namespace {
@@ -29,6 +32,8 @@ struct Corners {
 };
 
 Corners cornersAt(const HeightField& field, std::int64_t i, std::int64_t j) {
+    if (field.tiles() != nullptr)
+        return {field.texel(i, j), field.texel(i + 1, j), field.texel(i, j + 1), field.texel(i + 1, j + 1)};
     const FloatImage& heights = field.heights();
     if (i >= 0 && j >= 0 && i + 1 < heights.width() && j + 1 < heights.height()) {
         const float* at = &heights(static_cast<int>(i), static_cast<int>(j));
@@ -38,6 +43,23 @@ Corners cornersAt(const HeightField& field, std::int64_t i, std::int64_t j) {
 }
 
 }  // namespace
+
+HeightField::HeightField(std::shared_ptr<const TiledHeights> tiles, Surface surface, Address address,
+                         double reliefDepth)
+    : tiles_(std::move(tiles)),
+      width_(tiles_->width()),
+      height_(tiles_->height()),
+      surface_(surface),
+      address_(address),
+      reliefDepth_(reliefDepth) {}
+
+void HeightField::refuseTiles() const {
+    throw InputError(tiles_->path(), Message(MessageId::TiledNeedsWhole));
+}
+
+float HeightField::tileTexel(int x, int y) const {
+    return tiles_->height(x, y);
+}
 
 double HeightField::at(double s, double t) const {
     if (surface_ == Surface::Columns) {

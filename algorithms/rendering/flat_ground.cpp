@@ -29,7 +29,7 @@ struct Box {
 std::shared_ptr<const HeightBoundsMap> groundBounds(const HeightField& field, Work& work) {
     int shift = 0;
     while ((std::max(field.width(), field.height()) >> shift) > kGroundBlocks) ++shift;
-    return std::make_shared<const HeightBoundsMap>(coarseHeightBounds(field.sharedHeights(), shift, work));
+    return std::make_shared<const HeightBoundsMap>(coarseHeightBounds(field, shift, work));
 }
 
 FlatGround::FlatGround(HeightField field, std::shared_ptr<const HeightBoundsMap> bounds, bool flat, double bound)

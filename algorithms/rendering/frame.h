@@ -235,13 +235,13 @@ class FrameRenderer {
     std::shared_ptr<FrameBuffers> band_;
     // The mean pyramid of the last filtered picture; greyOf_: the heights that it was made from, if it is grey.
     std::shared_ptr<const ColorLevels> levels_;
-    std::shared_ptr<const FloatImage> greyOf_;
+    std::shared_ptr<const void> greyOf_;
     // Height bounds of the last traced heights; groundOf_: those heights.
     std::shared_ptr<const HeightBoundsMap> ground_;
-    std::shared_ptr<const FloatImage> groundOf_;
+    std::shared_ptr<const void> groundOf_;
     // Number of rays traced so far over the heights tracedOf_.
     std::size_t traced_ = 0;
-    std::shared_ptr<const FloatImage> tracedOf_;
+    std::shared_ptr<const void> tracedOf_;
 };
 
 // Returns the filter's query for the pixel; std::nullopt without a hit.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "images/tiled_heights.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/simd/packed_cone_hits.h"
 #include "rendering/flat_ground.h"
@@ -27,7 +28,7 @@ std::uint32_t changedInputs(const FrameRequest& now, const FrameRequest& last) {
     compare(Input::Camera, camera == last.camera && sample == last.sample && margin == last.margin);
     compare(Input::Scene, scene == last.scene);
     compare(Input::HeightSize, field.width() == last.field.width() && field.height() == last.field.height());
-    compare(Input::Heights, field.sharedHeights() == last.field.sharedHeights());
+    compare(Input::Heights, field.identity() == last.field.identity());
     compare(Input::Surface, field.surface() == last.field.surface());
     compare(Input::Address, field.address() == last.field.address());
     compare(Input::Depth, field.reliefDepth() == last.field.reliefDepth());
@@ -58,11 +59,44 @@ std::uint32_t staleStages(std::uint32_t changed) {
     return stale;
 }
 
+// The level of means that stands for the heights of a map read by tiles where a picture of all heights is needed: the
+// finest one up to this number of texels, so that the picture takes a few tens of megabytes.
+constexpr std::size_t kMostGreyTexels = std::size_t{1} << 21;
+int greyLevel(const TiledHeights& tiles) {
+    int level = 0;
+    while (static_cast<std::size_t>(tiles.width(level)) * static_cast<std::size_t>(tiles.height(level)) >
+           kMostGreyTexels)
+        ++level;
+    return level;
+}
+
 // Returns the heights as a grey picture, for filters that need a picture.
-std::shared_ptr<const ColorImage> greyPicture(const FloatImage& heights) {
+std::shared_ptr<const ColorImage> greyPicture(const HeightField& field) {
+    if (const TiledHeights* const tiles = field.tiles()) {
+        const int level = greyLevel(*tiles);
+        auto picture = std::make_shared<ColorImage>(tiles->width(level), tiles->height(level));
+        for (int y = 0; y < picture->height(); ++y) {
+            for (int x = 0; x < picture->width(); ++x) (*picture)(x, y) = heightGrey(tiles->mean(level, x, y));
+        }
+        return picture;
+    }
+    const FloatImage& heights = field.heights();
     auto picture = std::make_shared<ColorImage>(heights.width(), heights.height());
     std::transform(heights.pixels().begin(), heights.pixels().end(), picture->pixels().begin(), heightGrey);
     return picture;
+}
+
+// Texels of the colour picture per texel of the heights, along the denser axis.
+double colorPerTexel(const FrameRequest& request) {
+    const auto per = [&](int width, int height) {
+        return std::max(static_cast<double>(width) / request.field.width(),
+                        static_cast<double>(height) / request.field.height());
+    };
+    if (request.color) return per(request.color->width(), request.color->height());
+    const TiledHeights* const tiles = request.field.tiles();
+    if (tiles == nullptr || !needsLevels(request.filter)) return 1;
+    const int level = greyLevel(*tiles);
+    return per(tiles->width(level), tiles->height(level));
 }
 
 // Returns a frame with everything that is known before any pixel is made.
@@ -74,10 +108,7 @@ std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
     frame->slabTexels = request.field.slabTexels();
     frame->polygons = makeScene(request.scene, request.field.width(), request.field.height());
     frame->camera = requestCamera(request);
-    if (request.color) {
-        frame->colorPerTexel = std::max(static_cast<double>(request.color->width()) / request.field.width(),
-                                        static_cast<double>(request.color->height()) / request.field.height());
-    }
+    frame->colorPerTexel = colorPerTexel(request);
     return frame;
 }
 
@@ -107,19 +138,18 @@ std::string sizeSubject(const FrameRequest& request) {
 std::shared_ptr<const TextureFilter> FrameRenderer::madeFilter(const FrameRequest& request, Work& work) {
     const bool levels = needsLevels(request.filter);
     // The levels of another picture are released even if this filter needs none.
-    if (levels_ && (request.color ? levels_->picture() != request.color : greyOf_ != request.field.sharedHeights())) {
+    if (levels_ && (request.color ? levels_->picture() != request.color : greyOf_ != request.field.identity())) {
         levels_.reset();
         greyOf_.reset();
     }
     if (!request.color && !levels) return nullptr;
     std::shared_ptr<const ColorImage> picture = request.color;
     if (!picture) {
-        picture = levels_ && greyOf_ == request.field.sharedHeights() ? levels_->picture()
-                                                                      : greyPicture(request.field.heights());
+        picture = levels_ && greyOf_ == request.field.identity() ? levels_->picture() : greyPicture(request.field);
     }
     if (levels && !(levels_ && levels_->picture() == picture)) {
         levels_ = std::make_shared<const ColorLevels>(picture, work);
-        greyOf_ = request.color ? nullptr : request.field.sharedHeights();
+        greyOf_ = request.color ? nullptr : request.field.identity();
     }
     return makeFilter(request.filter, {picture, levels ? levels_ : nullptr, request.field, request.skip}, *maps_, work);
 }
@@ -134,14 +164,14 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
     const bool traces = tracer.description().kind == MethodKind::Tracer;
     // Only exact methods agree with the intersection of the single cell, and a base level traces a different relief.
     const bool flat = request.skip && tracer.guarantee() == Guarantee::Exact && tracer.baseLevel() == 0;
-    if (groundOf_ != request.field.sharedHeights()) {
+    if (groundOf_ != request.field.identity()) {
         ground_.reset();
         groundOf_.reset();
     }
     if (!traces || (!flat && !(request.bounded > 0))) return nullptr;
     if (!ground_) {
         ground_ = groundBounds(request.field, work);
-        groundOf_ = request.field.sharedHeights();
+        groundOf_ = request.field.identity();
     }
     auto ground = std::make_unique<const FlatGround>(request.field, ground_, flat, request.bounded);
     return ground->never() ? nullptr : std::move(ground);
@@ -151,14 +181,15 @@ std::unique_ptr<const FlatGround> FrameRenderer::madeGround(const FrameRequest& 
 // or enough rays were traced to pay for building it.
 std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameRequest& request, const Tracer& tracer,
                                                                   bool readsNeighbours, Work& work) {
-    const std::shared_ptr<const FloatImage>& heights = request.field.sharedHeights();
-    if (tracedOf_ != heights) traced_ = 0;
-    tracedOf_ = heights;
+    const HeightField& field = request.field;
+    if (tracedOf_ != field.identity()) traced_ = 0;
+    tracedOf_ = field.identity();
     traced_ += static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
     const bool apt = request.skip && tracer.pyramid() != nullptr && tracer.baseLevel() == 0 &&
-                     tracer.guarantee() == Guarantee::Exact && heights->size() <= PackedConeHits::kMostTexels;
+                     tracer.guarantee() == Guarantee::Exact && field.tiles() == nullptr &&
+                     field.texels() <= PackedConeHits::kMostTexels;
     const bool there = request.shadows || readsNeighbours;
-    const bool pays = there || traced_ > PackedConeHits::kRaysPerTexel * heights->size();
+    const bool pays = there || traced_ > PackedConeHits::kRaysPerTexel * field.texels();
     if (!apt || !pays) return nullptr;
     return std::make_unique<const PackedConeHits>(request.field, packedCones(request.field, *maps_, work));
 }

@@ -33,7 +33,7 @@ double costOf(const FilterChoice& choice) {
 
 // Returns true if both requests have the same hits.
 bool sameHits(const FrameRequest& a, const FrameRequest& b) {
-    return a.width == b.width && a.height == b.height && a.field.sharedHeights() == b.field.sharedHeights() &&
+    return a.width == b.width && a.height == b.height && a.field.identity() == b.field.identity() &&
            a.field.surface() == b.field.surface() && a.field.address() == b.field.address() &&
            a.field.reliefDepth() == b.field.reliefDepth() && a.method == b.method && a.scene == b.scene &&
            a.camera == b.camera && a.skip == b.skip && a.mapping == b.mapping && a.bounded == b.bounded &&
@@ -112,8 +112,8 @@ MovingLevel ProgressiveRenderer::levelFor(const FrameRequest& request) {
 // Releases the buffers of the smaller pictures when they belong to another relief; they may take hundreds of megabytes.
 void ProgressiveRenderer::forgetSmall(const FrameRequest& shown) {
     if (!drawnSmall_) return;
-    const bool same = drawnSmall_->field.sharedHeights() == shown.field.sharedHeights() &&
-                      drawnSmall_->color == shown.color && drawnSmall_->normals == shown.normals;
+    const bool same = drawnSmall_->field.identity() == shown.field.identity() && drawnSmall_->color == shown.color &&
+                      drawnSmall_->normals == shown.normals;
     if (same) return;
     small_ = FrameRenderer(maps_);
     smallFrame_.reset();

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "relief/maps/max_pyramid_map.h"
+#include "relief/maps/tile_prefetch.h"
 #include "relief/methods/look_up_point.h"
 #include "relief/simd/packed_cone_hits.h"
 #include "rendering/query_lanes.h"
@@ -153,6 +155,10 @@ void TileWorker::traceRays(const PixelArea& tile, Work& work) const {
     const std::vector<HitBy>& by = buffers_.hits->by;
     std::erase_if(pixels, [&](std::size_t i) { return by[i] != HitBy::Traced; });
     raysOf(pixels, *frame_.rays, block);
+    if (request_.field.tiles() != nullptr) {
+        const auto pyramid = tools_.tracer.pyramid();
+        prefetchAlong(request_.field, pyramid ? pyramid->tiled.get() : nullptr, block);
+    }
     NullSink sink;
     if (tools_.coneHits != nullptr) {
         tools_.coneHits->trace(block, hits, tools_.tracer, work);

@@ -1,3 +1,4 @@
+#include "images/tiled_heights.h"
 #include "relief/reliefs.h"
 #include "scenario/scenario.h"
 
@@ -7,6 +8,7 @@ namespace {
 
 bool sameHeights(const Pictures& a, const Pictures& b) {
     return a.height == b.height && a.recipe == b.recipe && a.drawn == b.drawn && a.reading == b.reading &&
+           a.memory == b.memory &&
            (a.recipe.empty() ||
             (a.recipeWidth == b.recipeWidth && a.recipeHeight == b.recipeHeight && a.seed == b.seed));
 }
@@ -32,11 +34,44 @@ std::shared_ptr<const HeightImage> loadHeights(const Pictures& pictures, Work& w
     return made;
 }
 
+// Opens the height map by tiles. Three quarters of the memory are the tiles', the rest the top of the pyramid's
+// (TiledPyramid::mostBytes()).
+void openTiles(const Pictures& pictures, Assets& assets) {
+    const std::size_t bytes = static_cast<std::size_t>(pictures.memory) << 20;
+    assets.tiles = TiledHeights::open(pictures.height, bytes / 4 * 3);
+    auto height = std::make_shared<HeightImage>();
+    height->info.path = pictures.height;
+    height->info.format = "tiff";
+    height->info.width = assets.tiles->width();
+    height->info.height = assets.tiles->height();
+    assets.height = height;
+    assets.heights.reset();
+}
+
+// Throws InputError: what is tiled has been scaled when it was tiled.
+void refuseReading(const HeightReadOptions& reading) {
+    const HeightReadOptions usual;
+    const char* option = nullptr;
+    if (reading.channel != usual.channel) option = "--channel";
+    if (reading.invert) option = "--invert";
+    if (!(reading.range == usual.range)) option = "--range";
+    if (option != nullptr) throw InputError(option, Message(MessageId::ArgumentsExclude, {{"other", "--memory"}}));
+}
+
 }  // namespace
 
-Assets AssetStore::load(const Pictures& pictures, Work& work) {
+HeightField Assets::field(const Scenario& scenario) const {
+    if (tiles) return {tiles, scenario.surface, scenario.address, scenario.reliefDepth};
+    return {heights, scenario.surface, scenario.address, scenario.reliefDepth};
+}
+
+Assets AssetStore::load(const Pictures& pictures, Work& work, bool byTiles) {
     Assets assets = assets_;
-    if (!assets.height || !sameHeights(pictures, last_)) {
+    if (byTiles && pictures.memory > 0 && !pictures.height.empty() && TiledHeights::isTiled(pictures.height)) {
+        refuseReading(pictures.reading);
+        if (!assets.tiles || !sameHeights(pictures, last_)) openTiles(pictures, assets);
+    } else if (!assets.heights || !sameHeights(pictures, last_)) {
+        assets.tiles.reset();
         assets.height = loadHeights(pictures, work);
         // This pointer shares ownership with assets.height.
         assets.heights = std::shared_ptr<const FloatImage>(assets.height, &assets.height->heights);

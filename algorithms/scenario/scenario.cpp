@@ -264,7 +264,7 @@ void checkScenario(const Scenario& scenario, const std::string& subject) {
 }
 
 FrameRequest frameRequest(const Scenario& scenario, const Assets& assets) {
-    FrameRequest request(HeightField(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth));
+    FrameRequest request(assets.field(scenario));
     request.width = scenario.width;
     request.height = scenario.height;
     request.color = assets.color;

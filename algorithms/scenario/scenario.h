@@ -20,6 +20,8 @@
 namespace relief {
 
 inline constexpr int kScenarioVersion = 1;
+// Of Pictures::memory, megabytes.
+inline constexpr int kMostTileMemory = 1 << 22;
 
 // The source of the heights: either a file, a procedural relief ("bricks", ...) or a relief drawn by hand. color and
 // normal may be empty.
@@ -33,6 +35,8 @@ struct Pictures {
     std::string color;
     std::string normal;
     HeightReadOptions reading;
+    // Megabytes within which a height map written by `relief tile` is read by tiles; 0: it is read as a whole.
+    int memory = 0;
     bool operator==(const Pictures&) const = default;
 };
 
@@ -126,16 +130,20 @@ void saveScenario(const std::string& path, const Scenario& scenario);
 // The loaded pictures of a scenario.
 struct Assets {
     std::shared_ptr<const HeightImage> height;  // with information on how it was read and converted
-    std::shared_ptr<const FloatImage> heights;
+    std::shared_ptr<const FloatImage> heights;  // null if the map is read by tiles
+    std::shared_ptr<const TiledHeights> tiles;
     std::shared_ptr<const ColorImage> color;
     std::shared_ptr<const Image<glm::vec3>> normals;
+
+    // The heights with the scenario's interpretation of them.
+    HeightField field(const Scenario& scenario) const;
 };
 
 class AssetStore {
   public:
     // Loads the pictures whose path or reading options differ from the last call. Throws InputError; the store is then
-    // unchanged.
-    Assets load(const Pictures& pictures, Work& work);
+    // unchanged. byTiles: whether the caller works with maps that are read by tiles; otherwise all are read as a whole.
+    Assets load(const Pictures& pictures, Work& work, bool byTiles = false);
 
   private:
     Pictures last_;

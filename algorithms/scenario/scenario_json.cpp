@@ -70,6 +70,7 @@ void readPictures(Reader reader, Pictures& pictures, const std::filesystem::path
     reader.read("invert", pictures.reading.invert);
     reader.named("range", [&](const std::string& text) { pictures.reading.range = parseHeightRange(text); });
     reader.readWhole("max-pixels", pictures.reading.maxPixels);
+    reader.readWhole("memory", pictures.memory);
     reader.finish();
 }
 
@@ -184,6 +185,7 @@ Json pictureJson(const Pictures& pictures, const std::string& folder) {
     json["invert"] = pictures.reading.invert;
     json["range"] = heightRangeText(pictures.reading.range);
     json["max-pixels"] = pictures.reading.maxPixels;
+    if (pictures.memory > 0) json["memory"] = pictures.memory;
     return json;
 }
 

@@ -39,6 +39,7 @@ std::string commandBegin(const Scenario& scenario, const std::string& command = 
     if (!pictures.reading.channel.empty()) add("--channel", pictures.reading.channel);
     if (pictures.reading.invert) line += " --invert";
     if (!(pictures.reading.range == HeightRange{})) add("--range", heightRangeText(pictures.reading.range));
+    if (pictures.memory > 0) add("--memory", std::to_string(pictures.memory));
     add("--tracer", scenario.method.name);
     for (const auto& [name, text] : scenario.method.options) add("--set", name + "=" + text);
     if (scenario.reliefDepth != defaults.reliefDepth) add("--relief-depth", numberText(scenario.reliefDepth));

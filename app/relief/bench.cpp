@@ -12,6 +12,8 @@
 #include "measuring/bench/bench_tracers.h"
 #include "options_common.h"
 #include "relief/reliefs.h"
+#include "relief/tracers/tile_methods.h"
+#include "tiles_report.h"
 
 namespace relief::app {
 
@@ -25,7 +27,7 @@ constexpr const char* kDefaultReliefs[] = {"bricks", "city", "fractal", "hills",
 
 struct BenchCommandOptions {
     OptionText kind, tracers, elevations, lowest, rays, rounds, seed, surface, address, reliefDepth, output;
-    OptionText sizes, threadCounts, form, concurrent, part;
+    OptionText sizes, threadCounts, form, concurrent, part, memory;
     RestartOptions restart;
     std::vector<std::string> files, heights, recipes;
     ReadingOptions reading;
@@ -39,6 +41,7 @@ std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
     std::vector<Pictures> all;
     Pictures plain;
     given.reading.apply(plain.reading);
+    if (given.memory) plain.memory = parseTileMemory(*given.memory);
     const std::vector<std::string> sizes = given.sizes ? splitText(*given.sizes, ',') : std::vector<std::string>{};
     for (const std::string& size : sizes) parseSize(size, "--sizes", kMaxPictureSide);  // throws
     const auto addSized = [&](const std::string& recipe) {
@@ -81,12 +84,19 @@ struct SweepMap {
     Pictures pictures;
     std::string name;
     std::shared_ptr<const FloatImage> heights;
+    std::shared_ptr<const TiledHeights> tiles;  // in their place
+
+    // Text that differs if any height differs.
+    std::string content() const {
+        if (tiles) return ":" + tilesHash(*tiles);
+        return heights ? ":" + contentText(*heights) : "";
+    }
 };
 
 std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& session) {
     std::vector<SweepMap> maps;
     for (const Pictures& one : pictures) {
-        maps.push_back({one, heightsName(one), nullptr});
+        maps.push_back({one, heightsName(one), nullptr, nullptr});
         if (one.height.empty() && one.drawn.empty()) {
             checkRecipeSize(findRecipe(one.recipe, {}), one.recipeWidth, one.recipeHeight);
             continue;
@@ -94,9 +104,10 @@ std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& 
         Scenario scenario;
         scenario.pictures = one;
         AssetStore store;
-        const Assets assets = store.load(one, session.work());
+        const Assets assets = store.load(one, session.work(), true);
         noteHeights(session, assets, scenario);
         maps.back().heights = assets.heights;
+        maps.back().tiles = assets.tiles;
     }
     return maps;
 }
@@ -105,7 +116,7 @@ std::vector<SweepMap> sweepMaps(const std::vector<Pictures>& pictures, Session& 
 class HeightsOf {
   public:
     std::shared_ptr<const FloatImage> operator()(const SweepMap& map) {
-        if (map.heights) return map.heights;
+        if (map.heights || map.tiles) return map.heights;
         if (made_ == nullptr || name_ != map.name) {
             made_.reset();
             const Pictures& p = map.pictures;
@@ -203,9 +214,15 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
     to.what = sweepText(given, options, session);
     HeightsOf heightsOf;
     const std::vector<SweepMap> maps = sweepMaps(chosenPictures(given), session);
+    for (const SweepMap& map : maps) {
+        if (!map.tiles) continue;
+        // Without --tracers, all that can.
+        if (!given.tracers) std::erase_if(options.methods, [](const auto& one) { return !tracesTiles(one.choice); });
+        for (const MeasuredMethod& method : options.methods) requireTiles(method.choice, *map.tiles);
+    }
     std::vector<BenchCell<BenchRow>> cells;
     for (const SweepMap& map : maps) {
-        const std::string name = map.name + (map.heights ? ":" + contentText(*map.heights) : "");
+        const std::string name = map.name + map.content();
         for (const int threads : threadCounts) {
             for (const std::uint64_t seed : seeds) {
                 for (const Elevation& elevation : options.elevations) {
@@ -216,7 +233,7 @@ int runTracers(const BenchCommandOptions& given, BenchRun to, Session& session) 
                                          one.pass = pass;
                                          if (pass != BenchPass::Counts) counted = noPreparedTracers();
                                          one.prepared = pass == BenchPass::Counts ? counted : timed;
-                                         one.maps = {{map.name, heightsOf(map)}};
+                                         one.maps = {{map.name, heightsOf(map), map.tiles}};
                                          one.seed = seed;
                                          one.elevations = {elevation};
                                          return benchTracers(one, work);
@@ -309,6 +326,10 @@ void addTracers(CLI::App& parser, BenchCommandOptions& options) {
         parser, "--rays", options.rays, "N",
         "rays per line of the table, default 65536; fewer, with a message, if the exact reference would take too long",
         group);
+    addText(parser, "--memory", options.memory, "MB",
+            "height maps written by relief tile are read by tiles, each within this much memory, by the methods that "
+            "can (see relief list); default: they are read as a whole",
+            group);
     addText(parser, "--thread-counts", options.threadCounts, "N,...",
             "numbers of threads to measure, instead of --threads", group);
 }

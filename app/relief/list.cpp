@@ -82,6 +82,7 @@ Json methodJson(const MethodDescription& method) {
               {"surfaces", Json::array()},
               {"addresses", Json::array()},
               {"maps", method.maps},
+              {"tiled", method.tiled},
               {"options", Json::array()}};
     for (const Surface surface : method.surfaces) json["surfaces"].push_back(surfaceName(surface));
     for (const Address address : method.addresses) json["addresses"].push_back(addressName(address));
@@ -168,6 +169,7 @@ std::string methodText(const MethodDescription& method) {
     if (addresses.size() < 3) out += entry("addressing", commaList(addresses), 6, 12);
     out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);
     if (!method.maps.empty()) out += entry("maps", commaList(method.maps), 6, 12);
+    if (method.tiled) out += entry("tiles", "maps larger than memory, by --memory", 6, 12);
     if (!method.source.empty()) out += entry("source", method.source, 6, 12);
     for (const OptionDescription& option : method.options) {
         out += entry("--set " + option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 22);

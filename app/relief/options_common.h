@@ -68,10 +68,14 @@ bool isScenarioFile(const std::string& path);
 PixelChoice parsePixel(const std::string& text, const std::string& option);
 // Parses an integer in [low, high].
 std::int64_t parseWhole(const std::string& text, const std::string& option, std::int64_t low, std::int64_t high);
+// Parses the megabytes within which a map is read by tiles.
+int parseTileMemory(const std::string& text, const std::string& option = "--memory");
 // Parses an integer from 0 to 2^64 - 1.
 std::uint64_t parseSeed(const std::string& text, const std::string& option);
-// Parses the value of --relief: "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7".
-void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief");
+// Parses the value of --relief: "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7". Sides up to mostSide, and
+// no more texels than reading.maxPixels.
+void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief",
+                 int mostSide = kMaxPictureSide);
 // Splits the text at each separator; empty parts are kept.
 std::vector<std::string> splitText(const std::string& text, char separator);
 
@@ -127,6 +131,8 @@ class ScenarioOptions {
     // options of a method that the command itself chooses. HeightsOnly: only the height field.
     enum class OptionGroups { All, View, None, Heights, HeightsOnly };
     void add(CLI::App& parser, OptionGroups groups);
+    // --memory, for commands that work with maps read by tiles; `name`: where that is the name of another option.
+    void addMemory(CLI::App& parser, const std::string& name = "--memory");
     // Returns the scenario of the file, or the default one, with the options applied and validated. Throws InputError.
     Scenario scenario() const { return scenario(file_); }
     // The same for another file, a scenario or a height map; std::nullopt: for the default scenario.
@@ -158,7 +164,8 @@ class ScenarioOptions {
     void applyCamera(Scenario& scenario) const;
 
     OptionText file_;
-    OptionText height_, recipe_, color_, normal_;
+    OptionText height_, recipe_, color_, normal_, memory_;
+    std::string memoryOption_ = "--memory";  // for messages
     ReadingOptions reading_;
     OptionText reliefDepth_, address_, surface_;
     std::string tracerOption_ = "--tracer";  // for messages

@@ -82,6 +82,10 @@ void applyDrawn(Pictures& pictures, const std::vector<std::string>& parts, const
 
 }  // namespace
 
+int parseTileMemory(const std::string& text, const std::string& option) {
+    return static_cast<int>(parseWhole(text, option, 1, kMostTileMemory));
+}
+
 void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option) {
     const auto given =
         applySettings(scenario, text, option,
@@ -90,7 +94,7 @@ void applyOrbit(Scenario& scenario, const std::string& text, const std::string& 
     if (given != std::vector<std::string>{"fov"}) scenario.camera.kind = Camera::Kind::Orbit;
 }
 
-void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option) {
+void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option, int mostSide) {
     const std::vector<std::string> parts = splitText(text, ':');
     if (parts[0] == kDrawn && parts.size() == 3) return applyDrawn(pictures, parts, option);
     pictures.drawn = {};
@@ -100,7 +104,7 @@ void applyRecipe(Pictures& pictures, const std::string& text, const std::string&
     pictures.recipe = parts[0];
     pictures.recipeWidth = pictures.recipeHeight = found.defaultSize;
     if (parts.size() > 1) {
-        const SizeText size = parseSize(parts[1], option, kMaxPictureSide);
+        const SizeText size = parseSize(parts[1], option, mostSide);
         pictures.recipeWidth = size.width;
         pictures.recipeHeight = size.height;
         const std::int64_t limit = pictures.reading.maxPixels;
@@ -134,6 +138,14 @@ void ScenarioOptions::addPictures(CLI::App& parser, OptionGroups groups) {
     addText(parser, "--color", color_, "FILE", "colour picture; default: the heights in grey", group);
     addText(parser, "--normal", normal_, "FILE",
             "normal map (OpenGL: y up) for the light; default: the relief's own slopes", group);
+}
+
+void ScenarioOptions::addMemory(CLI::App& parser, const std::string& name) {
+    memoryOption_ = name;
+    addText(parser, name, memory_, "MB",
+            "a height map written by relief tile is read by tiles, within this much memory, so that it may be larger "
+            "than the machine's; default: it is read as a whole",
+            "Pictures");
 }
 
 void ScenarioOptions::addMethod(CLI::App& parser, OptionGroups groups) {
@@ -246,7 +258,7 @@ Scenario ScenarioOptions::scenario(const OptionText& file) const {
 void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work,
                                    bool follow) const {
     if (!map_) return;
-    const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
+    const HeightField field = assets.field(scenario);
     const StoredMap map = loadMap(*map_, field, maps.budget(), work);
     if (follow && !tracer_ && !(file_ && isScenarioFile(shippedFile(*file_))))
         scenario.method.name = methodOfMap(mapKindName(map));
@@ -278,6 +290,7 @@ void ScenarioOptions::applyPictures(Scenario& scenario) const {
         scenario.pictures.recipe.clear();
         scenario.pictures.drawn = {};
     }
+    if (memory_) scenario.pictures.memory = parseTileMemory(*memory_, memoryOption_);
     if (color_) scenario.pictures.color = *color_;
     if (normal_) scenario.pictures.normal = *normal_;
 }

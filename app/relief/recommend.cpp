@@ -56,10 +56,6 @@ void applyAsked(const RecommendOptions& given, AdviceOptions& options) {
     options.filters = !given.noFilter;
 }
 
-HeightField fieldOf(const Scenario& scenario, const Assets& assets) {
-    return {assets.heights, scenario.surface, scenario.address, scenario.reliefDepth};
-}
-
 // Returns all procedural reliefs at a small size, for checks without a height map.
 std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
     if (given.scenario.heightsGiven()) return {given.scenario.scenario()};
@@ -77,8 +73,8 @@ int runCheck(const RecommendOptions& given, Session& session) {
     std::vector<CheckedRelief> checked;
     for (const Scenario& scenario : checkedScenarios(given)) {
         AssetStore store;
-        const Assets assets = store.load(scenario.pictures, session.work());
-        AdviceOptions options(fieldOf(scenario, assets));
+        const Assets assets = store.load(scenario.pictures, session.work(), true);
+        AdviceOptions options(assets.field(scenario));
         applyAsked(given, options);
         checked.push_back({heightsName(scenario.pictures), adviceRegret(options, session.work())});
     }
@@ -97,7 +93,11 @@ int runRecommend(const RecommendOptions& given, Session& session) {
     if (given.color) scenario.pictures.color = *given.color;
     Work& work = session.work();
     AssetStore store;
-    const Assets assets = store.load(scenario.pictures, work);
+    const Assets assets = store.load(scenario.pictures, work, true);
+    // The filters' pictures are of the whole map.
+    if (assets.tiles && !given.noFilter) {
+        throw InputError("--resident", Message(MessageId::NeedsArgument, {{"other", "--no-filter"}}));
+    }
     noteHeights(session, assets, scenario);
     const ImageInfo& info = assets.height->info;
     if (info.channels.size() > 1 && scenario.pictures.reading.channel.empty()) {
@@ -105,7 +105,7 @@ int runRecommend(const RecommendOptions& given, Session& session) {
                      Message(MessageId::HeightChannelTaken,
                              {{"name", assets.height->channel}, {"known", commaList(info.channels)}}));
     }
-    AdviceOptions options(fieldOf(scenario, assets));
+    AdviceOptions options(assets.field(scenario));
     applyAsked(given, options);
     options.name = heightsName(scenario.pictures);
     options.color = assets.color;
@@ -132,7 +132,7 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
             "default 0.01",
             group);
     addText(parser, "--memory", options.memory, "MB",
-            "largest memory of the maps besides the heights, MiB, default 256", group);
+            "largest memory of the maps besides the heights, MiB, default 256; for the heights: --resident", group);
     addText(parser, "--form", options.form, "simd|scalar",
             "simd (default): for use of this library; the cost is processor time on one thread. scalar: for porting to "
             "a shader; the cost is height samples (reads) + C x steps",
@@ -160,11 +160,15 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
         "after each of which clearly slower ones are dropped. A method up to 3% slower is preferred if its map is "
         "smaller. The answer gives the reasons: properties of the relief, steps, samples, bytes and build time; it "
         "warns if building the map costs more than it saves. Filters are compared with a small supersampled picture. "
-        "With --form scalar the answer depends on counts only: the same seed gives the same answer if the time "
+        "Of a map that is read by tiles (--resident, with --no-filter), only the methods that can are measured, and "
+        "the "
+        "properties of the relief are those of a sample. With --form scalar the answer depends on counts only: the "
+        "same seed gives the same answer if the time "
         "sufficed to build every map.",
         "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
         "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
+    options->scenario.addMemory(*parser, "--resident");
     addAsked(*parser, *options);
     addText(*parser, "--seconds", options->seconds, "S", "time for everything, seconds, 1 or more, default 20", "Run");
     addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Run");

@@ -18,6 +18,7 @@
 #include "rendering/skip_ledger.h"
 #include "scratch_folder.h"
 #include "team.h"
+#include "tiles_report.h"
 
 namespace relief::app {
 
@@ -128,7 +129,8 @@ Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedE
 
 // path: the report's file; pictures are named relative to its folder, as in a scenario's file.
 std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
-                       const Json& base, double axisDifference, Session& session, const Seconds& seconds) {
+                       const Json& base, const Json& tiles, double axisDifference, Session& session,
+                       const Seconds& seconds) {
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::map<MessageId, double> counters = session.work().counters().values();
     for (const auto& [what, value] : frame.counters) counters[what] = value;
@@ -164,6 +166,7 @@ std::string reportText(const std::string& path, const Scenario& scenario, const 
         report["counters"][std::string(messageTemplate(what, Language::English))] = countJson(value);
     }
     if (!base.is_null()) report["base"] = base;
+    if (!tiles.is_null()) report["tiles"] = tiles;
     report["stages"] = stagesJson(frame, scenario.shadows);
     report["skipped"] = skipped;
     report["seconds"] = {{"load", seconds.load},
@@ -180,6 +183,7 @@ Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::v
                     const std::string& map) {
     Scenario plain = withNotesOf(scenario, Scenario());
     plain.pixel.reset();
+    plain.pictures.memory = 0;
     plain.other = {};
     plain.comparison = {};
     for (std::string* name : {&plain.pictures.height, &plain.pictures.color, &plain.pictures.normal}) name->clear();
@@ -187,7 +191,7 @@ Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::v
     const auto hashed = [](const auto& picture) {
         return picture ? Json(hashText(std::as_bytes(picture->pixels()))) : Json();
     };
-    options["heights"] = hashed(assets.heights);
+    options["heights"] = assets.tiles ? Json(tilesHash(*assets.tiles)) : hashed(assets.heights);
     options["color"] = hashed(assets.color);
     options["normals"] = hashed(assets.normals);
     options["layers"] = layers;
@@ -211,7 +215,7 @@ class OnePicture {
   public:
     OnePicture(const RenderOptions& options, std::vector<std::string> layers, Session& session)
         : options_(options), layers_(std::move(layers)), session_(session), scenario_(options.scenario.scenario()) {
-        assets_ = timed(seconds_.load, [&] { return store_.load(scenario_.pictures, session_.work()); });
+        assets_ = timed(seconds_.load, [&] { return store_.load(scenario_.pictures, session_.work(), true); });
         noteHeights(session_, assets_, scenario_);
         timed(seconds_.load, [&] { options_.scenario.useStoredMap(scenario_, assets_, *maps_, session_.work()); });
         request_.emplace(frameRequest(scenario_, assets_));
@@ -220,6 +224,9 @@ class OnePicture {
     }
 
     int height() const { return request_->height; }
+    std::size_t rays() const {
+        return static_cast<std::size_t>(request_->width) * static_cast<std::size_t>(request_->height);
+    }
     PictureBand part(const PartNumber& number) const {
         return partBand(number, *request_, pictureOptions(scenario_, assets_, layers_, options_.scenario.mapContent()));
     }
@@ -250,6 +257,7 @@ class OnePicture {
                 writeColor(output, frame_->light->color, band);
             }
         });
+        if (assets_.tiles) noteTiles(session_, *assets_.tiles, rays());
     }
 
     // Writes the report. To be called after render() of the whole picture.
@@ -261,7 +269,8 @@ class OnePicture {
             session_.note("--set", baseLevelSentence(*measure));
             base = baseJson(*measure);
         }
-        report.write(reportText(path, scenario_, *frame_, skipped, base, ellipseError_, session_, seconds_));
+        const Json tiles = assets_.tiles ? tilesJson(*assets_.tiles, rays()) : Json();
+        report.write(reportText(path, scenario_, *frame_, skipped, base, tiles, ellipseError_, session_, seconds_));
         report.commit();
     }
 
@@ -351,6 +360,7 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
                    "  relief render heights.png --color color.jpg --scene wall \\\n"
                    "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
+    options->scenario.addMemory(*parser);
     options->many.add(*parser);
     addOutput(*parser, options->output, "file of the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
     addText(*parser, "--layers", options->layers, "NAME,...",

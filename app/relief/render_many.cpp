@@ -59,7 +59,7 @@ class Studio {
 
     void render(const Picture& picture, const std::string& path, const std::vector<std::string>& layers, Work& work) {
         Scenario& scenario = scenarios_[picture.scenario];
-        const Assets assets = store_.load(scenario.pictures, work);
+        const Assets assets = store_.load(scenario.pictures, work, true);
         const bool first = seen_.insert(picture.scenario).second;
         if (first) {
             noteHeights(session_, assets, scenario);

@@ -31,6 +31,7 @@ class Session {
     // Settings; to be called before the first work().
     void setQuiet(bool quiet) { quiet_ = quiet; }
     void setVerbose(bool verbose) { verbose_ = verbose; }
+    bool verbose() const { return verbose_; }
     // threads: 0 for all processors.
     void setThreads(int threads) { threads_ = threads; }
     int threads() const { return threads_; }

@@ -1,8 +1,8 @@
 // relief tile PICTURE -o FILE.tif [--resume | --anew]
-#include "images/tiled_writer.h"
 #include "installed.h"
 #include "options_common.h"
 #include "output.h"
+#include "tiles_output.h"
 
 namespace relief::app {
 
@@ -25,22 +25,11 @@ int runTile(const TileOptions& options, Session& session) {
     options.run.apply(session);
     const std::string picture = shippedFile(chosenPicture(options));
     const std::string& output = needed(options.output, "--output", "tile");
-    checkOutput(output, {"tif", "tiff"});
+    checkOutput(output, kTiledEndings);
     HeightReadOptions reading;
     options.reading.apply(reading);
     const auto rows = pictureHeightRows(picture, reading);
-    TiledWriter writer(*rows, output, {.earlier = options.restart.chosen()});
-    const auto note = [&](MessageId message, std::int64_t done) {
-        session.note(writer.partPath(), Message(message, {{"done", done}, {"total", writer.bands()}}));
-    };
-    if (writer.earlierBands() > 0) note(MessageId::SweepResumed, writer.earlierBands());
-    try {
-        writer.write(session.work());
-    } catch (const Cancelled&) {
-        note(writer.keptBands() > 0 ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty, writer.keptBands());
-        throw;
-    }
-    session.eraseBar();
+    writeTiles(*rows, output, options.restart, session);
     for (const Message& message : rows->notes()) session.note(picture, message);
     return kDone;
 }
@@ -52,15 +41,17 @@ void addTileCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "tile", "write a height map larger than memory in tiles",
         "Reads a height map row by row and writes it as a tiled TIFF (BigTIFF) together with its pyramid of maxima, "
-        "minima and means, without holding the map in memory. Of such a file relief info reads only the tiles that it "
-        "needs; the other commands read its heights as a whole, as those of any TIFF. 8- and 16-bit heights keep "
-        "their numbers; what is scaled, inverted or of another type becomes 32-bit floats. The file takes "
+        "minima and means, without holding the map in memory. relief info reads only the tiles of such a file that it "
+        "needs; bench tracers, render and trace do so with --memory, recommend with --resident; other commands and the "
+        "window read its heights as a whole, as those of any TIFF. 8- and 16-bit heights keep their numbers; what is "
+        "scaled, inverted or of another type becomes 32-bit floats. The file takes "
         "2 (floats), 2.4 (16 bits) or 3 times (8 bits) the space of the heights. A run that is stopped goes on from "
         "FILE.part with --resume. TIFF, OpenEXR, HDR and BMP are read in pieces; the file of a PNG or JPEG is held in "
         "memory; other formats are decoded as a whole.",
         "  relief tile terrain.exr --range 0,4810 -o terrain.tif\n"
         "  relief tile terrain.exr --range 0,4810 -o terrain.tif --resume\n"
-        "  relief info terrain.tif");
+        "  relief info terrain.tif\n"
+        "  relief render terrain.tif --memory 512 -o picture.png");
     addText(*parser, "FILE", options->file, "", "the height map (TIFF, OpenEXR, PNG, ...)", "Arguments");
     addText(*parser, "--height", options->height, "FILE", "height map: the same as FILE", "Pictures");
     addOutput(*parser, options->output, "the tiled height map: .tif");

@@ -10,6 +10,7 @@
 #include "rendering/pixel_coefficients.h"
 #include "rendering/visible_polygons.h"
 #include "scenario/ray_files.h"
+#include "tiles_report.h"
 
 namespace relief::app {
 
@@ -202,7 +203,7 @@ int runTrace(const TraceOptions& options, Session& session) {
 
     Work& work = session.work();
     AssetStore store;
-    const Assets assets = store.load(scenario.pictures, work);
+    const Assets assets = store.load(scenario.pictures, work, true);
     noteHeights(session, assets, scenario);
     MapCache maps;
     options.scenario.useStoredMap(scenario, assets, maps, work);
@@ -247,6 +248,7 @@ int runTrace(const TraceOptions& options, Session& session) {
     TextOutput hits(output, session.stop());
     hits.write(std::string(kHitsHeader) + "\n" + hitLines(answers(selection, traced), work));
     session.eraseBar();
+    if (assets.tiles) noteTiles(session, *assets.tiles, traced.size());
     hits.commit();
     if (steps) steps->commit();
     return 0;
@@ -265,6 +267,7 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
                    "texels), from the command line, or from pixels of a view.",
                    "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::View);
+    options->scenario.addMemory(*parser);
     addText(*parser, "--rays", options->rays, "FILE.csv",
             "file of rays with the header s0,t0,a,b; - for standard input", "Rays");
     addTexts(*parser, "--ray", options->single, "S0,T0,A,B", "one ray; may be repeated", "Rays");

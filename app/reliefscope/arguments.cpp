@@ -87,6 +87,13 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.anew = true;
         } else if (argument == "--log") {
             parsed.log = true;
+        } else if (argument == "--memory") {
+            // As said by the commands that read maps by tiles; the window's panes read whole ones.
+            throw InputError(
+                argument, Message(MessageId::TiledMethod, {{"method", "reliefscope"},
+                                                           {"known",
+                                                            "relief bench tracers, relief recommend --resident, relief "
+                                                            "render, relief trace"}}));
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
         } else if (argument == "--export") {

@@ -54,6 +54,29 @@ TEST_P(MeasureTest, TablesInFilesAndOnStandardOutput) {
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "b.json", "height.png"})) << "no .part file remains";
 }
 
+TEST_P(MeasureTest, ReadsTilesWithinTheGivenMemory) {
+    const std::string map = path("map.tif");
+    runFine({"make", "hills", "--size", "90x70", "--tiled", "-o", map});
+    const auto table = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = bench({map});
+        all.insert(all.end(), more.begin(), more.end());
+        return lines(runFine(all));
+    };
+    const auto whole = table({"--tracers", "exact,layers"});
+    const auto byTiles = table({"--tracers", "exact,layers", "--memory", "1"});
+    ASSERT_EQ(byTiles.size(), whole.size());
+    for (std::size_t r = 1; r < whole.size(); ++r) {
+        const auto one = fields(whole[r]), other = fields(byTiles[r]);
+        for (const std::size_t column : {0U, 1U, 5U, 8U, 13U, 14U, 16U, 17U, 18U, 19U})
+            EXPECT_EQ(one[column], other[column]) << whole[r];
+    }
+    const auto all = table({"--memory", "1"});
+    EXPECT_TRUE(std::ranges::any_of(all, [](const std::string& row) { return fields(row)[5] == "max-pyramid"; }));
+    EXPECT_TRUE(std::ranges::none_of(all, [](const std::string& row) { return fields(row)[5] == "cone"; }));
+    expectRefusal(bench({map, "--memory", "1", "--tracers", "cone"}), 2, {"map.tif", "cone", "max-pyramid"});
+    expectRefusal({"bench", "filters", map, "--memory", "1"}, 2, {"--memory", "relief bench tracers"});
+}
+
 TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
     const std::vector<std::string> what{"--relief", "hills:16x16", "--tracers", "exact,max-pyramid,cone,layers"};
     const auto scalarOnes = [&](const char* form) {

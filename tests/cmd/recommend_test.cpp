@@ -1,4 +1,6 @@
 // relief recommend: texts, JSON, files, refusals.
+#include <set>
+
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
@@ -30,6 +32,25 @@ TEST_P(RecommendTest, TextAndJsonAndFiles) {
     EXPECT_EQ(file["chosen"]["text"], json["chosen"]["text"]);
     EXPECT_EQ(file["chosen"]["cost"], json["chosen"]["cost"]);
     EXPECT_EQ(files(), std::vector<std::string>{"a.json"});
+}
+
+TEST_P(RecommendTest, ReadsTilesWithinTheGivenMemory) {
+    const std::string map = path("map.tif");
+    runFine({"make", "hills", "--size", "300x200", "--tiled", "-o", map});
+    const std::vector<std::string> byTiles{"recommend", map,  "--resident", "1",      "--form",     "scalar",
+                                           "--seconds", "30", "--quiet",    "--json", "--no-filter"};
+    const auto json = nlohmann::json::parse(run(byTiles).out);
+    EXPECT_EQ(json["chosen"]["verdict"], "kept");
+    std::set<std::string> names;
+    for (const auto& form : json["forms"]) names.insert(form["method"].get<std::string>());
+    EXPECT_TRUE(names.contains("max-pyramid")) << json;
+    EXPECT_FALSE(names.contains("cone"));
+    // A map as small as this one is measured as a whole.
+    std::vector<std::string> whole = byTiles;
+    whole.erase(whole.begin() + 2, whole.begin() + 4);
+    EXPECT_EQ(nlohmann::json::parse(run(whole).out)["relief"], json["relief"]);
+    expectRefusal({"recommend", map, "--resident", "1"}, 2, {"--resident", "--no-filter"});
+    expectRefusal({"recommend", map, "--resident", "0", "--no-filter"}, 2, {"--resident"});
 }
 
 TEST_P(RecommendTest, ComparedWithTheFullTable) {

@@ -104,12 +104,15 @@ TEST_P(RefusalTest, MoreMemoryThanThereIs) {
         expectRefusal(arguments, 2, all, small);
         EXPECT_EQ(files(), before);
     };
+    // The largest map that is made in memory takes 1 GiB.
+    small.addressSpace = std::int64_t{1} << 30U;
+    refuse({"make", "fractal", "--size", "16384", "-o", path("x.png")}, "fractal:16384x16384: ");
+    small.addressSpace = std::int64_t{2} << 30U;
     refuse({"render", "--height", height, "--size", "32768x32768", "-o", path("x.png")}, "--size 32768x32768: ");
     refuse({"render", "--height", height, "--size", "12000x12000", "--supersample", "2", "-o", path("x.png")},
            "--size 12000x12000: ");
     refuse({"render", "--height", height, "--size", "8000x8000", "--layers", "uv,normal", "-o", path("x.exr")},
            "--size 8000x8000: ");
-    refuse({"make", "fractal", "--size", "16384", "-o", path("x.png")}, "fractal:16384x16384: ");
     refuse({"info", huge, "--max-pixels", many}, huge + ": ");
     refuse({"compare", huge, huge, "--max-pixels", many}, huge + ": ");
     for (const std::string command : {"render", "trace", "map", "recommend", "certify"}) {
@@ -168,7 +171,10 @@ TEST_P(RefusalTest, WrongValues) {
     expectRefusal({"render", "-o", path("x.png")}, 2, {"--height"});
     expectRefusal({"make", "moon", "-o", path("x.png")}, 2, {"moon", "bricks"});
     expectRefusal({"make", "bricks", "--size", "0", "-o", path("x.png")}, 2, {"--size"});
-    expectRefusal({"make", "bricks", "--size", "32768x8193", "-o", path("x.png")}, 2, {"--size", "268435456"});
+    // Larger maps are written in tiles.
+    expectRefusal({"make", "bricks", "--size", "32768x8193", "-o", path("x.png")}, 2, {"x.png", "tif"});
+    expectRefusal({"make", "bricks:32769x1", "-o", path("x.exr")}, 2, {"x.exr", "tif"});
+    expectRefusal({"make", "bricks:262145x1", "-o", path("x.tif")}, 2, {"262144"});
     expectRefusal({"render", "--relief", "pits:32768x32768", "-o", path("x.png")}, 2, {"--relief", "268435456"});
     expectRefusal({"make", "bricks", "--seed", "-1", "-o", path("x.png")}, 2, {"--seed"});
 }

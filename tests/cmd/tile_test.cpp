@@ -43,6 +43,22 @@ TEST_P(TileTest, InfoDescribesWhatTileWrites) {
     expectRefusal({"info", path("tiled.tif")}, 2, {"tiled.tif"});
 }
 
+TEST_P(TileTest, MakeWritesTheSameFile) {
+    runFine({"tile", makeRelief("hills", "hills.png", {"--size", "200x130"}), "-o", path("tiled.tif")});
+    EXPECT_EQ(runFine({"make", "hills:200x130", "--tiled", "-o", path("made.tif")}), "");
+    EXPECT_TRUE(read("made.tif") == read("tiled.tif"));
+    // What is too large for other files is written in tiles anyway.
+    runFine({"make", "fractal", "--size", "40000x3", "-o", path("wide.tif")});
+    const auto wide = nlohmann::json::parse(runFine({"info", path("wide.tif"), "--json"}));
+    EXPECT_EQ(wide.at("kind"), "tiled");
+    EXPECT_EQ(wide.at("width"), 40000);
+    EXPECT_EQ(wide.at("type"), "uint16");
+    expectRefusal({"make", "hills", "--tiled", "-o", path("a.png")}, 2, {"a.png", "tif"});
+    expectRefusal({"make", "hills", "--resume", "-o", path("a.png")}, 2, {"--resume", "--tiled"});
+    expectRefusal({"make", "drawn:2x2:0,1;1,0", "--tiled", "-o", path("a.tif")}, 2, {"--tiled"});
+    EXPECT_EQ(files(), (std::vector<std::string>{"hills.png", "made.tif", "tiled.tif", "wide.tif"}));
+}
+
 TEST_P(TileTest, ConversionsAreSaid) {
     const std::string picture = write("a.exr", exrBytes(3, 1, {-1, 0, 3}));
     const Result stretched = run({"tile", picture, "-o", path("t.tif")});
@@ -67,6 +83,20 @@ TEST_P(TileTest, Refusals) {
     expectRefusal({"tile", picture, "-o", path("no/t.tif")}, 1, {"no/t.tif", "there is no folder"});
     expectRefusal({"tile", picture, "-o", output}, 1, {"t.tif"}, {.largestFile = 1000});
     EXPECT_EQ(files(), (std::vector<std::string>{"a.exr", "text.tif"}));
+}
+
+TEST_P(TileTest, AnInterruptedRunOfMakeGoesOn) {
+    // Its heights are stretched between the lowest and the highest, which the part of the run has found.
+    const std::vector<std::string> make{"make", "fractal:2048x4096", "--tiled", "-o", path("t.tif")};
+    runFine({"make", "fractal:2048x4096", "--tiled", "-o", path("whole.tif")});
+    RunSetup setup;
+    setup.interruptAfterMilliseconds = 60'000;
+    setup.interruptWhen = [&] { return std::filesystem::exists(path("t.tif.part")); };
+    EXPECT_EQ(run(make, setup).status, 130);
+    std::vector<std::string> resumed = make;
+    resumed.emplace_back("--resume");
+    EXPECT_EQ(run(resumed).status, 0);
+    EXPECT_TRUE(read("t.tif") == read("whole.tif"));
 }
 
 TEST_P(TileTest, AnInterruptedRunGoesOn) {

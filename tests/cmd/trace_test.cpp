@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
+#include "images/tiled_writer.h"
 #include "scenario/scenario.h"
 
 namespace relief::test {
@@ -356,6 +357,36 @@ TEST_P(TraceTest, BaseAutoIsOneLevelOfTheView) {
     for (const char* name : {"\"pixel_texels\"", "\"error_mean\"", "\"level_0\""}) {
         EXPECT_NE(report.find(name), std::string::npos) << name;
     }
+}
+
+TEST_P(TraceTest, ReadsTilesWithinTheGivenMemory) {
+    const std::string whole = height(), tiled = path("tiled.tif");
+    {
+        Work work;
+        const auto rows = pictureHeightRows(whole, {});
+        TiledWriter(*rows, tiled, {}).write(work);
+    }
+    const std::string rays = write("rays.csv", "s0,t0,a,b\n3.25,4.5,9,20\n1,2,10.5,-7\n-1000.5,1e3,1e5,3e-1\n");
+    for (const std::string tracer : {"exact", "layers"}) {
+        const auto trace = [&](const std::string& file, const std::vector<std::string>& more) {
+            std::vector<std::string> arguments{"trace", file, "--tracer", tracer, "--rays", rays};
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            return arguments;
+        };
+        const std::string expected = runFine(trace(whole, {}));
+        EXPECT_EQ(runFine(trace(tiled, {})), expected) << "read as a whole";
+        EXPECT_EQ(runFine(trace(tiled, {"--memory", "1"})), expected) << "read by tiles";
+        const Result told = run(trace(tiled, {"--memory", "1", "--verbose"}));
+        EXPECT_EQ(told.out, expected);
+        EXPECT_NE(told.err.find("MB"), std::string::npos) << told.err;
+    }
+    const std::vector<std::string> cone{"trace", tiled, "--rays", rays, "--tracer", "cone"};
+    runFine(cone);
+    std::vector<std::string> byTiles = cone;
+    byTiles.insert(byTiles.end(), {"--memory", "1"});
+    expectRefusal(byTiles, 2, {"tiled.tif", "--memory", "cone", "max-pyramid"});
+    expectRefusal({"trace", tiled, "--rays", rays, "--memory", "1", "--invert"}, 2, {"--invert", "--memory"});
+    expectRefusal({"trace", tiled, "--rays", rays, "--memory", "0"}, 2, {"--memory"});
 }
 
 }  // namespace relief::test

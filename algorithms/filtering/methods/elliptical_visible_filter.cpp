@@ -71,7 +71,7 @@ std::unique_ptr<const TextureFilter> EllipticalVisible::make(const Options& opti
     }
     if (options.form == kGridForm && rays) {
         std::shared_ptr<const PackedConeHits> coneHits;
-        if (tools.field.heights().size() <= PackedConeHits::kMostTexels) {
+        if (tools.field.tiles() == nullptr && tools.field.texels() <= PackedConeHits::kMostTexels) {
             coneHits = std::make_shared<const PackedConeHits>(tools.field, packedCones(tools.field, maps, work));
         }
         EllipticalKernel plain = ellipticalKernel(options, tools, work);

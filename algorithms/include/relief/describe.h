@@ -67,6 +67,7 @@ struct MethodDescription {
     std::vector<Address> addresses{Address::Repeat, Address::Clamp, Address::Border};
     std::vector<std::string> maps;       // names of the maps that the method needs
     std::vector<std::string> otherMaps;  // maps that it accepts in place of the first, chosen by the option `map`
+    bool tiled = false;                  // whether it traces height maps that are read by tiles (HeightField::tiles())
     std::vector<OptionDescription> options;
     std::map<std::string, std::string> defaults;  // of the options, as text
 };

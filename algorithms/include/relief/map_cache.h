@@ -17,10 +17,11 @@
 
 namespace relief {
 
-// kind: "max-pyramid/bilinear/repeat", ...; heights: identifies the height map, which the cache entry keeps alive.
+// kind: "max-pyramid/bilinear/repeat", ...; heights: identifies the height map (HeightField::identity()), which the
+// cache entry keeps alive.
 struct MapKey {
     std::string kind;
-    std::shared_ptr<const FloatImage> heights;
+    std::shared_ptr<const void> heights;
 
     bool operator<(const MapKey& other) const {
         return heights != other.heights ? heights.owner_before(other.heights) : kind < other.kind;

@@ -85,7 +85,7 @@ struct ReliefFigures {
     double steep = 0;                // share of neighbouring texels with a slope above 45 degrees between them
     bool flat = false;               // all heights are equal
 };
-// Computes these statistics over the whole height map.
+// Computes these statistics over the whole height map, or over a sample of a map that is read by tiles.
 ReliefFigures reliefFigures(const HeightField& field);
 
 struct FilterFigures {

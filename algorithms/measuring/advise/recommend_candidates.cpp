@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "measuring/advise/recommend.h"
+#include "relief/height_source.h"
 #include "relief/tracers/map_choice.h"
+#include "relief/tracers/tile_methods.h"
 
 namespace relief {
 
@@ -73,13 +75,24 @@ void addForms(const MeasuredMethod& method, double lowest, std::int64_t maxSteps
     for (OptionValues& values : all) forms.push_back({method.choice.name, std::move(values)});
 }
 
+// The statistics are taken from every n-th tile of ReliefFigures on both axes: from all of a map in memory, from about
+// kSampledTiles of one that is read by tiles.
+constexpr double kSampledTiles = 1 << 14;
+int sampledTiles(const HeightField& field) {
+    constexpr double kTile = ReliefFigures::kTile;
+    if (field.tiles() == nullptr) return 1;
+    return std::max(1,
+                    static_cast<int>(std::sqrt(static_cast<double>(field.texels()) / (kTile * kTile * kSampledTiles))));
+}
+
 }  // namespace
 
 std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps, Form form) {
     std::vector<MethodChoice> forms;
     for (const MeasuredMethod& method : defaultMethods()) addForms(method, lowest, maxSteps, forms);
     std::erase_if(forms, [&](const MethodChoice& choice) {
-        return !isAccepted(choice) || !supports(choice, field.surface(), field.address());
+        return !isAccepted(choice) || !supports(choice, field.surface(), field.address()) ||
+               (field.tiles() != nullptr && !tracesTiles(choice));
     });
     if (form == Form::Scalar) {
         // A shader reads maps that `relief map` writes, which have the layout of texels.
@@ -103,49 +116,59 @@ std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, s
     return forms;
 }
 
-ReliefFigures reliefFigures(const HeightField& field) {
-    const FloatImage& heights = field.heights();
+namespace {
+
+template <class Heights>
+ReliefFigures figuresOf(const Heights& heights, const HeightField& field) {
     const double texels = field.slabTexels();
+    const int width = field.width(), height = field.height();
     ReliefFigures figures;
-    const auto pixels = heights.pixels();
-    figures.flat = std::all_of(pixels.begin(), pixels.end(), [&](float height) { return height == pixels[0]; });
-    std::int64_t pairs = 0;
-    std::int64_t steep = 0;
+    std::int64_t pairs = 0, steep = 0, tiles = 0, flat = 0;
     double sum = 0;
+    float lowest = heights(0, 0), highest = lowest;
     const auto pair = [&](float a, float b) {
         const double slope = std::abs(static_cast<double>(a) - static_cast<double>(b)) * texels;
         ++pairs;
         sum += slope;
         if (slope > 1) ++steep;
     };
-    for (int y = 0; y < heights.height(); ++y) {
-        for (int x = 0; x < heights.width(); ++x) {
-            if (x + 1 < heights.width()) pair(heights(x, y), heights(x + 1, y));
-            if (y + 1 < heights.height()) pair(heights(x, y), heights(x, y + 1));
+    const int every = ReliefFigures::kTile * sampledTiles(field);
+    for (int y0 = 0; y0 < height; y0 += every) {
+        for (int x0 = 0; x0 < width; x0 += every) {
+            float low = heights(x0, y0), high = low;
+            for (int y = y0; y < std::min(y0 + ReliefFigures::kTile, height); ++y) {
+                for (int x = x0; x < std::min(x0 + ReliefFigures::kTile, width); ++x) {
+                    const float here = heights(x, y);
+                    low = std::min(low, here);
+                    high = std::max(high, here);
+                    if (x + 1 < width) pair(here, heights(x + 1, y));
+                    if (y + 1 < height) pair(here, heights(x, y + 1));
+                }
+            }
+            constexpr double kFlat = 0.5;  // texels
+            ++tiles;
+            if (static_cast<double>(high - low) * texels < kFlat) ++flat;
+            lowest = std::min(lowest, low);
+            highest = std::max(highest, high);
         }
     }
+    figures.flat = lowest == highest;
     if (pairs > 0) {
         figures.roughness = sum / static_cast<double>(pairs);
         figures.steep = static_cast<double>(steep) / static_cast<double>(pairs);
     }
-    constexpr double kFlat = 0.5;  // texels
-    std::int64_t tiles = 0;
-    std::int64_t flat = 0;
-    for (int y0 = 0; y0 < heights.height(); y0 += ReliefFigures::kTile) {
-        for (int x0 = 0; x0 < heights.width(); x0 += ReliefFigures::kTile) {
-            float low = heights(x0, y0);
-            float high = low;
-            for (int y = y0; y < std::min(y0 + ReliefFigures::kTile, heights.height()); ++y) {
-                for (int x = x0; x < std::min(x0 + ReliefFigures::kTile, heights.width()); ++x) {
-                    low = std::min(low, heights(x, y));
-                    high = std::max(high, heights(x, y));
-                }
-            }
-            ++tiles;
-            if (static_cast<double>(high - low) * texels < kFlat) ++flat;
-        }
-    }
     figures.flatTiles = static_cast<double>(flat) / static_cast<double>(tiles);
+    return figures;
+}
+
+}  // namespace
+
+ReliefFigures reliefFigures(const HeightField& field) {
+    ReliefFigures figures = withHeights(field, [&](const auto& heights) { return figuresOf(heights, field); });
+    if (const TiledHeights* const tiles = field.tiles()) {
+        const int top = tiles->levels() - 1;
+        figures.flat = tiles->minimum(top, 0, 0) == tiles->maximum(top, 0, 0);
+    }
     return figures;
 }
 

@@ -52,7 +52,7 @@ class AdviceSentences {
         if (options_.maxSteps > 0) say(MessageId::AdviceMaxSteps, {{"steps", options_.maxSteps}});
         text_ += '\n';
         if (advice_.relief.flat) {
-            say(MessageId::AdviceFlat, {{"height", static_cast<double>(field.heights().pixels()[0])}});
+            say(MessageId::AdviceFlat, {{"height", static_cast<double>(field.texel(0, 0))}});
         }
         if (!advice_.keepsBounds) say(MessageId::AdviceNothingKept, {});
         method();

@@ -84,7 +84,7 @@ using ReadyTracers = std::shared_ptr<const std::vector<Ready>>;
 }  // namespace
 
 struct PreparedTracers {
-    std::shared_ptr<const FloatImage> heights;
+    std::shared_ptr<const void> heights;  // HeightField::identity()
     Surface surface{};
     Address address{};
     double reliefDepth = 0;
@@ -92,7 +92,7 @@ struct PreparedTracers {
     ReadyTracers tracers;
 
     bool fits(const HeightField& field, int workers, const std::vector<const MeasuredMethod*>& methods) const {
-        if (heights != field.sharedHeights() || surface != field.surface() || address != field.address() ||
+        if (heights != field.identity() || surface != field.surface() || address != field.address() ||
             reliefDepth != field.reliefDepth() || threads != workers || tracers->size() != methods.size()) {
             return false;
         }
@@ -122,7 +122,7 @@ class Bench {
         const std::size_t cells = options_.maps.size() * options_.elevations.size() * methods_.size();
         work_.progress().begin("bench", static_cast<std::int64_t>(cells) * (options_.rounds + 2));
         for (const BenchMap& map : options_.maps) {
-            const HeightField field(map.heights, options_.surface, options_.address, options_.reliefDepth);
+            const HeightField field = fieldOf(map);
             const ReadyTracers ready = prepared(field);
             for (const Elevation& elevation : options_.elevations) measure(map, field, elevation, *ready);
         }
@@ -134,6 +134,11 @@ class Bench {
         if (options_.onNote) options_.onNote(message);
     }
 
+    HeightField fieldOf(const BenchMap& map) const {
+        if (map.tiles) return {map.tiles, options_.surface, options_.address, options_.reliefDepth};
+        return {map.heights, options_.surface, options_.address, options_.reliefDepth};
+    }
+
     ReadyTracers prepared(const HeightField& field) {
         const int threads = work_.threads().size();
         PreparedTracers* kept = options_.prepared.get();
@@ -142,7 +147,7 @@ class Bench {
         if (kept != nullptr) *kept = {};
         auto made = std::make_shared<const std::vector<Ready>>(make(field));
         if (kept != nullptr) {
-            *kept = {field.sharedHeights(), field.surface(), field.address(), field.reliefDepth(), threads, made};
+            *kept = {field.identity(), field.surface(), field.address(), field.reliefDepth(), threads, made};
         }
         return made;
     }

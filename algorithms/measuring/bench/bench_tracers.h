@@ -22,6 +22,7 @@ inline constexpr double kLowestRandomElevation = 1;  // default lower limit for 
 struct BenchMap {
     std::string name;
     std::shared_ptr<const FloatImage> heights;
+    std::shared_ptr<const TiledHeights> tiles = nullptr;  // in place of heights, for a map that is read by tiles
 };
 
 // The direction from which the relief is seen. A number: the pixels of a view, row by row, from that elevation in

@@ -1,7 +1,5 @@
 #include "relief/maps/depth_pyramid.h"
 
-#include <cmath>
-
 #include "base/parallel.h"
 
 #include "relief/maps/map_memory.h"
@@ -10,24 +8,29 @@ namespace relief {
 
 namespace {
 
-std::uint16_t depthOf(float maximum) {
-    const double depth = (1 - static_cast<double>(maximum)) / kDepthUnit;
-    return static_cast<std::uint16_t>(std::clamp(std::floor(depth), 0.0, 65535.0));
-}
-
 DepthPyramid buildDepths(const MaxPyramidMap& map, Work& work) {
     DepthPyramid depths;
     depths.top = map.top();
     depths.highest = static_cast<double>(map.highest());
+    if (map.tiled) {
+        depths.tiled = map.tiled;
+        return depths;
+    }
+    depths.cells = map.pyramid.level(0).width();
     std::size_t count = 0;
     for (int l = 0; l <= map.top(); ++l) {
-        depths.offsets[static_cast<std::size_t>(l)] = static_cast<std::int32_t>(count);
+        depths.starts[static_cast<std::size_t>(l)] = count;
         count += map.pyramid.level(l).size();
+    }
+    depths.gathered = map.top() < kGatheredLevels && count < kGatheredDepths;
+    if (depths.gathered) {
+        std::transform(depths.starts.begin(), depths.starts.begin() + kGatheredLevels, depths.offsets.begin(),
+                       [](std::size_t start) { return static_cast<std::int32_t>(start); });
     }
     depths.depths.resize(count + 2);
     for (int l = 0; l <= map.top(); ++l) {
         const FloatImage& level = map.pyramid.level(l);
-        std::uint16_t* const to = depths.depths.data() + depths.offsets[static_cast<std::size_t>(l)];
+        std::uint16_t* const to = depths.depths.data() + depths.starts[static_cast<std::size_t>(l)];
         parallelFor(work, level.height(), [&](int y) {
             const auto row = level.row(y);
             std::uint16_t* const out = to + static_cast<std::size_t>(y) * row.size();
@@ -42,14 +45,13 @@ DepthPyramid buildDepths(const MaxPyramidMap& map, Work& work) {
 std::shared_ptr<const DepthPyramid> depthPyramid(const HeightField& field,
                                                  const std::shared_ptr<const MaxPyramidMap>& map, MapCache& cache,
                                                  Work& work) {
-    const bool fits = map->top() < kDepthLevels && map->bytes() / sizeof(float) < (std::size_t{1} << 30);
-    if (!fits) return nullptr;
     std::string kind = "depth-pyramid/columns";
     if (field.surface() == Surface::Bilinear) {
         kind = field.address() == Address::Repeat ? "depth-pyramid/bilinear/repeat" : "depth-pyramid/bilinear/clamped";
     }
+    if (map->tiled) kind = kTiledKind + kind;
     constexpr std::uint64_t kBytes = 3;  // per texel: 16 bits on all levels
-    return cache.get<DepthPyramid>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work,
+    return cache.get<DepthPyramid>({kind, field.identity()}, map->tiled ? 0 : bytesForTexels(field, kBytes), work,
                                    [&](Work& w) { return buildDepths(*map, w); });
 }
 

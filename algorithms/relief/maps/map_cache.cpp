@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "relief/maps/map_memory.h"
 #include "relief/memory.h"
 
 namespace relief {
@@ -14,10 +15,12 @@ namespace {
 template <class Entries>
 std::size_t heldBytes(const Entries& entries) {
     std::size_t total = 0;
-    const FloatImage* last = nullptr;
+    const void* last = nullptr;
     for (const auto& [key, entry] : entries) {
         total += entry.bytes;
-        if (key.heights.get() != last && key.heights) total += key.heights->bytes();
+        // The memory of heights that are read by tiles has a bound of its own.
+        const bool image = key.heights && !key.kind.starts_with(kTiledKind);
+        if (image && key.heights.get() != last) total += static_cast<const FloatImage*>(key.heights.get())->bytes();
         last = key.heights.get();
     }
     return total;

@@ -9,6 +9,9 @@
 
 namespace relief {
 
+// Begins the kinds of maps whose MapKey::heights is a TiledHeights, not an image.
+inline const std::string kTiledKind = "tiles/";
+
 // Memory of a map, or of building it, with the given bytes per texel of the heights (and of the cells around them).
 inline std::uint64_t bytesForTexels(const HeightField& field, std::uint64_t bytesEach) {
     return byteProduct(

@@ -27,7 +27,11 @@ std::shared_ptr<const MaxPyramidMap> maxPyramidMap(const HeightField& field, Map
         kind = field.address() == Address::Repeat ? "max-pyramid/bilinear/repeat" : "max-pyramid/bilinear/clamped";
     }
     constexpr std::uint64_t kBytes = 6;  // per texel: cells, and a third of them on the levels above
-    return cache.get<MaxPyramidMap>({kind, field.sharedHeights()}, bytesForTexels(field, kBytes), work, [&](Work& w) {
+    const bool tiled = field.tiles() != nullptr;
+    const std::uint64_t need = tiled ? TiledPyramid::mostBytes(*field.tiles()) : bytesForTexels(field, kBytes);
+    if (tiled) kind = kTiledKind + kind;
+    return cache.get<MaxPyramidMap>({kind, field.identity()}, need, work, [&](Work& w) {
+        if (tiled) return MaxPyramidMap{{}, std::make_shared<const TiledPyramid>(field, w)};
         const CellGrid grid(field);
         const bool edit = before != nullptr && before->pyramid.level(0).width() == grid.x.cells &&
                           before->pyramid.level(0).height() == grid.y.cells;

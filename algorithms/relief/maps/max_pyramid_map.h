@@ -6,16 +6,19 @@
 #include "relief/cell_grid.h"
 #include "relief/describe.h"
 #include "relief/map_cache.h"
+#include "relief/maps/tiled_pyramid.h"
 
 namespace relief {
 
 struct MaxPyramidMap {
     static constexpr RayClass kRays = RayClass::AnyRays;
     Pyramid pyramid;
+    // For a field that is read by tiles, in place of the pyramid, which then has no levels.
+    std::shared_ptr<const TiledPyramid> tiled{};
 
-    std::size_t bytes() const { return pyramid.bytes(); }
-    int top() const { return pyramid.levels() - 1; }
-    float highest() const { return pyramid.level(top())(0, 0); }
+    std::size_t bytes() const { return tiled ? tiled->bytes() : pyramid.bytes(); }
+    int top() const { return tiled ? tiled->top() : pyramid.levels() - 1; }
+    float highest() const { return tiled ? tiled->highest() : pyramid.level(top())(0, 0); }
 };
 
 // Level 0: the largest height of the surface in each cell.

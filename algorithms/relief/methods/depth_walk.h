@@ -122,10 +122,7 @@ class DepthWalk {
     };
 
     float depthAt(const PyramidNode& node, int level) const {
-        const int width = ((scene_.grid.x.cells - 1) >> level) + 1;
-        const auto at = static_cast<std::size_t>(depths_.offsets[static_cast<std::size_t>(level)] +
-                                                 node.y.index * width + node.x.index);
-        return static_cast<float>(depths_.depths[at]) * static_cast<float>(kDepthUnit);
+        return static_cast<float>(depths_.depth(level, node.x.index, node.y.index)) * static_cast<float>(kDepthUnit);
     }
     bool below(const PyramidWalk& walk, const Ray& ray, float out) const;
     bool neighbourClear(const Ray& ray, bool alongX, const Crossings& cross) const;
@@ -149,9 +146,9 @@ inline bool DepthWalk::below(const PyramidWalk& walk, const Ray& ray, float out)
     const float entered = std::max(ray.x.lambdaAt(ray.x.k), ray.y.lambdaAt(ray.y.k));
     const float in = std::min(std::max(entered - ray.tie, 0.0F), out);
     const PyramidNode cell = ray.node();
-    std::array<float, 4> corners;
-    std::ranges::transform(cellCorners(walk.field().heights(), scene_.grid, cell.x.index, cell.y.index),
-                           corners.begin(), [](double height) { return static_cast<float>(height); });
+    const std::array<float, 4> corners = withHeights(walk.field(), [&](const auto& heights) {
+        return cellCorners<float>(heights, scene_.grid, cell.x.index, cell.y.index);
+    });
     return patchBelow(corners, cellAxis(ray.x), cellAxis(ray.y), in, out, ray.tie);
 }
 

@@ -23,6 +23,7 @@ class ExactTracer {
         method.help = "Tests every cell that the ray crosses, in order; the reference for all other methods.";
         method.source = "Amanatides & Woo 1987";
         method.maps = {};
+        method.tiled = true;
         return method;
     }
     struct Options {
@@ -34,14 +35,12 @@ class ExactTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& ray, Sink& sink) const {
-        return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, true>(ray, {}, sink)
-                                                     : walk<Surface::Columns, true>(ray, {}, sink);
+        return walkOf<true>(ray, {}, sink);
     }
     // Visits the cells of a segment that begins and ends on their borders.
     template <class Sink>
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
-        return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, false>(ray, segment, sink)
-                                                     : walk<Surface::Columns, false>(ray, segment, sink);
+        return walkOf<false>(ray, segment, sink);
     }
     double segmentRecords() const { return 3; }
 
@@ -52,22 +51,29 @@ class ExactTracer {
 
   private:
     // kWhole: traces the whole ray, with records of its start and of a miss.
-    template <Surface kSurface, bool kWhole, class Sink>
-    Hit walk(const ViewRay& viewRay, Segment segment, Sink& sink) const;
+    template <bool kWhole, class Sink>
+    Hit walkOf(const ViewRay& ray, Segment segment, Sink& sink) const {
+        return withHeights(field_, [&](const auto& heights) {
+            return field_.surface() == Surface::Bilinear ? walk<Surface::Bilinear, kWhole>(heights, ray, segment, sink)
+                                                         : walk<Surface::Columns, kWhole>(heights, ray, segment, sink);
+        });
+    }
+    template <Surface kSurface, bool kWhole, class Heights, class Sink>
+    Hit walk(const Heights& heights, const ViewRay& viewRay, Segment segment, Sink& sink) const;
 
     HeightField field_;
     CellGrid grid_;
 };
 
-template <Surface kSurface, bool kWhole, class Sink>
-Hit ExactTracer::walk(const ViewRay& viewRay, Segment segment, Sink& sink) const {
+template <Surface kSurface, bool kWhole, class Heights, class Sink>
+Hit ExactTracer::walk(const Heights& heights, const ViewRay& viewRay, Segment segment, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
     const GridRay ray(grid_, viewRay);
     AxisCell cx = ray.x.cellAt(grid_.x, segment.in);
     AxisCell cy = ray.y.cellAt(grid_.y, segment.in);
     const auto record = [&](Decision decision, double in, double out, double after) {
         return [&, decision, in, out, after] {
-            const double maximum = cellMaximum<kSurface>(field_.heights(), grid_, cx.index, cy.index);
+            const double maximum = cellMaximum<kSurface>(heights, grid_, cx.index, cy.index);
             return cellRecord(field_, grid_, cx, cy, decision, in, out, maximum, after);
         };
     };
@@ -84,7 +90,7 @@ Hit ExactTracer::walk(const ViewRay& viewRay, Segment segment, Sink& sink) const
         const double outY = ray.y.leave(grid_.y, cy.index, cy.index + 1, cy.base);
         const double out = std::min(outX, outY);
         sink.read(leafReads(kSurface));
-        if (const auto hit = leafHit<kSurface>(field_.heights(), grid_, ray, cx, cy)) {
+        if (const auto hit = leafHit<kSurface>(heights, grid_, ray, cx, cy)) {
             sink.step(record(Decision::Hit, lambda, std::min(out, 1.0), *hit));
             return Hit::at(viewRay, *hit);
         }

@@ -10,14 +10,18 @@
 
 #include "relief/cell_grid.h"
 #include "relief/float_margins.h"
+#include "relief/height_source.h"
 #include "relief/maps/packed_cones.h"
 
 namespace relief {
 
 // Pointers are not owned.
 struct FloatScene {
-    const float* heights = nullptr;
+    const float* heights = nullptr;  // null: the map is read by tiles
     std::int32_t stride = 0;
+    const TiledHeights* tiles = nullptr;
+    // Whether SIMD gathers heights, by 32-bit indices; otherwise it reads them lane by lane, through heightAt().
+    bool gathered = true;
     // The four corner heights of each cell stored together (PackedCones::nodes); null: they are fetched from the
     // heights.
     const float* nodes = nullptr;
@@ -30,8 +34,10 @@ struct FloatScene {
 
     FloatScene() = default;
     FloatScene(const HeightField& field, double highest, std::int32_t mirrored)
-        : heights(field.heights().data()),
+        : heights(field.tiles() != nullptr ? nullptr : field.heights().data()),
           stride(field.width()),
+          tiles(field.tiles()),
+          gathered(heights != nullptr && field.texels() < kGatheredTexels),
           grid(field),
           surface(field.surface()),
           address(field.address()),
@@ -44,6 +50,13 @@ struct FloatScene {
         nodes = cones.nodes.data();
         nodeStride = cones.stride;
     }
+
+    float heightAt(int i, int j) const {
+        if (heights == nullptr) return tiles->height(i, j);
+        return heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
+    }
+
+    static constexpr std::size_t kGatheredTexels = std::size_t{1} << 31;
 };
 
 }  // namespace relief

@@ -45,6 +45,7 @@ class LayersTracerOf {
     static MethodDescription describe() {
         MethodDescription method;
         method.guarantee = Guarantee::Approximate;
+        method.tiled = true;
         switch (kRefinement) {
             case LayerRefinement::None:
                 method.name = "layers";

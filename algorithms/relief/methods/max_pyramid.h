@@ -7,7 +7,7 @@
 // that leaves the parent, the walk goes up one level.
 //
 // Walk: depth_walk.h, in float over 16-bit depths; SIMD, for base level 0: simd/pyramid_lanes-inl.h. Fallback, where
-// float cannot decide and for maps too large for these depths: the paper's walk in double (max_pyramid_paper.h).
+// float cannot decide: the paper's walk in double (max_pyramid_paper.h).
 //
 // Guarantee: with base level 0 exact, the same bits as `exact` and `max-pyramid-paper`. Failure mode: needle forests at
 // grazing angles, where little can be skipped. Cost: O(log) steps per ray on smooth surfaces, one stored maximum per
@@ -35,6 +35,7 @@ class MaxPyramidTracer {
         method.help = "Skips areas below the ray with a pyramid of maxima; iterative, without a stack.";
         method.source = "[MIP18]; Tevs 2008";
         method.maps = {"max-pyramid"};
+        method.tiled = true;
         return method;
     }
     struct Options {

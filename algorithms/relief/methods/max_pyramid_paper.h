@@ -28,6 +28,7 @@ class MaxPyramidPaperTracer {
         method.help = "Skips areas below the ray with a pyramid of maxima; recursive, as in the paper.";
         method.source = "[MIP18]";
         method.maps = {"max-pyramid"};
+        method.tiled = true;
         return method;
     }
     struct Options {

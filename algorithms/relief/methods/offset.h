@@ -23,6 +23,7 @@ class OffsetTracer {
         method.name = "offset";
         method.title = "parallax offset";
         method.guarantee = Guarantee::Approximate;
+        method.tiled = true;
         method.help = "One sample: the ray advances to the height sampled where it enters.";
         method.source = "Kaneko et al. 2001; [DIST17]";
         return method;

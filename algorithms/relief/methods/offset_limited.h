@@ -22,6 +22,7 @@ class OffsetLimitedTracer {
         method.name = "offset-limited";
         method.title = "parallax offset, limited";
         method.guarantee = Guarantee::Approximate;
+        method.tiled = true;
         method.help = "One sample, with the shift limited to the depth of the relief.";
         method.source = "Welsh 2004";
         return method;

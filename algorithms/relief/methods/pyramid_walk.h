@@ -13,8 +13,6 @@
 
 namespace relief {
 
-inline constexpr int kMaxLevels = 32;
-
 // A node of level l: on each axis the cells [index << l, min((index + 1) << l, cells)) of the period that begins at
 // `base`.
 struct PyramidNode {
@@ -35,7 +33,7 @@ class PyramidWalk {
           base_(base.level),
           perS_(base.perS),
           perT_(base.perT) {
-        for (int l = 0; l <= map_->top(); ++l) levels_[static_cast<std::size_t>(l)] = &map_->pyramid.level(l);
+        for (int l = 0; l < map_->pyramid.levels(); ++l) levels_[static_cast<std::size_t>(l)] = &map_->pyramid.level(l);
     }
 
     // The field that is traced, and the one whose rays are given; they differ only with a base level above 0.
@@ -58,7 +56,10 @@ class PyramidWalk {
     std::size_t bytes() const { return map_->bytes(); }
 
     float maximum(int level, const PyramidNode& node) const {
-        return (*levels_[static_cast<std::size_t>(level)])(node.x.index, node.y.index);
+        const FloatImage* const values = levels_[static_cast<std::size_t>(level)];
+        if (values == nullptr) [[unlikely]]
+            return map_->tiled->maximum(level, node.x.index, node.y.index);
+        return (*values)(node.x.index, node.y.index);
     }
 
     // Lambda at which the ray leaves the node through its x and y border.
@@ -106,9 +107,11 @@ class PyramidWalk {
     std::uint32_t leafReads() const { return relief::leafReads(field_.surface()); }
 
     float minimum(const PyramidNode& cell) const {
-        return field_.surface() == Surface::Bilinear
-                   ? cellMinimum<Surface::Bilinear>(field_.heights(), grid_, cell.x.index, cell.y.index)
-                   : cellMinimum<Surface::Columns>(field_.heights(), grid_, cell.x.index, cell.y.index);
+        return withHeights(field_, [&](const auto& heights) {
+            return field_.surface() == Surface::Bilinear
+                       ? cellMinimum<Surface::Bilinear>(heights, grid_, cell.x.index, cell.y.index)
+                       : cellMinimum<Surface::Columns>(heights, grid_, cell.x.index, cell.y.index);
+        });
     }
 
     // The cell at lambda from its floored position. This is precise enough to check whether the start may be the
@@ -227,7 +230,7 @@ class PyramidWalk {
     int base_;
     double perS_;
     double perT_;
-    std::array<const FloatImage*, kMaxLevels> levels_{};
+    std::array<const FloatImage*, kMaxLevels> levels_{};  // null: the map is tiled
 };
 
 // The option `base` of max-pyramid and max-pyramid-paper.

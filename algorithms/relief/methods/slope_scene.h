@@ -3,13 +3,15 @@
 
 #include <cstdint>
 
-#include "relief/height_field.h"
+#include "relief/height_source.h"
 #include "relief/maps/packed_cones.h"
 
 namespace relief {
 
 struct SlopeScene {
-    const float* heights = nullptr;
+    const float* heights = nullptr;  // null: the map is read by tiles
+    const TiledHeights* tiles = nullptr;
+    bool gathered = true;  // whether heights are fetched by 32-bit indices; otherwise lane by lane, through heightAt()
     std::int32_t width = 0, height = 0;
     bool repeat = true;  // false: clamped, also under border
     // The four corner heights of each cell stored together (PackedCones::nodes), and the number of cells per row; null:
@@ -19,7 +21,9 @@ struct SlopeScene {
 
     SlopeScene() = default;
     explicit SlopeScene(const HeightField& field)
-        : heights(field.heights().data()),
+        : heights(field.tiles() != nullptr ? nullptr : field.heights().data()),
+          tiles(field.tiles()),
+          gathered(heights != nullptr && field.texels() < std::size_t{1} << 31),
           width(field.width()),
           height(field.height()),
           repeat(field.address() == Address::Repeat) {}
@@ -27,6 +31,11 @@ struct SlopeScene {
         if (cones.nodes.empty()) return;
         nodes = cones.nodes.data();
         nodeStride = cones.stride;
+    }
+
+    float heightAt(int i, int j) const {
+        if (heights == nullptr) return tiles->height(i, j);
+        return heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)];
     }
 };
 

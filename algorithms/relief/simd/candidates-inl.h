@@ -139,7 +139,18 @@ HWY_INLINE VD exitOf(const ExactInterval& interval) {
     return stdMin(stdMin(interval.outX, interval.outY), hn::Set(DD(), 1.0));
 }
 
+// For scenes whose heights are not gathered.
+HWY_NOINLINE inline VD exactHeightByLanes(const FloatScene& scene, VD i, VD j) {
+    const DD d;
+    HWY_ALIGN double x[kHalfLanes], y[kHalfLanes];
+    hn::Store(i, d, x), hn::Store(j, d, y);
+    for (std::size_t n = 0; n < kHalfLanes; ++n) {
+        x[n] = static_cast<double>(scene.heightAt(static_cast<int>(x[n]), static_cast<int>(y[n])));
+    }
+    return hn::Load(d, x);
+}
 HWY_INLINE VD exactHeight(const FloatScene& scene, VD i, VD j) {
+    if (HWY_UNLIKELY(!scene.gathered)) return exactHeightByLanes(scene, i, j);
     const DD d;
     const VD at = hn::Add(hn::Mul(j, hn::Set(d, scene.stride)), i);
     return hn::PromoteTo(d, hn::GatherIndex(DHF(), scene.heights, hn::DemoteTo(DHI(), at)));
@@ -170,7 +181,7 @@ HWY_INLINE ExactNodes exactNodes(const FloatScene& scene, VD cellX, VD cellY, co
     VD i0, i1, j0, j1;
     nodes(scene.grid.x, cellX, i0, i1);
     nodes(scene.grid.y, cellY, j0, j1);
-    if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
+    if (HWY_LIKELY(scene.gathered && hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
         heightPairs(scene, i0, j0, out.h00, out.h10);
         heightPairs(scene, i0, j1, out.h01, out.h11);
     } else {

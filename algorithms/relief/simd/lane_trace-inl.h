@@ -149,7 +149,10 @@ HWY_INLINE VD reducedOrigins(const GridAxis& axis, const double* origins) {
         if (HWY_UNLIKELY(!hn::AllTrue(d, inside))) {
             HWY_ALIGN double reduced[kHalfLanes];
             hn::Store(s, d, reduced);
-            for (double& value : reduced) value = std::isfinite(value) ? reduceToPeriod(value, axis.texels) : 0;
+            // What is not finite stays so: such rays are left to the fallback.
+            for (double& value : reduced) {
+                if (std::isfinite(value)) value = reduceToPeriod(value, axis.texels);
+            }
             return hn::Load(d, reduced);
         }
     }

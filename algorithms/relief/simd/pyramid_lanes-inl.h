@@ -26,7 +26,8 @@ class PyramidKernel {
         : scene_(scene),
           pyramid_(pyramid),
           rays_(rays),
-          base_(reinterpret_cast<const std::int32_t*>(pyramid.depths.data())) {}
+          base_(reinterpret_cast<const std::int32_t*>(pyramid.depths.data())),
+          gathers_(pyramid.gathered) {}
 
     void run() {
         std::array<State, kVectors> states;
@@ -158,15 +159,27 @@ class PyramidKernel {
         const VI one = hn::Set(di_, 1);
         const VI x = hn::Xor(kx, hn::Shr(mirrorX, level));
         const VI y = hn::Xor(ky, hn::Shr(mirrorY, level));
+        const VF unit = hn::Set(df_, static_cast<float>(kDepthUnit));
+        if (HWY_UNLIKELY(!gathers_)) return hn::Mul(hn::ConvertTo(df_, depthsByLanes(who, x, y, level)), unit);
         const VI width = hn::Add(hn::Shr(hn::Set(di_, scene_.grid.x.cells - 1), level), one);
         const VI index = hn::Add(hn::Add(hn::Mul(y, width), x), offsetOf(level));
         const VI word = hn::GatherOffset(di_, base_, hn::IfThenElseZero(who, hn::Add(index, index)));
-        return hn::Mul(hn::ConvertTo(df_, hn::And(word, hn::Set(di_, 0xFFFF))),
-                       hn::Set(df_, static_cast<float>(kDepthUnit)));
+        return hn::Mul(hn::ConvertTo(df_, hn::And(word, hn::Set(di_, 0xFFFF))), unit);
+    }
+
+    // Other lanes than those of `who` are 0.
+    HWY_NOINLINE VI depthsByLanes(MI who, VI x, VI y, VI level) const {
+        HWY_ALIGN std::int32_t active[kLanes], xs[kLanes], ys[kLanes], levels[kLanes];
+        hn::Store(hn::VecFromMask(di_, who), di_, active);
+        hn::Store(x, di_, xs), hn::Store(y, di_, ys), hn::Store(level, di_, levels);
+        for (std::size_t n = 0; n < kLanes; ++n) {
+            xs[n] = active[n] == 0 ? 0 : pyramid_.depth(levels[n], xs[n], ys[n]);
+        }
+        return hn::Load(di_, xs);
     }
 
     HWY_INLINE VI offsetOf(VI level) const {
-        if constexpr (kLanes >= kDepthLevels) {
+        if constexpr (kLanes >= kGatheredLevels) {
             return hn::TableLookupLanes(hn::LoadU(di_, pyramid_.offsets.data()), hn::IndicesFromVec(di_, level));
         } else {
             return hn::GatherIndex(di_, pyramid_.offsets.data(), level);
@@ -320,8 +333,9 @@ class PyramidKernel {
         const VF ny = hn::ConvertTo(df_, hn::Add(state.y.k, state.y.offset));
         VF in = hn::Max(lambdaAt(state.x, state.x.k), lambdaAt(state.y, state.y.k));
         in = hn::Min(hn::Max(hn::Sub(in, state.tie), hn::Zero(df_)), out);
-        const MF below = patchBelow<Arithmetic>(patchAt<kAddress>(scene_, whoI, cellX, cellY), state.x, state.y, nx, ny,
-                                                in, out, state.tie);
+        const Patch patch = HWY_LIKELY(scene_.gathered) ? patchAt<kAddress>(scene_, whoI, cellX, cellY)
+                                                        : patchByLanes<kAddress>(scene_, whoI, cellX, cellY);
+        const MF below = patchBelow<Arithmetic>(patch, state.x, state.y, nx, ny, in, out, state.tie);
         const MF candidates = hn::AndNot(below, who);
         finishCandidates(state, candidates);
         const MF on = hn::And(below, who);
@@ -348,6 +362,7 @@ class PyramidKernel {
     const DepthPyramid& pyramid_;
     LaneRays& rays_;
     const std::int32_t* base_;
+    const bool gathers_;
     std::size_t next_ = 0;
 };
 

@@ -101,6 +101,24 @@ HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
     const V h01 = height(x.first, y.second), h11 = height(x.second, y.second);
     return slopeOf(h00, h10, h01, h11, x, y);
 }
+// The same for scenes whose heights are not gathered.
+HWY_INLINE Slope slopeByLanes(const SlopeScene& scene, V s, V t) {
+    const D d;
+    const DI di;
+    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
+    const auto height = [&](VI i, VI j) HWY_ATTR {
+        HWY_ALIGN std::int32_t across[kLanes], down[kLanes];
+        HWY_ALIGN double heights[kLanes];
+        hn::Store(i, di, across), hn::Store(j, di, down);
+        for (std::size_t n = 0; n < kLanes; ++n) {
+            heights[n] = static_cast<double>(scene.heightAt(across[n], down[n]));
+        }
+        return hn::Load(d, heights);
+    };
+    const V h00 = height(x.first, y.first), h10 = height(x.second, y.first);
+    const V h01 = height(x.first, y.second), h11 = height(x.second, y.second);
+    return slopeOf(h00, h10, h01, h11, x, y);
+}
 // The same heights, stored together for each cell: one load per lane instead of four.
 HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
     const D d;
@@ -119,6 +137,8 @@ template <class Body>
 HWY_INLINE void withSlopes(const SlopeScene& scene, const Body& body) {
     if (scene.nodes != nullptr) {
         body([&](V s, V t) HWY_ATTR { return slopeByNodes(scene, s, t); });
+    } else if (!scene.gathered) {
+        body([&](V s, V t) HWY_ATTR { return slopeByLanes(scene, s, t); });
     } else {
         body([&](V s, V t) HWY_ATTR { return slopeByHeights(scene, s, t); });
     }

@@ -16,7 +16,8 @@ namespace relief::HWY_NAMESPACE {
 class SurfaceLanes {
   public:
     explicit SurfaceLanes(const HeightField& field)
-        : heights_(field.heights()),
+        : field_(field),
+          heights_(gathers(field) ? field.heights().data() : nullptr),
           width_(field.width()),
           height_(field.height()),
           repeats_(field.address() == Address::Repeat),
@@ -57,12 +58,27 @@ class SurfaceLanes {
         return hn::IfThenElse(hn::Ge(raised, n), hn::Sub(raised, n), raised);
     }
     HWY_INLINE V texel(V i, V j) const {
+        if (HWY_UNLIKELY(heights_ == nullptr)) return texelByLanes(i, j);
         const V number = hn::Add(hn::Mul(j, constant(width_)), i);
         const auto at = hn::DemoteTo(hn::Rebind<std::int32_t, D>(), number);
-        return hn::PromoteTo(D(), hn::GatherIndex(hn::Rebind<float, D>(), heights_.data(), at));
+        return hn::PromoteTo(D(), hn::GatherIndex(hn::Rebind<float, D>(), heights_, at));
     }
 
-    const FloatImage& heights_;
+    // Indices into the heights have 32 bits.
+    static bool gathers(const HeightField& field) {
+        return field.tiles() == nullptr && field.texels() < std::size_t{1} << 31;
+    }
+    HWY_NOINLINE V texelByLanes(V i, V j) const {
+        HWY_ALIGN double x[hn::MaxLanes(D())], y[hn::MaxLanes(D())];
+        hn::Store(i, D(), x), hn::Store(j, D(), y);
+        for (std::size_t n = 0; n < hn::Lanes(D()); ++n) {
+            x[n] = static_cast<double>(field_.texel(static_cast<std::int64_t>(x[n]), static_cast<std::int64_t>(y[n])));
+        }
+        return hn::Load(D(), x);
+    }
+
+    const HeightField& field_;
+    const float* heights_;  // null: they are read lane by lane
     double width_;
     double height_;
     bool repeats_;

@@ -5,8 +5,10 @@
 #include <cassert>
 
 #include "base/for_each_type.h"
+#include "images/tiled_heights.h"
 #include "relief/block_work.h"
 #include "relief/tracers/map_choice.h"
+#include "relief/tracers/tile_methods.h"
 #include "relief/tracers/tracer_types.h"
 
 namespace relief {
@@ -218,9 +220,26 @@ Form methodForm(const MethodChoice& choice) {
     return form;
 }
 
+bool tracesTiles(const MethodChoice& choice) {
+    const auto base = choice.options.find(std::string(kBaseOption));
+    return findTracer(choice.name).tiled && (base == choice.options.end() || base->second == "0");
+}
+
+void requireTiles(const MethodChoice& choice, const TiledHeights& tiles) {
+    if (tracesTiles(choice)) return;
+    std::vector<std::string> names;
+    for (const MethodDescription& one : tracerList()) {
+        if (one.tiled) names.push_back(one.name);
+    }
+    const std::string subject =
+        findTracer(choice.name).tiled ? choice.name + " " + std::string(kBaseOption) : choice.name;
+    throw InputError(tiles.path(), Message(MessageId::TiledMethod, {{"method", subject}, {"known", commaList(names)}}));
+}
+
 std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
                                    Form form) {
     checkMethod(choice, {});
+    if (field.tiles() != nullptr) requireTiles(choice, *field.tiles());
     std::unique_ptr<Tracer> made;
     forEachType<TracerTypes>([&]<class T>() {
         if (made || descriptionOf<T>().name != choice.name) return;

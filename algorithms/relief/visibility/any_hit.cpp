@@ -65,7 +65,7 @@ const std::vector<MethodDescription>& anyHitList() {
 }
 
 MethodChoice visibilityChoice(const HeightField& field) {
-    const bool packed = field.heights().size() <= kMaxPackedTexels;
+    const bool packed = field.tiles() == nullptr && field.texels() <= kMaxPackedTexels;
     return {packed ? descriptionOf<PackedConeAnyHit>().name : descriptionOf<MaxPyramidAnyHit>().name, {}};
 }
 

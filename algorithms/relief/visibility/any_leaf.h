@@ -41,10 +41,12 @@ inline bool cellBlocks(const HeightField& field, const CellGrid& grid, const Any
     if (!(interval.in < interval.out)) return false;
     const double zIn = ray.heightAt(interval.in);
     const double zOut = ray.heightAt(interval.out);
-    if (field.surface() == Surface::Columns) {
-        return field.heights()(cx.index, cy.index) - std::min(zIn, zOut) > kVisibilityClearance;
-    }
-    return highestGap(Patch(field.heights(), grid, course, cx, cy, interval), zIn, zOut) > kVisibilityClearance;
+    return withHeights(field, [&](const auto& heights) {
+        const double gap = field.surface() == Surface::Columns
+                               ? heights(cx.index, cy.index) - std::min(zIn, zOut)
+                               : highestGap(Patch(heights, grid, course, cx, cy, interval), zIn, zOut);
+        return gap > kVisibilityClearance;
+    });
 }
 
 }  // namespace relief

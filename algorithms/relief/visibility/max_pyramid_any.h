@@ -30,6 +30,7 @@ class MaxPyramidAnyHit {
         method.help = "Tests whether anything blocks a segment; the first obstacle ends the search.";
         method.source = "[MIP18]; Tevs 2008";
         method.maps = {"max-pyramid"};
+        method.tiled = true;
         return method;
     }
     struct Options {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
+#include "images/recipe_rows.h"
 #include "temporary_folder.h"
 
 namespace relief {
@@ -64,6 +66,39 @@ TEST(Reliefs, SeededAndRepeatable) {
         const bool random = recipe.anySize && recipe.name != "checker" && recipe.name != "paper-walls";
         EXPECT_EQ(image != makeRelief(recipe.name, size, size, 8), random) << recipe.name;
     }
+}
+
+// Row by row, in any bands, and going on with what an earlier run has learned.
+TEST(Reliefs, HaveTheSameHeightsByRows) {
+    Work work(2);
+    for (const ReliefRecipe& recipe : reliefRecipes()) {
+        for (const auto& [width, height] : {std::pair{64, 50}, {1, 3}, {37, 129}}) {
+            if (!recipe.anySize) continue;
+            const FloatImage image = makeRelief(recipe.name, width, height, 3);
+            const auto rows = reliefHeightRows(recipe.name, width, height, 3);
+            const auto again = reliefHeightRows(recipe.name, width, height, 3);
+            ASSERT_EQ(rows->type(), NumberType::UInt16);
+            rows->prepare(work);
+            again->restore(rows->learned());
+            for (HeightRows* source : {rows.get(), again.get()}) {
+                for (int y = 0; y < height; y += 7) {
+                    const int count = std::min(7, height - y);
+                    std::vector<std::uint16_t> codes(static_cast<std::size_t>(width) * static_cast<std::size_t>(count));
+                    source->read(y, count, reinterpret_cast<std::byte*>(codes.data()), work);
+                    for (std::size_t i = 0; i < codes.size(); ++i) {
+                        const int x = static_cast<int>(i) % width, row = y + static_cast<int>(i) / width;
+                        ASSERT_EQ(static_cast<float>(codes[i]) / 65535.0F, image(x, row)) << recipe.name;
+                    }
+                }
+            }
+        }
+    }
+    const auto paper = reliefHeightRows("paper8x8", 8, 8, 1);
+    ASSERT_EQ(paper->type(), NumberType::Float);
+    std::vector<float> heights(64);
+    paper->prepare(work);
+    paper->read(0, 8, reinterpret_cast<std::byte*>(heights.data()), work);
+    EXPECT_TRUE(std::ranges::equal(heights, makeRelief("paper8x8", 8, 8, 1).pixels()));
 }
 
 // Recorded values: another machine, compiler or option must not change a bit.

@@ -1,0 +1,24 @@
+// Heights as a function of the texel, for code that is compiled once for images in memory and once for maps that are
+// read by tiles: a source is a FloatImage or TileSource.
+#pragma once
+
+#include "images/tiled_heights.h"
+#include "relief/height_field.h"
+
+namespace relief {
+
+// Not owned.
+struct TileSource {
+    const TiledHeights& tiles;
+    float operator()(int i, int j) const { return tiles.height(i, j); }
+};
+
+// Returns use(source) for the field's heights.
+template <class Use>
+[[gnu::always_inline]] inline decltype(auto) withHeights(const HeightField& field, const Use& use) {
+    if (field.tiles() != nullptr) [[unlikely]]
+        return use(TileSource{*field.tiles()});
+    return use(field.heights());
+}
+
+}  // namespace relief
