@@ -98,7 +98,8 @@ class RestartOptions {
   public:
     // when: the kind of command that has these options, such as "many pictures"; for the help.
     void add(CLI::App& parser, const std::string& when, const std::string& group);
-    bool given() const { return resume_ || anew_; }
+    // Returns the name of the option that was given; empty if none was.
+    std::string given() const { return resume_ ? "--resume" : anew_ ? "--anew" : ""; }
     // Throws InputError if both options are given.
     EarlierRun chosen() const;
 
