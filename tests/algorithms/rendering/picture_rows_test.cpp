@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <vector>
 
 #include "algorithms/filtering/filter_cases.h"
 #include "algorithms/relief/fields.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 72;
 // Ends of the rows made one after another: on and next to the ends of tiles, and single rows.
-constexpr std::array kEnds{1, 31, 33, 64, 96, 97, 99};
+const std::vector<int> kEnds{1, 31, 33, 64, 96, 97, 99};
 
 // Two tiles wide and four high, neither whole; the view slants, so that rows of coordinates differ.
 FrameRequest bricks() {
@@ -48,6 +49,7 @@ void expectSameBits(const std::string& name, const FrameRequest& request, const 
     if (!layers.empty()) planes = layerPlanes(*wholeRenderer.counted(work), request, layers, *maps, work);
     int begin = 0;
     for (const int end : kEnds) {
+        if (begin == request.height) break;
         SCOPED_TRACE(end);
         const RowRange rows{begin, end};
         std::optional<LayerPlanes> made;
@@ -82,8 +84,14 @@ TEST(PictureRows, everyFilter) {
     for (const FilterChoice& filter : allFilters()) {
         std::string name = filter.name;
         for (const auto& [option, value] : filter.options) name.append(" ").append(option).append("=").append(value);
+        // These take a hundred times as long per pixel; a smaller picture will do.
+        const bool slow =
+            name.find("position") != std::string::npos || name.find("texel-distance") != std::string::npos;
         request.filter = filter;
-        for (const double bounded : {0.0, 1.0}) {
+        request.width = slow ? 9 : 67;
+        request.height = slow ? 33 : kEnds.back();
+        for (const double bounded : {0.0, kMaxBounded}) {
+            if (slow && bounded > 0) continue;
             request.bounded = bounded;
             expectSameBits(name + " bounded " + std::to_string(bounded), request);
         }
