@@ -60,18 +60,16 @@ INSTANTIATE_TEST_SUITE_P(Places, RenderTiledTest, testing::ValuesIn(places()), p
 
 // The grid filter reads hits above and below, and gaussian pixels read samples there.
 TEST_P(RenderTiledTest, ThePixelsAreThoseOfOnePiece) {
-    const std::vector<std::vector<std::string>> looks{
-        {"--filter", "elliptical-visible", "--filter-set", "form=grid"},
-        {"--supersample", "2", "--pixel-model", "gaussian", "--mapping", "incremental"}};
-    for (const auto& look : looks) {
-        for (const std::string ending : {".tif", ".exr"}) {
-            auto tiled = look;
-            tiled.push_back("--tiled");
-            runFine(render("whole" + ending, look));
-            runFine(render("tiled" + ending, tiled));
-            EXPECT_TRUE(picture("tiled" + ending) == picture("whole" + ending)) << look[1] << ending;
-            EXPECT_TRUE(merged(3, ending, tiled) == read("tiled" + ending)) << look[1] << ending;
-        }
+    const std::vector<std::pair<std::string, std::vector<std::string>>> looks{
+        {".tif", {"--filter", "elliptical-visible", "--filter-set", "form=grid"}},
+        {".exr", {"--supersample", "2", "--pixel-model", "gaussian", "--mapping", "incremental"}}};
+    for (const auto& [ending, look] : looks) {
+        auto tiled = look;
+        tiled.push_back("--tiled");
+        runFine(render("whole" + ending, look));
+        runFine(render("tiled" + ending, tiled));
+        EXPECT_TRUE(picture("tiled" + ending) == picture("whole" + ending)) << ending;
+        EXPECT_TRUE(merged(3, ending, tiled) == read("tiled" + ending)) << ending;
     }
     const std::vector<std::string> layers{"--layers", "color,depth,uv,normal,steps,outcome,error,footprint,hidden",
                                           "--filter", "elliptical-visible"};
