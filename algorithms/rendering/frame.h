@@ -33,7 +33,9 @@ struct FrameBuffers;
 struct FrameSetup;
 struct HeightBoundsMap;
 
+// Largest side of a picture, pixels; and of a procedural relief that is made in memory, texels.
 inline constexpr int kMaxPictureSide = 1 << 16;
+inline constexpr int kMaxReliefSide = 1 << 15;
 inline constexpr double kMaxBounded = 4;
 
 // All inputs of a frame, by value; pictures are shared and immutable.

@@ -41,7 +41,7 @@ Pictures chosenRelief(const MakeOptions& options) {
 
 // Whether such a relief is too large for commands that read height maps as a whole.
 bool exceedsMemory(const Pictures& relief) {
-    return relief.drawn.empty() && (std::max(relief.recipeWidth, relief.recipeHeight) > kMaxPictureSide ||
+    return relief.drawn.empty() && (std::max(relief.recipeWidth, relief.recipeHeight) > kMaxReliefSide ||
                                     std::int64_t{relief.recipeWidth} * relief.recipeHeight > kDefaultMaxPixels);
 }
 
@@ -77,7 +77,7 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
                                   "Writes a procedural height map. The same seed gives the same bits on every machine. "
                                   ".png and .tif hold 16-bit integers, .exr 32-bit floats. A map of more than " +
                                       std::to_string(kDefaultMaxPixels) + " texels, or longer than " +
-                                      std::to_string(kMaxPictureSide) +
+                                      std::to_string(kMaxReliefSide) +
                                       " on a side, is made row by row, in little memory, and written as the tiled TIFF "
                                       "of relief tile, which other commands read with --memory. The reliefs: " +
                                       names + "; relief list reliefs describes them.",

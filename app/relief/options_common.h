@@ -75,7 +75,7 @@ std::uint64_t parseSeed(const std::string& text, const std::string& option);
 // Parses the value of --relief: "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7". Sides up to mostSide, and
 // no more texels than reading.maxPixels.
 void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief",
-                 int mostSide = kMaxPictureSide);
+                 int mostSide = kMaxReliefSide);
 // Splits the text at each separator; empty parts are kept.
 std::vector<std::string> splitText(const std::string& text, char separator);
 
@@ -98,8 +98,7 @@ class RestartOptions {
   public:
     // when: the kind of command that has these options, such as "many pictures"; for the help.
     void add(CLI::App& parser, const std::string& when, const std::string& group);
-    // Returns the name of the option that was given; empty if none was.
-    std::string given() const { return resume_ ? "--resume" : anew_ ? "--anew" : ""; }
+    bool given() const { return resume_ || anew_; }
     // Throws InputError if both options are given.
     EarlierRun chosen() const;
 

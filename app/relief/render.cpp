@@ -203,8 +203,8 @@ int runRender(const RenderOptions& options, Session& session) {
         picture.noteTilesRead();
         return 0;
     }
-    if (const std::string given = options.many.restart.given(); !given.empty()) {
-        throw InputError(given, Message(MessageId::NeedsArgument, {{"other", "--tiled"}}));
+    if (options.many.restart.given()) {
+        throw InputError("--resume, --anew", Message(MessageId::NeedsArgument, {{"other", "--tiled"}}));
     }
     const RowRange rows = options.part ? partRows(number, picture.height()) : RowRange();
     picture.requireMemory(rows, false);
