@@ -115,6 +115,8 @@ MessageId sentenceOf(MemoryHint hint) {
     switch (hint) {
         case MemoryHint::SmallerSize:
             return MessageId::MemoryForSize;
+        case MemoryHint::SmallerOrTiled:
+            return MessageId::MemoryForWhole;
         case MemoryHint::SmallerPicture:
             return MessageId::MemoryForPicture;
         case MemoryHint::SmallerMap:

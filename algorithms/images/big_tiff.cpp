@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstring>
 
 #include "images/file_descriptor.h"
@@ -32,10 +33,11 @@ enum Tag : std::uint16_t {
     kSampleFormat = 339,
 };
 enum Type : std::uint16_t { kAscii = 2, kShort = 3, kLong = 4, kLong8 = 16 };
-constexpr std::uint64_t kNoCompression = 1, kBlackIsZero = 1, kInterleaved = 1, kUnsigned = 1, kFloats = 3;
+constexpr std::uint64_t kNoCompression = 1, kBlackIsZero = 1, kRgb = 2, kInterleaved = 1, kUnsigned = 1, kFloats = 3;
 
 // "II" for little-endian, BigTIFF, bytes of an offset, 0.
 constexpr std::array<std::uint16_t, 4> kSignature{0x4949, 43, 8, 0};
+constexpr std::array<std::uint16_t, 2> kClassicSignature{0x4949, 42};
 constexpr std::size_t kHeader = 16, kEntry = 20, kInline = 8;  // bytes
 constexpr std::size_t kTiledEntries = 14, kStripEntries = 13;  // of a directory that tiffHead() writes
 constexpr std::uint64_t kMostEntries = 64;                     // of a directory that is read
@@ -49,89 +51,112 @@ std::size_t aligned(std::size_t bytes) {
     return (bytes + 7) / 8 * 8;
 }
 
-std::size_t directoryBytes() {
-    return aligned(8 + kTiledEntries * kEntry + 8);
-}
+// Sizes in bytes. number: of an offset, of a count, and of what stands in its entry.
+struct FormSizes {
+    std::size_t header, entries, entry, number;
 
-// Bytes of an array that does not fit into its entry.
-std::size_t outside(std::size_t count, std::size_t size) {
-    return count * size <= kInline ? 0 : aligned(count * size);
+    std::size_t directory() const { return aligned(entries + kTiledEntries * entry + number); }
+    // Bytes of an array that does not fit into its entry.
+    std::size_t outside(std::size_t count, std::size_t size) const {
+        return count * size <= number ? 0 : aligned(count * size);
+    }
+    // What of a page stands behind the directories; the description stands behind its own.
+    std::size_t arrays(const TiffPage& page) const {
+        const std::size_t count = page.offsets.size();
+        return 2 * outside(static_cast<std::size_t>(page.channels), 2) + outside(count, number) +
+               (page.tiled ? outside(count, 4) : 0);
+    }
+};
+constexpr FormSizes kBig{kHeader, 8, kEntry, kInline}, kClassic{8, 2, 12, 4};
+
+const FormSizes& sizesOf(TiffForm form) {
+    return form == TiffForm::Big ? kBig : kClassic;
 }
 
 class HeadWriter {
   public:
-    explicit HeadWriter(std::size_t bytes) : bytes_(bytes) {}
+    HeadWriter(std::size_t bytes, const FormSizes& sizes) : bytes_(bytes), sizes_(sizes) {}
 
     template <class Number>
     void put(std::uint64_t at, Number number) {
         std::memcpy(bytes_.data() + at, &number, sizeof number);
     }
+    // Writes a number of the form's size.
+    void sized(std::uint64_t at, std::uint64_t number) { std::memcpy(bytes_.data() + at, &number, sizes_.number); }
     void begin(std::uint64_t directory, std::size_t entries) {
-        put(directory, static_cast<std::uint64_t>(entries));
-        entry_ = directory + 8;
+        put(directory, static_cast<std::uint16_t>(entries));  // below 2^16 in both forms; the rest is 0
+        entry_ = directory + sizes_.entries;
     }
-    void number(std::uint16_t tag, std::uint16_t type, std::uint64_t value) { put(head(tag, type, 1) + 12, value); }
+    void number(std::uint16_t tag, std::uint16_t type, std::uint64_t value) { sized(head(tag, type, 1), value); }
     // Writes an array whose numbers are given by of(i): into the entry, or at `at`, which it moves behind it.
     template <class Number, class Of>
     void array(std::uint16_t tag, std::uint16_t type, std::size_t count, std::uint64_t& at, const Of& of) {
-        const std::uint64_t entry = head(tag, type, count);
-        const std::size_t beyond = outside(count, sizeof(Number));
-        const std::uint64_t to = beyond == 0 ? entry + 12 : at;
-        if (beyond != 0) put(entry + 12, at);
+        const std::uint64_t value = head(tag, type, count);
+        const std::size_t beyond = sizes_.outside(count, sizeof(Number));
+        const std::uint64_t to = beyond == 0 ? value : at;
+        if (beyond != 0) sized(value, at);
         for (std::size_t i = 0; i < count; ++i) put(to + i * sizeof(Number), static_cast<Number>(of(i)));
         at += beyond;
     }
     // The offset of the next directory.
-    void end(std::uint64_t next) { put(entry_, next); }
+    void end(std::uint64_t next) { sized(entry_, next); }
     std::vector<std::byte> take() { return std::move(bytes_); }
 
   private:
+    // Returns the place of the entry's value.
     std::uint64_t head(std::uint16_t tag, std::uint16_t type, std::uint64_t count) {
         put(entry_, tag);
         put(entry_ + 2, type);
-        put(entry_ + 4, count);
-        return std::exchange(entry_, entry_ + kEntry);
+        sized(entry_ + 4, count);
+        return std::exchange(entry_, entry_ + sizes_.entry) + 4 + sizes_.number;
     }
 
     std::vector<std::byte> bytes_;
+    const FormSizes& sizes_;
     std::uint64_t entry_ = 0;
 };
 
 }  // namespace
 
-std::size_t tiffHeadBytes(const std::vector<TiffPage>& pages) {
-    std::size_t bytes = kHeader;
-    for (const TiffPage& page : pages) {
-        const std::size_t count = page.offsets.size();
-        bytes += directoryBytes() + outside(page.description.size() + 1, 1) + outside(count, 8);
-        bytes += page.tiled ? outside(count, 4) : 0;
-    }
+std::size_t tiffHeadBytes(const std::vector<TiffPage>& pages, TiffForm form) {
+    const FormSizes& sizes = sizesOf(form);
+    std::size_t bytes = sizes.header;
+    for (const TiffPage& page : pages)
+        bytes += sizes.directory() + sizes.outside(page.description.size() + 1, 1) + sizes.arrays(page);
     return bytes;
 }
 
-std::vector<std::byte> tiffHead(const std::vector<TiffPage>& pages) {
-    HeadWriter head(tiffHeadBytes(pages));
-    for (std::size_t i = 0; i < kSignature.size(); ++i) head.put(2 * i, kSignature[i]);
-    head.put(8, std::uint64_t{kHeader});
+std::vector<std::byte> tiffHead(const std::vector<TiffPage>& pages, TiffForm form) {
+    const FormSizes& sizes = sizesOf(form);
+    const bool big = form == TiffForm::Big;
+    HeadWriter head(tiffHeadBytes(pages, form), sizes);
+    if (big)
+        head.put(0, kSignature);
+    else
+        head.put(0, kClassicSignature);
+    head.sized(sizes.header - sizes.number, sizes.header);
     // Directories with their descriptions come first, so that a reader finds them all at the beginning.
-    std::uint64_t directory = kHeader, arrays = kHeader;
-    for (const TiffPage& page : pages) arrays += directoryBytes() + outside(page.description.size() + 1, 1);
+    std::uint64_t directory = sizes.header, arrays = sizes.header;
+    for (const TiffPage& page : pages) arrays += sizes.directory() + sizes.outside(page.description.size() + 1, 1);
+    const std::uint16_t offsets = big ? kLong8 : kLong;
     for (std::size_t p = 0; p < pages.size(); ++p) {
         const TiffPage& page = pages[p];
-        const std::uint64_t bytes = static_cast<std::uint64_t>(page.bits) / 8;
-        std::uint64_t text = directory + directoryBytes();
+        assert(big || page.tiled);
+        const auto channels = static_cast<std::size_t>(page.channels);
+        const std::uint64_t bytes = static_cast<std::uint64_t>(page.bits) / 8 * channels;
+        std::uint64_t text = directory + sizes.directory();
         head.begin(directory, page.tiled ? kTiledEntries : kStripEntries);
         head.number(kNewSubfileType, kLong, page.reduced ? 1 : 0);
         head.number(kImageWidth, kLong, page.width);
         head.number(kImageLength, kLong, page.height);
-        head.number(kBitsPerSample, kShort, static_cast<std::uint64_t>(page.bits));
+        head.array<std::uint16_t>(kBitsPerSample, kShort, channels, arrays, [&](std::size_t) { return page.bits; });
         head.number(kCompression, kShort, kNoCompression);
-        head.number(kPhotometric, kShort, kBlackIsZero);
+        head.number(kPhotometric, kShort, channels == 1 ? kBlackIsZero : kRgb);
         head.array<char>(kImageDescription, kAscii, page.description.size() + 1, text,
                          [&](std::size_t i) { return page.description.c_str()[i]; });
         const auto offset = [&](std::size_t i) { return page.offsets[i]; };
         if (!page.tiled) head.array<std::uint64_t>(kStripOffsets, kLong8, 1, arrays, offset);
-        head.number(kSamplesPerPixel, kShort, 1);
+        head.number(kSamplesPerPixel, kShort, channels);
         if (!page.tiled) {
             head.number(kRowsPerStrip, kLong, page.height);
             head.number(kStripByteCounts, kLong8, std::uint64_t{page.width} * page.height * bytes);
@@ -140,11 +165,15 @@ std::vector<std::byte> tiffHead(const std::vector<TiffPage>& pages) {
         if (page.tiled) {
             head.number(kTileWidth, kShort, kTileSide);
             head.number(kTileLength, kShort, kTileSide);
-            head.array<std::uint64_t>(kTileOffsets, kLong8, page.offsets.size(), arrays, offset);
+            if (big)
+                head.array<std::uint64_t>(kTileOffsets, offsets, page.offsets.size(), arrays, offset);
+            else
+                head.array<std::uint32_t>(kTileOffsets, offsets, page.offsets.size(), arrays, offset);
             head.array<std::uint32_t>(kTileByteCounts, kLong, page.offsets.size(), arrays,
                                       [&](std::size_t) { return kTileTexels * bytes; });
         }
-        head.number(kSampleFormat, kShort, page.floats ? kFloats : kUnsigned);
+        head.array<std::uint16_t>(kSampleFormat, kShort, channels, arrays,
+                                  [&](std::size_t) { return page.floats ? kFloats : kUnsigned; });
         directory = text;
         head.end(p + 1 < pages.size() ? directory : 0);
     }

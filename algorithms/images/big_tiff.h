@@ -1,5 +1,5 @@
-// The directories of a BigTIFF file (TIFF 6.0 with 64-bit offsets), written and read without a library: libtiff decides
-// itself where tiles go, and cannot go on with a file that it has begun.
+// The directories of a TIFF file (TIFF 6.0, and BigTIFF, which has 64-bit offsets), written and read without a library:
+// libtiff decides itself where tiles go, and cannot go on with a file that it has begun.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,11 @@
 
 namespace relief {
 
-// An uncompressed grey picture in tiles of kTileSide texels or in one strip, little-endian.
+// An uncompressed picture, grey or RGB, in tiles of kTileSide texels or in one strip, little-endian.
 struct TiffPage {
     std::uint32_t width = 0, height = 0;
     int bits = 8;                        // of a number
+    int channels = 1;                    // 1: grey, 3: RGB, interleaved
     bool floats = false;                 // else unsigned integers
     bool reduced = false;                // a smaller version of another page
     bool tiled = true;                   // else one strip
@@ -23,11 +24,14 @@ struct TiffPage {
     bool operator==(const TiffPage&) const = default;
 };
 
-// Bytes of the head that tiffHead() makes of these pages; depends only on their number, descriptions and numbers of
-// offsets.
-std::size_t tiffHeadBytes(const std::vector<TiffPage>& pages);
+// Classic: offsets below 4 GiB, which every reader of TIFF reads; all pages in tiles.
+enum class TiffForm : std::uint8_t { Classic, Big };
+
+// Bytes of the head that tiffHead() makes of these pages; depends only on their number, descriptions, numbers of
+// channels and numbers of offsets.
+std::size_t tiffHeadBytes(const std::vector<TiffPage>& pages, TiffForm form = TiffForm::Big);
 // The file's first bytes: header, directories and arrays of offsets.
-std::vector<std::byte> tiffHead(const std::vector<TiffPage>& pages);
+std::vector<std::byte> tiffHead(const std::vector<TiffPage>& pages, TiffForm form = TiffForm::Big);
 
 // Reads the directories of a BigTIFF file one by one. For files of others: each number is checked before it is used.
 class TiffDirectories {

@@ -40,7 +40,7 @@ struct BandNumbers {
 }  // namespace
 
 BandFile readBandFile(const std::string& path) {
-    const PictureInput input(path, kMostBandPixels);
+    const PictureInput input(path, kMostBandPixels, PictureAccess::Rows);
     return {input.info(), input.bandText()};
 }
 

@@ -1,4 +1,4 @@
-// Joins bands of rows, each stored in a file of its own (PictureBand), to one picture.
+// Joins bands of rows, each stored in a file of its own (writeColor()), to one picture.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace relief {
 // ImageDescription.
 inline constexpr std::string_view kBandAttribute = "relief part";
 
-// Largest picture that joinBands makes, pixels.
-inline constexpr std::int64_t kMostBandPixels = std::int64_t{1} << 30;
+// Largest picture that is joined of bands, pixels.
+inline constexpr std::int64_t kMostBandPixels = std::int64_t{1} << 32;
 
 // Header of a band's file. text: the band's description, empty if the file is a picture but not a band.
 struct BandFile {

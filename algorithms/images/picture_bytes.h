@@ -28,7 +28,7 @@ struct DeclaredSize {
 std::optional<DeclaredSize> declaredSize(std::string_view format, std::span<const unsigned char> head);
 
 // Verifies every checksum of a PNG file and returns the file reduced to the chunks that its pixels need and a band's
-// text (PictureBand). std::nullopt if it is damaged or truncated: libpng would report that on stderr. Cost: one pass
+// text (writeColor()). std::nullopt if it is damaged or truncated: libpng would report that on stderr. Cost: one pass
 // over the bytes, about 1 GB/s.
 std::optional<Bytes> cleanPng(std::span<const unsigned char> file);
 

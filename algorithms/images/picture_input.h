@@ -80,7 +80,7 @@ class PictureInput {
     const ImageInfo& info() const { return info_; }
     // The file's ImageDescription; may be empty.
     std::string description() const;
-    // The text that a band was written with (PictureBand); empty if there is none.
+    // The text that a band was written with (writeColor()); empty if there is none.
     std::string bandText() const;
     // Index of the channel of that name, ignoring case; -1 if there is none.
     int channelIndex(std::string_view name) const;

@@ -2,11 +2,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 
 #include "base/parallel.h"
 #include "images/described_tiff.h"
 #include "images/picture_bands.h"
+#include "images/picture_layout.h"
 #include "images/picture_library.h"
 
 namespace relief {
@@ -66,16 +68,9 @@ void setColorSpace(Attributes& attributes, const Format& format, const std::stri
 }
 
 // Sets the text of a band if the format has a place for it.
-void setBandText(Attributes& attributes, const Format& format, const PictureBand* band) {
-    if (band == nullptr || band->text.empty()) return;
-    attributes.emplace_back(format.library == "tiff" ? "ImageDescription" : kBandAttribute, band->text);
-}
-
-// The given band, or one that covers all rows.
-PictureBand bandOf(const PictureBand* band, int height) {
-    const PictureBand rows = band != nullptr ? *band : PictureBand{0, height, {}};
-    assert(0 <= rows.begin && rows.begin <= rows.end && rows.end <= height);
-    return rows;
+void setBandText(Attributes& attributes, const Format& format, const std::string& text) {
+    if (text.empty()) return;
+    attributes.emplace_back(format.library == "tiff" ? "ImageDescription" : kBandAttribute, text);
 }
 
 // Encodes 8-bit sRGB by binary search among the light values at which the code changes: no power function per pixel,
@@ -108,27 +103,29 @@ void forIndices(std::size_t count, const Convert& convert) {
 
 }  // namespace
 
-void writeColor(const std::string& path, const ColorImage& image, const PictureBand* band) {
-    const Format& format = formatOf(path);
-    const PictureBand rows = bandOf(band, image.height());
-    const auto width = static_cast<std::size_t>(image.width());
-    const std::span<const Color> pixels = image.pixels().subspan(
-        width * static_cast<std::size_t>(rows.begin), width * static_cast<std::size_t>(rows.end - rows.begin));
-    PictureBlock block{image.width(), rows.end - rows.begin, {"R", "G", "B"}, format.light ? "float" : "uint8", {}, {}};
-    setColorSpace(block.attributes, format, format.light ? "Linear" : "sRGB");
-    setBandText(block.attributes, format, band);
-    if (format.light) {
-        static_assert(sizeof(Color) == 3 * sizeof(float));
-        writeBlock(path, format, std::move(block), pixels.data());
-        return;
+std::vector<std::byte> colorNumbers(const ColorImage& image, bool floats) {
+    static_assert(sizeof(Color) == 3 * sizeof(float));
+    const std::span<const Color> pixels = image.pixels();
+    std::vector<std::byte> numbers(pixels.size() * (floats ? sizeof(Color) : 3));
+    if (floats) {
+        std::memcpy(numbers.data(), pixels.data(), numbers.size());
+        return numbers;
     }
-    if (format.library == "jpeg") block.attributes.emplace_back("Compression", "jpeg:95");
     const SrgbCodes codes;
-    std::vector<std::uint8_t> bytes(pixels.size() * 3);
     forIndices(pixels.size(), [&](std::size_t i) {
-        for (int c = 0; c < 3; ++c) bytes[3 * i + static_cast<std::size_t>(c)] = codes(pixels[i][c]);
+        for (int c = 0; c < 3; ++c) numbers[3 * i + static_cast<std::size_t>(c)] = std::byte{codes(pixels[i][c])};
     });
-    writeBlock(path, format, std::move(block), bytes.data());
+    return numbers;
+}
+
+void writeColor(const std::string& path, const ColorImage& image, const std::string& bandText) {
+    const Format& format = formatOf(path);
+    PictureBlock block{image.width(), image.height(), {"R", "G", "B"}, format.light ? "float" : "uint8", {}, {}};
+    setColorSpace(block.attributes, format, format.light ? "Linear" : "sRGB");
+    setBandText(block.attributes, format, bandText);
+    if (format.light) return writeBlock(path, format, std::move(block), image.data());
+    if (format.library == "jpeg") block.attributes.emplace_back("Compression", "jpeg:95");
+    writeBlock(path, format, std::move(block), colorNumbers(image, false).data());
 }
 
 void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers) {
@@ -155,29 +152,33 @@ void writeHeight(const std::string& path, const FloatImage& heights, bool asFloa
     writeBlock(path, format, {heights.width(), heights.height(), {"Y"}, "uint16", {}, {}}, codes.data());
 }
 
-void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band) {
+std::vector<std::byte> planeNumbers(const std::vector<NamedPlane>& planes) {
+    assert(!planes.empty());
+    const std::size_t count = planes.size(), pixels = planes.front().plane.size();
+    std::vector<std::byte> numbers(pixels * count * sizeof(float));
+    forIndices(pixels, [&](std::size_t i) {
+        for (std::size_t c = 0; c < count; ++c) {
+            const float number = planes[c].plane.pixels()[i];
+            std::memcpy(numbers.data() + (i * count + c) * sizeof number, &number, sizeof number);
+        }
+    });
+    return numbers;
+}
+
+void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const std::string& bandText) {
     assert(!planes.empty());
     const Format& format = formatOf(path);
     if (format.library != "openexr")
         throw InputError(path,
                          Message(MessageId::FormatNotForThis, {{"extension", extensionOf(path)}, {"known", "exr"}}));
     const FloatImage& first = planes.front().plane;
-    const std::size_t count = planes.size();
-    const PictureBand rows = bandOf(band, first.height());
-    const int height = rows.end - rows.begin;
-    PictureBlock block{first.width(), height, {}, "float", {}, {}};
-    setBandText(block.attributes, format, band);
+    PictureBlock block{first.width(), first.height(), {}, "float", {}, {}};
+    setBandText(block.attributes, format, bandText);
     for (const NamedPlane& plane : planes) {
         assert(plane.plane.width() == first.width() && plane.plane.height() == first.height());
         block.channels.push_back(plane.name);
     }
-    const auto width = static_cast<std::size_t>(first.width());
-    const std::size_t skipped = width * static_cast<std::size_t>(rows.begin);
-    std::vector<float> numbers(width * static_cast<std::size_t>(height) * count);
-    forIndices(numbers.size() / count, [&](std::size_t i) {
-        for (std::size_t c = 0; c < count; ++c) numbers[i * count + c] = planes[c].plane.pixels()[skipped + i];
-    });
-    writeBlock(path, format, std::move(block), numbers.data());
+    writeBlock(path, format, std::move(block), planeNumbers(planes).data());
 }
 
 namespace {

@@ -33,7 +33,9 @@ struct FrameBuffers;
 struct FrameSetup;
 struct HeightBoundsMap;
 
-inline constexpr int kMaxPictureSide = 1 << 15;
+// Largest side of a picture, pixels; and of a procedural relief that is made in memory, texels.
+inline constexpr int kMaxPictureSide = 1 << 16;
+inline constexpr int kMaxReliefSide = 1 << 15;
 inline constexpr double kMaxBounded = 4;
 
 // All inputs of a frame, by value; pictures are shared and immutable.
@@ -112,7 +114,7 @@ struct Frame {
     int width = 0;
     int height = 0;
     // rows: those of this frame, all but in the parts that FrameRenderer::picture() hands out. stored: those whose
-    // stages are in the buffers (the light stage always has the whole picture).
+    // stages are in the buffers.
     RowRange rows, stored;
     std::shared_ptr<const RayStage> rays;
     std::shared_ptr<const HitStage> hits;
@@ -137,6 +139,7 @@ struct Frame {
     std::map<MessageId, double> counters;  // by the messages Count...; only those that apply to this frame
     double seconds = 0;
     double countSeconds = 0;  // time taken by counting steps and reads
+    RowRange lit;             // rows that the light stage holds: all, but with PictureParts::onlyRows
 
     // Index in the stages' buffers of a pixel of the rows `stored`.
     std::size_t index(int x, int y) const {
@@ -165,15 +168,14 @@ struct PictureParts {
     std::function<void(const Frame& part)> done{};
     // Rows of a part, a multiple of 32; 0: enough to keep all threads busy.
     int rows = 0;
-    // The rows of the picture to make, with the same bits as in the whole picture; empty: all. Up to 31 more rows on
-    // either side are made; in all other rows the light stage and the layers are undefined. The light stage always has
-    // the whole picture's size.
+    // The rows of the picture to make, with the same bits as in the whole picture; empty: all. The light stage holds
+    // these rows alone; of the other stages up to 31 more rows on either side are made.
     RowRange onlyRows{};
 };
 
 // Returns the largest number of bytes that FrameRenderer::picture() takes, without maps and the filter's levels.
-// threads: number of threads of its Work.
-std::uint64_t pictureBytes(const FrameRequest& request, int threads);
+// threads: number of threads of its Work. rows: PictureParts::onlyRows.
+std::uint64_t pictureBytes(const FrameRequest& request, int threads, RowRange rows = {});
 
 // Keeps the buffers of the last frame and computes only the stages whose inputs changed. Use one renderer per window
 // pane or command; it must not be used by several threads at once (the work inside is parallel). Frames stay valid as
@@ -267,18 +269,20 @@ std::vector<NamedPlane> layerPlanes(const Frame& frame, const FrameRequest& requ
 // Layer planes of a picture that is made in parts (FrameRenderer::picture()).
 class LayerPlanes {
   public:
-    // Throws InputError("--layers", ...) for unknown names. Keeps a reference to maps.
-    LayerPlanes(const FrameRequest& request, const std::vector<std::string>& layers, MapCache& maps);
+    // rows: the rows that the planes hold, PictureParts::onlyRows; empty: all. Throws InputError("--layers", ...) for
+    // unknown names. Keeps a reference to maps.
+    LayerPlanes(const FrameRequest& request, const std::vector<std::string>& layers, MapCache& maps,
+                RowRange rows = {});
     ~LayerPlanes();
     LayerPlanes(const LayerPlanes&) = delete;
     LayerPlanes& operator=(const LayerPlanes&) = delete;
 
-    // Fills part.rows of all layers except color. Throws Cancelled.
+    // Fills those of part.rows that the planes hold, in all layers except color. Throws Cancelled.
     void add(const Frame& part, const FrameRequest& request, Work& work);
     // Moves out all planes; color is taken from the frame's light stage.
     std::vector<NamedPlane> take(const Frame& frame);
-    // Returns the peak bytes of the planes: their own size, and as much again while they are written.
-    static std::uint64_t bytes(const FrameRequest& request, const std::vector<std::string>& layers);
+    // Returns the peak bytes of this number of rows: the planes' own size, and as much again while they are written.
+    static std::uint64_t bytes(const FrameRequest& request, const std::vector<std::string>& layers, int rows);
 
   private:
     struct Tools;
@@ -286,8 +290,11 @@ class LayerPlanes {
     std::vector<std::string> layers_;
     MapCache& maps_;
     std::unique_ptr<Tools> tools_;
+    RowRange rows_;
     std::vector<NamedPlane> planes_;
 };
+// Returns the names of the layers' planes, in their order. Throws InputError("--layers", ...).
+std::vector<std::string> layerPlaneNames(const std::vector<std::string>& layers);
 // Returns the names of all layers.
 const std::vector<std::string>& layerNames();
 

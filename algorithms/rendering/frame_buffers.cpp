@@ -38,8 +38,8 @@ void fitTiles(Kept<T>& buffer, const Frame& frame, bool skip) {
     buffer.blank.assign(static_cast<std::size_t>(tilesAcross(frame.width) * tilesDown(frame.height)), 0);
 }
 
-void fit(ColorImage& image, const Frame& frame) {
-    if (image.width() != frame.width || image.height() != frame.height) image = ColorImage(frame.width, frame.height);
+void fit(ColorImage& image, int width, int height) {
+    if (image.width() != width || image.height() != height) image = ColorImage(width, height);
 }
 
 template <class T>
@@ -68,8 +68,7 @@ void fitBand(FrameBuffers& band, const Frame& frame, int rows, const FrameReques
     made(band.rays), made(band.hits);
     overColumns(band, [&](auto& column) { column.resize(pixels); });
     for (auto* column : {&band.hits->hits.steps, &band.hits->hits.reads}) column->resize(counts ? pixels : 0);
-    ColorImage& color = made(band.color)->color;
-    if (color.width() != frame.width || color.height() != rows) color = ColorImage(frame.width, rows);
+    fit(made(band.color)->color, frame.width, rows);
     made(band.shadows)->shadowed.resize(request.shadows ? pixels : 0);
     const auto tiles = static_cast<std::size_t>(tilesAcross(frame.width) * tilesDown(rows));
     for (auto* blank : {&band.rays->blank, &band.hits->blank, &band.color->blank}) blank->assign(tiles, 0);
@@ -90,7 +89,7 @@ void shiftBand(FrameBuffers& band, const Frame& frame, int rows) {
 
 std::shared_ptr<LightStage> fitLight(std::shared_ptr<LightStage>& light, const Frame& frame) {
     light = taken(light, true);
-    fit(light->color, frame);
+    fit(light->color, frame.width, frame.lit.end - frame.lit.begin);
     return light;
 }
 
@@ -123,7 +122,7 @@ FrameBuffers allocateBuffers(Frame& frame, const Frame* last, FrameBuffers& spar
     }
     if (has(stale, Stage::Color)) {
         buffers.color = taken(spare.color, true);
-        fit(buffers.color->color, frame);
+        fit(buffers.color->color, frame.width, frame.height);
         fitTiles(*buffers.color, frame, request.skip);
     }
     if (has(stale, Stage::Shadows)) {
@@ -132,7 +131,7 @@ FrameBuffers allocateBuffers(Frame& frame, const Frame* last, FrameBuffers& spar
     }
     if (has(stale, Stage::Light)) {
         buffers.light = taken(spare.light, true);
-        fit(buffers.light->color, frame);
+        fit(buffers.light->color, frame.width, frame.height);
     }
     frame.rays = buffers.rays ? buffers.rays : last->rays;
     frame.hits = buffers.hits ? buffers.hits : last->hits;

@@ -55,7 +55,7 @@ void fitBand(FrameBuffers& band, const Frame& frame, int rows, const FrameReques
 // Discards this many rows at the top and moves the others up.
 void shiftBand(FrameBuffers& band, const Frame& frame, int rows);
 
-// Returns a light stage of the frame's picture size: the given one if no other owner holds it, or else a new one.
+// Returns a light stage of the size of frame.lit: the given one if no other owner holds it, or else a new one.
 std::shared_ptr<LightStage> fitLight(std::shared_ptr<LightStage>& light, const Frame& frame);
 
 // Returns buffers for stale stages, which the tiles must clear; the frame points to those that its later stages read.

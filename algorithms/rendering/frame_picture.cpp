@@ -1,4 +1,4 @@
-// Pictures for one use: all stages but light are kept only for a band of rows, the light stage for the whole picture.
+// Pictures for one use: all stages but light are kept only for a band of rows, the light stage for all rows made.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -97,16 +97,21 @@ RowRange madeRows(const RowRange& wanted, int height) {
 
 }  // namespace
 
-std::uint64_t pictureBytes(const FrameRequest& request, int threads) {
-    const bool samples = request.filter.name == kSupersample;
+std::uint64_t pictureBytes(const FrameRequest& request, int threads, RowRange rows) {
+    const bool samples = request.filter.name == kSupersample, whole = rows.begin == rows.end;
     const int ring = samples ? kGaussianRing : 0;
-    const auto width = static_cast<std::uint64_t>(request.width + 2 * ring);
-    const auto height = static_cast<std::uint64_t>(request.height + 2 * ring);
+    const int lit = (whole ? request.height : rows.end - rows.begin) + 2 * ring;
+    const int made = std::min(request.height + 2 * ring, whole ? lit : lit + 2 * (kTileHeight - 1));
     // Sample passes use the bilinear filter, which needs no halo.
-    const int rows = bandRows(request.width + 2 * ring, threads) + (samples ? 0 : 2 * kHaloRows);
-    return byteSum({byteProduct({width, height, sizeof(Color)}),
-                    byteProduct({width, std::min(height, static_cast<std::uint64_t>(rows)), kStageBytes + kCountBytes}),
-                    samples ? byteProduct({width, height, sizeof(glm::dvec3)}) : 0});
+    const int halo = samples ? 0 : 2 * kHaloRows;
+    const int stored =
+        std::min(std::min(bandRows(request.width + 2 * ring, threads), made) + halo, request.height + 2 * ring);
+    const auto bytes = [&](int height, std::size_t each) {
+        return byteProduct(
+            {static_cast<std::uint64_t>(request.width + 2 * ring), static_cast<std::uint64_t>(height), each});
+    };
+    return byteSum({bytes(lit, sizeof(Color)), bytes(stored, kStageBytes + kCountBytes),
+                    samples ? bytes(lit, sizeof(glm::dvec3)) : 0});
 }
 
 std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request, Work& work,
@@ -116,7 +121,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     const int threads = work.threads().size();
     const bool counts = parts.counts || request.counts;
     if (!partOfMore_) {
-        requireMemory(pictureBytes(request, threads), sizeSubject(request), MemoryHint::SmallerSize);
+        requireMemory(pictureBytes(request, threads, parts.onlyRows), sizeSubject(request), MemoryHint::SmallerSize);
     }
     const std::unique_ptr<FrameSetup> setup = madeSetup(request, changedSince(request), kAllStages, work);
     Frame& frame = *setup->frame;
@@ -124,12 +129,13 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     if (!band_) band_ = std::make_shared<FrameBuffers>();
     const int halo = TileWorker::hitsFirst(frame, request, kAllStages) ? kHaloRows : 0;
     const bool mesh = setup->mesh != nullptr;
-    const int rows = parts.rows > 0 ? parts.rows : bandRows(frame.width, threads);
-    assert(rows % kTileHeight == 0);
+    assert(parts.rows % kTileHeight == 0);
+    const RowRange made = madeRows(parts.onlyRows, frame.height);
+    const int rows = std::min(parts.rows > 0 ? parts.rows : bandRows(frame.width, threads), made.end - made.begin);
     fitBand(*band_, frame, std::min(frame.height, rows + 2 * halo), request, counts || mesh);
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
+    if (parts.onlyRows.begin != parts.onlyRows.end) frame.lit = parts.onlyRows;
     frame.light = fitLight(band_->light, frame);
-    const RowRange made = madeRows(parts.onlyRows, frame.height);
     if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.end - made.begin));
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
     for (int y = made.begin; y < made.end; y += rows) {

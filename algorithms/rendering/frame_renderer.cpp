@@ -104,7 +104,7 @@ std::shared_ptr<Frame> describedFrame(const FrameRequest& request) {
     auto frame = std::make_shared<Frame>();
     frame->width = request.width;
     frame->height = request.height;
-    frame->rows = frame->stored = {0, request.height};
+    frame->rows = frame->stored = frame->lit = {0, request.height};
     frame->slabTexels = request.field.slabTexels();
     frame->polygons = makeScene(request.scene, request.field.width(), request.field.height());
     frame->camera = requestCamera(request);

@@ -1,4 +1,5 @@
 // Layers: per-pixel data of a frame as planes of numbers.
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
@@ -105,26 +106,27 @@ std::array<float, 3> layerValues(const std::string& name, const Frame& frame, co
 
 struct LayerPlanes::Tools : LayerTools {};
 
-LayerPlanes::LayerPlanes(const FrameRequest& request, const std::vector<std::string>& layers, MapCache& maps)
-    : layers_(layers), maps_(maps), tools_(std::make_unique<Tools>()) {
-    for (const std::string& name : layers_) {
-        for (const char* plane : findLayer(name).planes) {
-            planes_.push_back({plane, FloatImage(request.width, request.height)});
-        }
+LayerPlanes::LayerPlanes(const FrameRequest& request, const std::vector<std::string>& layers, MapCache& maps,
+                         RowRange rows)
+    : layers_(layers),
+      maps_(maps),
+      tools_(std::make_unique<Tools>()),
+      rows_(rows.begin == rows.end ? RowRange{0, request.height} : rows) {
+    for (const std::string& plane : layerPlaneNames(layers_)) {
+        planes_.push_back({plane, FloatImage(request.width, rows_.end - rows_.begin)});
     }
 }
 
 LayerPlanes::~LayerPlanes() = default;
 
-std::uint64_t LayerPlanes::bytes(const FrameRequest& request, const std::vector<std::string>& layers) {
-    std::uint64_t planes = 0;
-    for (const std::string& name : layers) planes += findLayer(name).planes.size();
-    return byteProduct({static_cast<std::uint64_t>(request.width), static_cast<std::uint64_t>(request.height), planes,
-                        2 * sizeof(float)});
+std::uint64_t LayerPlanes::bytes(const FrameRequest& request, const std::vector<std::string>& layers, int rows) {
+    return byteProduct({static_cast<std::uint64_t>(request.width), static_cast<std::uint64_t>(rows),
+                        layerPlaneNames(layers).size(), 2 * sizeof(float)});
 }
 
 void LayerPlanes::add(const Frame& part, const FrameRequest& request, Work& work) {
     Tools& tools = *tools_;
+    const RowRange rows{std::max(part.rows.begin, rows_.begin), std::min(part.rows.end, rows_.end)};
     std::size_t first = 0;
     for (const std::string& name : layers_) {
         const std::size_t count = findLayer(name).planes.size();
@@ -134,11 +136,11 @@ void LayerPlanes::add(const Frame& part, const FrameRequest& request, Work& work
         if (name == "hidden" && !std::exchange(tools.visibleFilterMade, true)) {
             tools.visibleFilter = visibleFilterOf(part, request, maps_, work);
         }
-        for (int y = part.rows.begin; y < part.rows.end && name != "color"; ++y) {
+        for (int y = rows.begin; y < rows.end && name != "color"; ++y) {
             work.throwIfStopped();
             for (int x = 0; x < part.width; ++x) {
                 const std::array<float, 3> values = layerValues(name, part, request, tools, x, y, work);
-                for (std::size_t k = 0; k < count; ++k) planes_[first + k].plane(x, y) = values[k];
+                for (std::size_t k = 0; k < count; ++k) planes_[first + k].plane(x, y - rows_.begin) = values[k];
             }
         }
         first += count;
@@ -155,6 +157,15 @@ std::vector<NamedPlane> LayerPlanes::take(const Frame& frame) {
         first += findLayer(name).planes.size();
     }
     return std::move(planes_);
+}
+
+std::vector<std::string> layerPlaneNames(const std::vector<std::string>& layers) {
+    std::vector<std::string> names;
+    for (const std::string& layer : layers) {
+        const auto& planes = findLayer(layer).planes;
+        names.insert(names.end(), planes.begin(), planes.end());
+    }
+    return names;
 }
 
 const std::vector<std::string>& layerNames() {

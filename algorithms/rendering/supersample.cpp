@@ -87,7 +87,7 @@ SampleSums::SampleSums(int width, int height, PixelModel model, int margin)
     assert(margin >= 0 && margin <= kGaussianRing);
 }
 
-void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work, RowRange rows) {
+void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work) {
     assert(pass.width() == sums_.width() + 2 * margin() && pass.height() == sums_.height() + 2 * margin());
     const ChannelWeights across = channelWeights(model_, PixelAxis::Across, place.x);
     const ChannelWeights down = channelWeights(model_, PixelAxis::Down, place.y);
@@ -97,9 +97,7 @@ void SampleSums::add(const ColorImage& pass, glm::dvec2 place, Work& work, RowRa
     for (const glm::dvec3& w : down) weightDown += w;
     weight_ += weightAcross * weightDown;
     const int ring = margin();
-    if (rows.begin == rows.end) rows = {0, sums_.height()};
-    parallelFor(work, rows.end - rows.begin, [&](int i) {
-        const int y = rows.begin + i;
+    parallelFor(work, sums_.height(), [&](int y) {
         std::vector<glm::dvec3> row(static_cast<std::size_t>(pass.width()), glm::dvec3(0));
         // A sample whose own pixel is n pixels left of or above a pixel sees that pixel n to its right or below it.
         for (int n = -ring; n <= ring; ++n) {
@@ -165,7 +163,8 @@ std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer&
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
                         const FrameRenderer::Snapshot& snapshot, std::map<MessageId, double>& counters, RowRange rows) {
     const int samples = request.filter.samples;
-    SampleSums sums(request.width, request.height, request.filter.pixelModel);
+    const bool whole = rows.begin == rows.end;
+    SampleSums sums(request.width, whole ? request.height : rows.end - rows.begin, request.filter.pixelModel);
     FrameRequest pass = withRing(request, sums.margin());
     pass.filter = {};
     const std::vector<glm::ivec2> order = sampleOrder(samples);
@@ -174,11 +173,11 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
     auto renderer = std::make_unique<FrameRenderer>(maps, true);
     PictureParts parts;
     // The pass begins `margin` rows higher, and every pixel needs the same number of rows above and below it.
-    if (rows.begin != rows.end) parts.onlyRows = {rows.begin, rows.end + 2 * sums.margin()};
+    if (!whole) parts.onlyRows = {rows.begin, rows.end + 2 * sums.margin()};
     for (int done = 0; done < total; ++done) {
         pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
         const auto frame = renderer->picture(pass, work, parts);
-        sums.add(frame->light->color, pass.sample, work, rows);
+        sums.add(frame->light->color, pass.sample, work);
         for (const auto& [one, all] : {std::pair(MessageId::CountRaysTraced, MessageId::CountSampleRays),
                                        std::pair(MessageId::CountSteps, MessageId::CountSampleSteps)}) {
             const auto found = frame->counters.find(one);

@@ -46,9 +46,8 @@ class SampleSums {
     SampleSums(int width, int height, PixelModel model, int margin);
 
     int margin() const { return margin_; }
-    // Adds a pass. place: position of its samples in their pixels, [0, 1]^2. rows: the rows whose sums are needed;
-    // empty: all.
-    void add(const ColorImage& pass, glm::dvec2 place, Work& work, RowRange rows = {});
+    // Adds a pass. place: position of its samples in their pixels, [0, 1]^2.
+    void add(const ColorImage& pass, glm::dvec2 place, Work& work);
     // Returns true if every channel has received a sample.
     bool complete() const { return weight_.x > 0 && weight_.y > 0 && weight_.z > 0; }
     ColorImage mean(Work& work) const;  // requires complete()
@@ -72,7 +71,7 @@ std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer&
 
 // Returns the supersampled picture of the request, whose filter gives N and the model; all other settings are used
 // unchanged. Adds the counters CountSamples, CountSampleRays and, if the request counts, CountSampleSteps. rows: the
-// rows to make, of a picture of the whole size; empty: all. Throws what FrameRenderer::render throws.
+// rows to make, which alone are returned; empty: all. Throws what FrameRenderer::render throws.
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
                         const FrameRenderer::Snapshot& snapshot, std::map<MessageId, double>& counters,
                         RowRange rows = {});

@@ -128,7 +128,7 @@ void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facin
 // Fills the tile's light stage with the sky's colour.
 void TileWorker::fillSky(const PixelArea& tile) const {
     for (int y = tile.y0; y < tile.y1; ++y) {
-        std::fill_n(buffers_.light->color.row(y).begin() + tile.x0, tile.x1 - tile.x0, request_.sky);
+        std::fill_n(buffers_.light->color.row(y - frame_.lit.begin).begin() + tile.x0, tile.x1 - tile.x0, request_.sky);
     }
 }
 
@@ -141,7 +141,7 @@ void TileWorker::lightHits(const PixelArea& tile) const {
     std::array<float, kTileWidth> amount;
     overPixels(tile, [&](int x, int y, std::size_t i) {
         if (x == tile.x0) {
-            out = buffers_.light->color.row(y);
+            out = buffers_.light->color.row(y - frame_.lit.begin);
             faceLight(tile, y, facing);
             if (!shadowed.empty()) {
                 for (int n = 0; n < tile.x1 - x; ++n) {

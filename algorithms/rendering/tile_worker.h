@@ -67,10 +67,11 @@ class TileWorker {
         });
     }
     void shade(const PixelArea& tile, Work& work) const {
-        if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(tile); });
+        const PixelArea lit{tile.x0, std::max(tile.y0, frame_.lit.begin), tile.x1, std::min(tile.y1, frame_.lit.end)};
+        if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(lit); });
         timed(Stage::Color, [&] { colorHits(tile, work); });
         timed(Stage::Shadows, [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, work); }); });
-        timed(Stage::Light, [&] { lightHits(tile); });
+        timed(Stage::Light, [&] { lightHits(lit); });
     }
 
   private:

@@ -187,9 +187,9 @@ void checkPictures(const Pictures& pictures, const std::string& subject, const S
         [&] { checkWhole("max-pixels", pictures.reading.maxPixels, 1, kUnlimited, subject); });
     if (!pictures.recipe.empty()) {
         run({"pictures", "recipe", "width"},
-            [&] { checkWhole("width", pictures.recipeWidth, 1, kMaxPictureSide, subject); });
+            [&] { checkWhole("width", pictures.recipeWidth, 1, kMaxReliefSide, subject); });
         run({"pictures", "recipe", "height"},
-            [&] { checkWhole("height", pictures.recipeHeight, 1, kMaxPictureSide, subject); });
+            [&] { checkWhole("height", pictures.recipeHeight, 1, kMaxReliefSide, subject); });
         run({"pictures", "recipe"}, [&] {
             checkRecipeSize(findRecipe(pictures.recipe, subject), pictures.recipeWidth, pictures.recipeHeight);
         });

@@ -43,7 +43,7 @@ std::vector<Pictures> chosenPictures(const BenchCommandOptions& given) {
     given.reading.apply(plain.reading);
     if (given.memory) plain.memory = parseTileMemory(*given.memory);
     const std::vector<std::string> sizes = given.sizes ? splitText(*given.sizes, ',') : std::vector<std::string>{};
-    for (const std::string& size : sizes) parseSize(size, "--sizes", kMaxPictureSide);  // throws
+    for (const std::string& size : sizes) parseSize(size, "--sizes", kMaxReliefSide);  // throws
     const auto addSized = [&](const std::string& recipe) {
         for (const std::string& size : sizes) {
             all.push_back(plain);

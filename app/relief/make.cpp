@@ -41,7 +41,7 @@ Pictures chosenRelief(const MakeOptions& options) {
 
 // Whether such a relief is too large for commands that read height maps as a whole.
 bool exceedsMemory(const Pictures& relief) {
-    return relief.drawn.empty() && (std::max(relief.recipeWidth, relief.recipeHeight) > kMaxPictureSide ||
+    return relief.drawn.empty() && (std::max(relief.recipeWidth, relief.recipeHeight) > kMaxReliefSide ||
                                     std::int64_t{relief.recipeWidth} * relief.recipeHeight > kDefaultMaxPixels);
 }
 
@@ -73,17 +73,17 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<MakeOptions>();
     std::string names;
     for (const ReliefRecipe& recipe : reliefRecipes()) names.append(names.empty() ? "" : ", ").append(recipe.name);
-    CLI::App* parser = addCommand(program, "make", "make a procedural height map",
-                                  "Writes a procedural height map. The same seed gives the same bits on every machine. "
-                                  ".png and .tif hold 16-bit integers, .exr 32-bit floats. A map of more than " +
-                                      std::to_string(kDefaultMaxPixels) + " texels, or longer than " +
-                                      std::to_string(kMaxPictureSide) +
-                                      " on a side, is made row by row, in little memory, and written as the tiled TIFF "
-                                      "of relief tile, which other commands read with --memory. The reliefs: " +
-                                      names + "; relief list reliefs describes them.",
-                                  "  relief make bricks --size 512 --seed 7 -o bricks.png\n"
-                                  "  relief make bricks:512x256:7 -o bricks.png\n"
-                                  "  relief make fractal --size 65536 -o terrain.tif");
+    CLI::App* parser =
+        addCommand(program, "make", "make a procedural height map",
+                   "Writes a procedural height map. The same seed gives the same bits on every machine. "
+                   ".png and .tif hold 16-bit integers, .exr 32-bit floats. A map of more than " +
+                       std::to_string(kDefaultMaxPixels) + " texels, or longer than " + std::to_string(kMaxReliefSide) +
+                       " on a side, is made row by row, in little memory, and written as the tiled TIFF "
+                       "of relief tile, which other commands read with --memory. The reliefs: " +
+                       names + "; relief list reliefs describes them.",
+                   "  relief make bricks --size 512 --seed 7 -o bricks.png\n"
+                   "  relief make bricks:512x256:7 -o bricks.png\n"
+                   "  relief make fractal --size 65536 -o terrain.tif");
     addArgument(*parser, "RELIEF", options->relief, "name of the relief; size and seed may follow, as in bricks:512:7");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
     addText(*parser, "--size", options->size, "WxH|N",

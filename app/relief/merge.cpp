@@ -10,6 +10,7 @@
 
 #include "help_formatter.h"
 #include "images/picture_bands.h"
+#include "images/placed_file.h"
 #include "merge_tables.h"
 #include "options_common.h"
 #include "output.h"
@@ -29,7 +30,8 @@ enum class Content : std::uint8_t { Table, Record, Picture };
 // A part as read from its file; `text` is empty if it is a picture.
 struct MergedPart : TextPart {
     Content content = Content::Table;
-    ImageInfo info{};  // of a picture only
+    ImageInfo info{};    // of a picture only
+    std::string line{};  // the part line as it stands in a picture
 };
 
 [[noreturn]] void failNoPart(const std::string& path) {
@@ -52,6 +54,7 @@ MergedPart readPicture(const std::string& path) {
     if (!part) failNoPart(path);
     read.part = std::move(*part);
     read.info = std::move(band.info);
+    read.line = std::move(band.text);
     return read;
 }
 
@@ -99,12 +102,37 @@ void checkBands(const std::vector<MergedPart>& parts) {
     }
 }
 
+// Returns the part as a file of rows at their places. Throws InputError if it is none.
+PlacedPart placedPart(const MergedPart& part, int height) {
+    const Json& more = part.part.more;
+    const bool exr = part.info.format == "openexr", last = part.part.part == part.part.of;
+    const int begin = more.at("first").get<int>(), end = more.at("end").get<int>();
+    const bool groups = begin % PictureLayout::kGroup == 0 && (last || end % PictureLayout::kGroup == 0) && begin < end;
+    const std::vector<std::string>& channels = part.info.channels;
+    const bool rgb = channels == std::vector<std::string>{"R", "G", "B"};
+    if (!groups || !more.value("tiled", false) || (!exr && !rgb)) {
+        throw InputError(part.path, Message(MessageId::FileTruncated));
+    }
+    return {part.path, PictureLayout({exr, part.info.width, height, begin, end, channels, part.line})};
+}
+
 void mergePictures(const std::vector<MergedPart>& parts, const std::string& output, Session& session) {
     const std::string& format = parts.front().info.format;
     checkOutput(output, format == "tiff"      ? std::vector<std::string>{"tif", "tiff"}
                         : format == "openexr" ? std::vector<std::string>{"exr"}
                                               : std::vector<std::string>{format});
     checkBands(parts);
+    if (parts.front().part.more.contains("tiled")) {
+        std::vector<PlacedPart> placed;
+        for (const MergedPart& part : parts) {
+            if (part.info.width != parts.front().info.width || part.info.channels != parts.front().info.channels) {
+                throw InputError(part.path, Message(MessageId::BandMisfit, {{"other", parts.front().path}}));
+            }
+            placed.push_back(placedPart(part, parts.back().part.more.at("end").get<int>()));
+        }
+        joinPlaced(placed, output, session.work());
+        return;
+    }
     std::vector<std::string> files;
     for (const MergedPart& part : parts) files.push_back(part.path);
     joinBands(files, output, session.work());

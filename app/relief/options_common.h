@@ -75,7 +75,7 @@ std::uint64_t parseSeed(const std::string& text, const std::string& option);
 // Parses the value of --relief: "bricks", "bricks:512", "bricks:512x256", "bricks:512x256:7". Sides up to mostSide, and
 // no more texels than reading.maxPixels.
 void applyRecipe(Pictures& pictures, const std::string& text, const std::string& option = "--relief",
-                 int mostSide = kMaxPictureSide);
+                 int mostSide = kMaxReliefSide);
 // Splits the text at each separator; empty parts are kept.
 std::vector<std::string> splitText(const std::string& text, char separator);
 

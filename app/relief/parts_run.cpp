@@ -46,6 +46,7 @@ class Ledger {
         }
         const auto readable = [&](const Json& result) { return !run.readable || run.readable(result); };
         Journal::Earlier earlier = journal_->takeEarlier();
+        if (run.started) run.started(!earlier.results.empty());
         for (auto& [part, counts] : earlier.counts) {
             if (!passes_ || !readable(counts)) continue;
             counts_[part] = std::move(counts);
@@ -155,6 +156,15 @@ void reportStopped(const PartsRun& run, const Ledger& ledger, Session& session) 
     session.note(ledger.journal()->path(), Message(message, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 
+// Throws the error again; if the journal holds results, it says so and how to resume.
+[[noreturn]] void throwKept(const WorkError& error, const PartsRun& run, const Ledger& ledger) {
+    if (ledger.journal() == nullptr || !ledger.journal()->hasResults()) throw error;
+    throw WorkError(error.subject(), Message(MessageId::TiledKept, {MessageValue("why", error.message()),
+                                                                    {"done", ledger.done()},
+                                                                    {"total", run.parts},
+                                                                    {"part", ledger.journal()->path()}}));
+}
+
 PartsDone alone(const PartsRun& run, Session& session) {
     Ledger ledger(run, {hostName()}, session);
     try {
@@ -165,6 +175,8 @@ PartsDone alone(const PartsRun& run, Session& session) {
     } catch (const Cancelled&) {
         if (ledger.journal() != nullptr) reportStopped(run, ledger, session);
         throw;
+    } catch (const WorkError& error) {
+        throwKept(error, run, ledger);
     }
     session.eraseBar();
     return ledger.take();
@@ -301,6 +313,8 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
     } catch (const Cancelled&) {
         reportStopped(run, *ledger, session);
         throw;
+    } catch (const WorkError& error) {
+        throwKept(error, run, *ledger);
     }
     session.eraseBar();
     reportRanks(*ledger, team, session);

@@ -29,6 +29,9 @@ struct PartsRun {
     std::function<int(std::size_t)> threads = [](std::size_t) { return 0; };
     std::function<Json(Task, Work&)> measure;
     std::function<Json(Json counts, const Json& times)> combine;  // joins counts and times of timed runs
+    // Called on rank 0, or in a single process, as soon as no other run can have this output, before `readable`.
+    // resumed: the journal holds results of an earlier run. Null: nothing to do.
+    std::function<void(bool resumed)> started;
     // Returns true if a result of a journal has this run's form; parts with other results are done again. Null: all
     // have.
     std::function<bool(const Json& result)> readable;

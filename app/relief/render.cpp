@@ -1,56 +1,38 @@
 // relief render [PICTURE | SCENARIO.json] [options] -o FILE [--layers NAME,...] [--report FILE.json | --part K/N]
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <filesystem>
+#include <cstdlib>
 #include <optional>
+#include <span>
 
 #include <nlohmann/json.hpp>
 
 #include "images/picture_bands.h"
-#include "measuring/bench/base_level_measure.h"
+#include "images/placed_file.h"
+#include "one_picture.h"
 #include "options_common.h"
 #include "output.h"
 #include "part.h"
 #include "parts_run.h"
 #include "render_many.h"
-#include "rendering/ellipse_error.h"
-#include "rendering/skip_ledger.h"
 #include "scratch_folder.h"
 #include "team.h"
-#include "tiles_report.h"
 
 namespace relief::app {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+// Largest .tif and .exr, in pixels, that is not written in tiles unless --tiled is given.
+constexpr std::int64_t kMostWholePixels = std::int64_t{1} << 26;
+// Largest side of a picture in the formats that have limits of their own.
+constexpr int kMostSide = 1 << 15;
 
 struct RenderOptions {
     ScenarioOptions scenario;
     ManyFrames many;
     OptionText output, layers, report, part;
+    bool tiled = false;
     RunOptions run;
 };
-
-// Wall-clock time of the command's stages.
-struct Seconds {
-    double load = 0;
-    double render = 0;
-    double count = 0;  // counting steps and reads, for reports and the layer of steps
-    double write = 0;  // includes making the layers
-};
-
-template <class Body>
-auto timed(double& seconds, const Body& body) {
-    struct Stop {
-        double& seconds;
-        Clock::time_point begin = Clock::now();
-        ~Stop() { seconds += std::chrono::duration<double>(Clock::now() - begin).count(); }
-    };
-    const Stop stop{seconds};
-    return body();
-}
 
 // Empty if no layers were requested.
 std::vector<std::string> checkedLayers(const RenderOptions& options, const std::string& output) {
@@ -69,233 +51,20 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
     return layers;
 }
 
-// Counts are integers, stored as doubles.
-Json countJson(double value) {
-    constexpr double kExact = 9007199254740992.0;
-    return value == std::floor(value) && std::abs(value) < kExact ? Json(static_cast<std::int64_t>(value))
-                                                                  : Json(value);
-}
-
-// Returns the level that base=auto selected, and what it costs and gains.
-Json baseJson(const BaseLevelMeasure& measure) {
-    const auto row = [](const BenchRow& of) {
-        return Json{{"rate", of.rate},
-                    {"spread", of.spread},
-                    {"error_mean", of.errors.mean},
-                    {"error_p9999", of.errors.p9999},
-                    {"error_max", of.errors.max},
-                    {"steps_mean", of.stepsMean},
-                    {"reads_mean", of.readsMean}};
-    };
-    return {{"level", measure.footprint.level},
-            {"pixel_texels", measure.footprint.pixelTexels},
-            {"measured", row(measure.based)},
-            {"level_0", row(measure.whole)}};
-}
-
-Json stagesJson(const Frame& frame, bool shadows) {
-    Json stages = Json::array();
-    for (std::size_t s = 0; s < kStages; ++s) {
-        if (static_cast<Stage>(s) == Stage::Shadows && !shadows) continue;
-        stages.push_back({{"name", messageTemplate(kStageNames[s], Language::English)},
-                          {"seconds", frame.stages[s].seconds},
-                          {"reused", frame.stages[s].reused}});
-    }
-    return stages;
-}
-
-Json skippedJson(const Frame& frame, const FrameRequest& request, const BoundedError& error, Language language) {
-    Json skipped{{"lossless", Json::array()}, {"bounded", Json::array()}};
-    for (const SkipRow& row : skipLedger(frame, request)) {
-        const char* const ledger = row.ledger == Ledger::Lossless ? "lossless" : "bounded";
-        skipped[ledger].push_back({{"name", row.name},
-                                   {"what", sentence(row.what, language)},
-                                   {"count", countJson(row.count)},
-                                   {"of", countJson(row.of)},
-                                   {"why", sentence(row.why, language)}});
-    }
-    if (!(request.bounded > 0)) return skipped;
-    for (Json& row : skipped["bounded"]) {
-        row["bound_texels"] = request.bounded;
-        if (row["name"] == "little-parallax") {
-            row["error_texels"] = {{"mean", error.rayMean}, {"max", error.rayMax}};
-            row["wrong_outcomes"] = error.wrongOutcomes;
-        } else {
-            row["error_linear"] = {{"mean", error.colorMean}, {"max", error.colorMax}};
-        }
-    }
-    return skipped;
-}
-
-// path: the report's file; pictures are named relative to its folder, as in a scenario's file.
-std::string reportText(const std::string& path, const Scenario& scenario, const Frame& frame, const Json& skipped,
-                       const Json& base, const Json& tiles, double axisDifference, Session& session,
-                       const Seconds& seconds) {
-    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-    std::map<MessageId, double> counters = session.work().counters().values();
-    for (const auto& [what, value] : frame.counters) counters[what] = value;
-    const auto taken = [&](MessageId what) {
-        const auto found = counters.find(what);
-        const double value = found == counters.end() ? 0 : found->second;
-        if (found != counters.end()) counters.erase(found);
-        return value;
-    };
-    Json report{{"tool", "relief"},
-                {"version", RELIEF_VERSION},
-                {"scenario", Json::parse(scenarioText(scenario, folder.string()))},
-                {"threads", session.work().threads().size()}};
-    // The algorithm that found the hits within the reported time, and the one whose steps are counted. They differ if
-    // the frame uses another exact algorithm because it is faster; the hits are the same.
-    report["walks"] = {{"hits", frame.tracedBy}, {"steps", scenario.method.name}};
-    // off_direct_texels: the largest distance, in texels, of the texture coordinates from those of `direct`. Displaced
-    // triangles are not mapped row by row.
-    if (findTracer(scenario.method.name).kind != MethodKind::Mesh) {
-        report["mapping"] = {{"name", scenario.mapping}, {"off_direct_texels", frame.mappingOff}};
-    }
-    // off_direct: the largest relative difference of a footprint's semi-axis from that of ellipse=direct.
-    const OptionValues& usual = findFilter(scenario.filter.name).defaults;
-    if (const auto ellipse = usual.find("ellipse"); ellipse != usual.end()) {
-        const auto given = scenario.filter.options.find("ellipse");
-        report["ellipse"] = {{"name", (given == scenario.filter.options.end() ? ellipse : given)->second},
-                             {"off_direct", axisDifference}};
-    }
-    report["maps"] = {{"builds", countJson(taken(MessageId::CountMapBuilds))},
-                      {"bytes", countJson(taken(MessageId::CountMapBytes))},
-                      {"build_seconds", taken(MessageId::CountMapSeconds)}};
-    for (const auto& [what, value] : counters) {
-        report["counters"][std::string(messageTemplate(what, Language::English))] = countJson(value);
-    }
-    if (!base.is_null()) report["base"] = base;
-    if (!tiles.is_null()) report["tiles"] = tiles;
-    report["stages"] = stagesJson(frame, scenario.shadows);
-    report["skipped"] = skipped;
-    report["seconds"] = {{"load", seconds.load},
-                         {"render", seconds.render},
-                         {"count", seconds.count},
-                         {"write", seconds.write},
-                         {"total", seconds.load + seconds.render + seconds.count + seconds.write}};
-    return report.dump(2) + "\n";
-}
-
-// Returns everything that the picture depends on. Input pictures are identified by content, not by name, which may
-// differ between machines. map: a hash of the stored map, or empty.
-Json pictureOptions(const Scenario& scenario, const Assets& assets, const std::vector<std::string>& layers,
-                    const std::string& map) {
-    Scenario plain = withNotesOf(scenario, Scenario());
-    plain.pixel.reset();
-    plain.pictures.memory = 0;
-    plain.other = {};
-    plain.comparison = {};
-    for (std::string* name : {&plain.pictures.height, &plain.pictures.color, &plain.pictures.normal}) name->clear();
-    Json options = Json::parse(scenarioText(plain));
-    const auto hashed = [](const auto& picture) {
-        return picture ? Json(hashText(std::as_bytes(picture->pixels()))) : Json();
-    };
-    options["heights"] = assets.tiles ? Json(tilesHash(*assets.tiles)) : hashed(assets.heights);
-    options["color"] = hashed(assets.color);
-    options["normals"] = hashed(assets.normals);
-    options["layers"] = layers;
-    options["map"] = map;
-    return options;
-}
-
-// Returns the rows of a part, with the metadata that `relief merge` needs.
-PictureBand partBand(const PartNumber& number, const FrameRequest& request, Json options) {
-    const RowRange rows = partRows(number, request.height);
-    const std::string cells = std::to_string(request.width) + "x" + std::to_string(request.height);
+// Returns the line that identifies the part and holds what `relief merge` needs.
+std::string partText(const PartNumber& number, const RowRange& rows, bool tiled, const OnePicture& picture) {
     Part part;
     static_cast<PartNumber&>(part) = number;
-    part.run = runJson("render", std::move(options), {&cells, 1});
-    part.more = {{"first", rows.begin}, {"end", rows.end}, {"height", request.height}};
-    return {rows.begin, rows.end, partLine(part)};
+    part.run = picture.run();
+    part.more = {{"first", rows.begin}, {"end", rows.end}, {"height", picture.height()}};
+    if (tiled) part.more["tiled"] = true;
+    return partLine(part);
 }
-
-// One picture, rendered whole or in bands; its inputs are loaded once.
-class OnePicture {
-  public:
-    OnePicture(const RenderOptions& options, std::vector<std::string> layers, Session& session)
-        : options_(options), layers_(std::move(layers)), session_(session), scenario_(options.scenario.scenario()) {
-        assets_ = timed(seconds_.load, [&] { return store_.load(scenario_.pictures, session_.work(), true); });
-        noteHeights(session_, assets_, scenario_);
-        timed(seconds_.load, [&] { options_.scenario.useStoredMap(scenario_, assets_, *maps_, session_.work()); });
-        request_.emplace(frameRequest(scenario_, assets_));
-        requirePictureMemory(*request_, layers_, session_);
-        noteBaseLevel(session_, scenario_, *request_);
-    }
-
-    int height() const { return request_->height; }
-    std::size_t rays() const {
-        return static_cast<std::size_t>(request_->width) * static_cast<std::size_t>(request_->height);
-    }
-    PictureBand part(const PartNumber& number) const {
-        return partBand(number, *request_, pictureOptions(scenario_, assets_, layers_, options_.scenario.mapContent()));
-    }
-
-    // band: the rows to render; null: the whole picture.
-    void render(const std::string& output, const PictureBand* band, Work& work) {
-        std::optional<LayerPlanes> planes;
-        if (!layers_.empty()) planes.emplace(*request_, layers_, *maps_);
-        PictureParts parts;
-        if (band != nullptr) parts.onlyRows = {band->begin, band->end};
-        const bool wantsSteps = std::find(layers_.begin(), layers_.end(), "steps") != layers_.end();
-        parts.counts = options_.report || wantsSteps;
-        parts.done = [&](const Frame& part) {
-            if (planes) timed(seconds_.write, [&] { planes->add(part, *request_, work); });
-            if (!options_.report) return;
-            timed(seconds_.count, [&] {
-                ellipseError_ = std::max(ellipseError_, ellipseError(part, *request_, work));
-                if (request_->bounded > 0) bounded_.add(part, *request_, *maps_, work);
-            });
-        };
-        frame_ = timed(seconds_.render, [&] { return renderer_.picture(*request_, work, parts); });
-        seconds_.count += frame_->countSeconds;
-        seconds_.render -= seconds_.count + seconds_.write;
-        timed(seconds_.write, [&] {
-            if (planes) {
-                writePlanes(output, planes->take(*frame_), band);
-            } else {
-                writeColor(output, frame_->light->color, band);
-            }
-        });
-        if (assets_.tiles) noteTiles(session_, *assets_.tiles, rays());
-    }
-
-    // Writes the report. To be called after render() of the whole picture.
-    void report(const std::string& path) {
-        TextOutput report(path, session_.stop());
-        const Json skipped = skippedJson(*frame_, *request_, bounded_.error(), session_.language());
-        Json base;
-        if (const auto measure = measureBaseLevel(*request_, scenario_.method, *maps_, session_.work())) {
-            session_.note("--set", baseLevelSentence(*measure));
-            base = baseJson(*measure);
-        }
-        const Json tiles = assets_.tiles ? tilesJson(*assets_.tiles, rays()) : Json();
-        report.write(reportText(path, scenario_, *frame_, skipped, base, tiles, ellipseError_, session_, seconds_));
-        report.commit();
-    }
-
-  private:
-    const RenderOptions& options_;
-    std::vector<std::string> layers_;
-    Session& session_;
-    Scenario scenario_;
-    Seconds seconds_;
-    AssetStore store_;
-    Assets assets_;
-    std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
-    FrameRenderer renderer_{maps_};
-    std::optional<FrameRequest> request_;
-    BoundedSums bounded_;
-    double ellipseError_ = 0;
-    std::shared_ptr<const Frame> frame_;
-};
 
 // Renders the picture in bands shared by the ranks of an MPI run; rank 0 joins them. There are more bands than ranks,
 // because some bands cost more than others.
-void renderShared(const RenderOptions& options, const std::string& output, const std::vector<std::string>& layers,
-                  Session& session) {
+void renderShared(OnePicture& picture, const std::string& output, Session& session) {
     constexpr int kBandsEach = 4;
-    OnePicture picture(options, layers, session);
     const int bands = std::min(picture.height(), kBandsEach * launchedProcesses());
     const std::string ending = "." + fileEnding(output);
     const ScratchFolder scratch;
@@ -305,8 +74,7 @@ void renderShared(const RenderOptions& options, const std::string& output, const
     run.parts = static_cast<std::size_t>(bands);
     run.measure = [&](const Task& task, Work& work) -> Json {
         const RowRange rows = partRows({static_cast<int>(task.part) + 1, bands}, picture.height());
-        const PictureBand band{rows.begin, rows.end, {}};
-        picture.render(bandPath(task.part), &band, work);
+        picture.write(bandPath(task.part), rows, {}, work);
         return launchedRank() == 0 ? Json() : ScratchFolder::take(bandPath(task.part));
     };
     run.received = [&](std::size_t band, Json result) -> Json {
@@ -319,30 +87,133 @@ void renderShared(const RenderOptions& options, const std::string& output, const
     joinBands(files, output, session.work());
 }
 
+// The rows of a part of a picture in tiles: whole rows of tiles, so that parts are joined by copying.
+RowRange tiledPartRows(const PartNumber& number, int height) {
+    constexpr int kSide = PictureLayout::kGroup;
+    const int tiles = (height + kSide - 1) / kSide;
+    if (number.of > tiles) {
+        throw InputError("--part",
+                         Message(MessageId::PartTileRows, {{"of", number.of}, {"rows", tiles}, {"side", kSide}}));
+    }
+    const RowRange rows = partRows(number, tiles);
+    return {rows.begin * kSide, std::min(rows.end * kSide, height)};
+}
+
+// The rows that are made, kept and sent at a time. Few enough that they take little memory (about 60 bytes a pixel with
+// supersampling) and that little is lost by a run that is stopped; many enough that the rays above and below, which
+// some filters need, cost little.
+int blockRows(int width, int rows) {
+    constexpr int kBlockPixels = 1 << 23, kBlocks = 16, kSide = PictureLayout::kGroup;
+    return std::max(std::min(kBlockPixels / width, rows / kBlocks) / kSide, 1) * kSide;
+}
+
+// Renders the picture, or a part of it, row of tiles by row of tiles into its file, alone or with the other ranks of an
+// MPI run.
+void renderTiled(OnePicture& picture, const RenderOptions& options, const std::string& output, Session& session) {
+    const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
+    const RowRange all = tiledPartRows(number, picture.height());
+    const int block = blockRows(picture.width(), all.end - all.begin);
+    const auto rowsOf = [&](std::size_t part) {
+        const int begin = all.begin + static_cast<int>(part) * block;
+        return RowRange{begin, std::min(begin + block, all.end)};
+    };
+    picture.requireMemory(rowsOf(0), true);
+    const bool exr = fileEnding(output) == "exr";
+    const PictureLayout layout({exr, picture.width(), picture.height(), all.begin, all.end, picture.channels(),
+                                options.part ? partText(number, all, true, picture) : std::string()});
+    std::optional<PlacedFile> file;
+    const bool leads = leadsRun(options.part.has_value());
+    if (leads) file.emplace(output, layout);
+    const auto put = [&](std::size_t part, std::span<const std::byte> bytes) -> Json {
+        return {{"block", part}, {"checksum", std::to_string(file->write(rowsOf(part).begin, bytes))}};
+    };
+    PartsRun run;
+    run.bar = "render";
+    run.parts = static_cast<std::size_t>((all.end - all.begin + block - 1) / block);
+    run.output = output;
+    run.work = {{"run", picture.run()}, {"rows", {all.begin, all.end, block}}};
+    run.earlier = options.many.restart.chosen();
+    run.alone = options.part.has_value();
+    run.started = [&](bool resumed) { file->open(resumed); };
+    run.readable = [&](const Json& result) {
+        const std::int64_t part = numberIn(result, "block", -1);
+        if (part < 0 || static_cast<std::size_t>(part) >= run.parts) return false;
+        const RowRange rows = rowsOf(static_cast<std::size_t>(part));
+        const std::string checksum = textIn(result, "checksum");
+        return file->holds(rows.begin, rows.end - rows.begin, std::strtoull(checksum.c_str(), nullptr, 10));
+    };
+    run.measure = [&](const Task& task, Work& work) -> Json {
+        const RowRange rows = rowsOf(task.part);
+        const auto bytes = layout.encoded(rows.begin, rows.end - rows.begin, picture.numbers(rows, exr, work).data());
+        if (leads) return put(task.part, bytes);
+        const auto* const first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+        return Json::binary(std::vector<std::uint8_t>(first, first + bytes.size()));
+    };
+    run.received = [&](std::size_t part, Json result) -> Json {
+        return result.is_binary() ? put(part, std::as_bytes(std::span(result.get_binary()))) : result;
+    };
+    const auto done = doParts(run, session);
+    if (!done) return;
+    file->finish();
+    done->journal->finish();
+}
+
+// Throws InputError if the format cannot hold the picture.
+void checkSides(const Scenario& scenario, const std::string& output) {
+    const std::string ending = fileEnding(output);
+    if (ending == "png" || ending == "tif" || ending == "tiff" || ending == "exr") return;
+    if (std::max(scenario.width, scenario.height) <= kMostSide) return;
+    throw InputError(output, Message(MessageId::PictureSidesOf, {{"width", scenario.width},
+                                                                 {"height", scenario.height},
+                                                                 {"limit", kMostSide},
+                                                                 {"known", ".png, .tif, .exr"}}));
+}
+
+void checkExcluded(const RenderOptions& options, bool shared) {
+    const auto exclude = [](const char* option, const char* other) {
+        throw InputError(option, Message(MessageId::ArgumentsExclude, {{"other", other}}));
+    };
+    if (options.report && (options.part || options.many.requested() || shared || options.tiled)) {
+        exclude("--report", options.part ? "--part" : shared ? "mpirun" : options.tiled ? "--tiled" : "--frames");
+    }
+    if (options.tiled && options.many.requested()) exclude("--tiled", "--frames");
+}
+
 int runRender(const RenderOptions& options, Session& session) {
     options.run.apply(session, options.part.has_value());
     const std::string& output = needed(options.output, "--output", "render");
     const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
     const bool shared = launchedProcesses() > 1 && !options.part && !options.many.requested();
-    if (options.report && (options.part || options.many.requested() || shared)) {
-        const char* const other = options.part ? "--part" : shared ? "mpirun" : "--frames";
-        throw InputError("--report", Message(MessageId::ArgumentsExclude, {{"other", other}}));
-    }
+    checkExcluded(options, shared);
     if (options.many.requested()) {
         return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), number, session);
     }
-    std::vector<std::string> endings{"png", "tif", "tiff", "exr"};
-    if (!options.part && !shared) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
+    std::vector<std::string> endings{"tif", "tiff", "exr"};
+    if (!options.tiled) endings.insert(endings.begin(), "png");
+    if (!options.part && !shared && !options.tiled) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
     if (leadsRun(options.part.has_value())) checkOutput(output, endings);
     const std::vector<std::string> layers = checkedLayers(options, output);
     if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
-    if (shared) {
-        renderShared(options, output, layers, session);
+    const Scenario scenario = options.scenario.scenario();
+    checkSides(scenario, output);
+    const bool huge = std::int64_t{scenario.width} * scenario.height > kMostWholePixels;
+    OnePicture picture(options.scenario, scenario, layers, options.report.has_value(), session);
+    if (options.tiled || (huge && fileEnding(output) != "png" && !options.report)) {
+        renderTiled(picture, options, output, session);
+        picture.noteTilesRead();
         return 0;
     }
-    OnePicture picture(options, layers, session);
-    const PictureBand band = options.part ? picture.part(number) : PictureBand();
-    picture.render(output, options.part ? &band : nullptr, session.work());
+    if (options.many.restart.given()) {
+        throw InputError("--resume, --anew", Message(MessageId::NeedsArgument, {{"other", "--tiled"}}));
+    }
+    const RowRange rows = options.part ? partRows(number, picture.height()) : RowRange();
+    picture.requireMemory(rows, false);
+    if (shared) {
+        renderShared(picture, output, session);
+        return 0;
+    }
+    picture.write(output, rows, options.part ? partText(number, rows, false, picture) : std::string(), session.work());
+    picture.noteTilesRead();
     if (options.report) picture.report(*options.report);
     return 0;
 }
@@ -356,19 +227,30 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
                    "Renders a floor, a wall or a cube that carries the relief of a height map, as seen by a camera. "
                    "Scene, camera and methods come from a scenario, from options, or from both; options override the "
                    "scenario. The same input gives the same pixels on any number of threads. mpirun -n N relief render "
-                   "... shares one picture (.png, .tif, .exr) or many among N processes.",
+                   "... shares one picture (.png, .tif, .exr) or many among N processes. A picture larger than memory, "
+                   "up to 65536 pixels a side, is written in tiles into a .tif or .exr without compression, and a run "
+                   "that was stopped goes on with --resume.",
                    "  relief render heights.png --color color.jpg --scene wall \\\n"
-                   "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json");
+                   "      --camera elevation=20,azimuth=30,distance=1.4 --size 800x600 -o wall.png --report wall.json\n"
+                   "  relief render heights.png --size 40000x40000 -o huge.tif");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
     options->scenario.addMemory(*parser);
     options->many.add(*parser);
     addOutput(*parser, options->output, "file of the picture: .png, .jpg, .tif, .bmp (sRGB), .exr, .hdr (linear)");
     addText(*parser, "--layers", options->layers, "NAME,...",
             "layers to write into the .exr instead of only the picture: " + commaList(layerNames()), "Output");
-    addText(*parser, "--part", options->part, "K/N",
-            "render only part K, from 1, of N, so that other processes can render the other parts. One picture (.png, "
-            ".tif, .exr): a band of its rows; relief merge joins them. Many pictures: every N-th one",
+    addFlag(*parser, "--tiled", options->tiled,
+            "write the picture (.tif, .exr) row of tiles by row of tiles as it is made, so that memory grows with its "
+            "width only, and finished rows are kept in FILE.part and FILE.rows until the picture is complete; always "
+            "so above " +
+                std::to_string(kMostWholePixels) + " pixels, unless there is --report",
             "Output");
+    addText(
+        *parser, "--part", options->part, "K/N",
+        "render only part K, from 1, of N, so that other processes can render the other parts. One picture (.png, "
+        ".tif, .exr): a band of its rows, in tiles a band of rows of tiles; relief merge joins them. Many pictures: "
+        "every N-th one",
+        "Output");
     addText(
         *parser, "--report", options->report, "FILE.json",
         "report of the work done and skipped: scenario, counters, maps built, seconds per stage; - for standard output",

@@ -67,7 +67,7 @@ class Studio {
         }
         FrameRequest request = frameRequest(scenario, assets);
         request.camera = picture.camera;
-        if (first) requirePictureMemory(request, layers, session_);
+        if (first) requirePictureMemory(request, layers, {}, session_);
         PictureParts parts;
         parts.counts = std::find(layers.begin(), layers.end(), "steps") != layers.end();
         std::optional<LayerPlanes> planes;
@@ -124,15 +124,16 @@ void makeFolder(const std::string& folder) {
 
 }  // namespace
 
-void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session) {
+void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, const PictureMemory& how,
+                          Session& session) {
     const int threads = session.work().threads().size();
-    const auto width = static_cast<std::uint64_t>(request.width), height = static_cast<std::uint64_t>(request.height);
-    // 8-bit values of a written picture, or all of its layers.
-    const std::uint64_t written =
-        layers.empty() ? byteProduct({width, height, 3}) : LayerPlanes::bytes(request, layers);
-    requireMemory(byteSum({pictureBytes(request, threads), written}),
-                  "--size " + std::to_string(request.width) + "x" + std::to_string(request.height),
-                  MemoryHint::SmallerSize);
+    const int rows = how.rows.begin == how.rows.end ? request.height : how.rows.end - how.rows.begin;
+    const auto width = static_cast<std::uint64_t>(request.width), height = static_cast<std::uint64_t>(rows);
+    // 8-bit values of a written picture, or all of its layers; in tiles, the numbers and their order in the file.
+    std::uint64_t written = byteProduct({width, height, how.tiled ? 2 * sizeof(Color) : 3});
+    if (!layers.empty()) written = byteProduct({LayerPlanes::bytes(request, layers, rows), how.tiled ? 2U : 1U});
+    requireMemory(byteSum({pictureBytes(request, threads, how.rows), written}),
+                  "--size " + std::to_string(request.width) + "x" + std::to_string(request.height), how.hint);
 }
 
 void ManyFrames::add(CLI::App& parser) {
@@ -146,7 +147,7 @@ void ManyFrames::add(CLI::App& parser) {
             "render ... shares the pictures among processes; rank 0 writes them",
             "Output");
     addText(parser, "--to", to, "KEY=VALUE,...", "end of the camera path: elevation, azimuth, distance, fov", "Output");
-    restart.add(parser, "many pictures", "Output");
+    restart.add(parser, "many pictures, or one in tiles", "Output");
 }
 
 int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,

@@ -4,13 +4,20 @@
 
 #include "options_common.h"
 #include "part.h"
+#include "relief/memory.h"
 #include "rendering/frame.h"
 
 namespace relief::app {
 
-// Throws MemoryError if the picture and the buffers for writing it do not fit into memory. layers: empty for the
-// picture alone.
-void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, Session& session);
+// What of a picture is held in memory: these rows (empty: all) and the buffers for writing them, in tiles or not.
+struct PictureMemory {
+    RowRange rows;
+    bool tiled = false;
+    MemoryHint hint = MemoryHint::SmallerSize;
+};
+// Throws MemoryError if that does not fit. layers: empty for the picture alone.
+void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, const PictureMemory& how,
+                          Session& session);
 
 struct ManyFrames {
     std::vector<std::string> more;  // scenarios after the first
@@ -18,8 +25,8 @@ struct ManyFrames {
     RestartOptions restart;
 
     void add(CLI::App& parser);
-    // Returns true if the options request more than one picture, or restart such a run.
-    bool requested() const { return !more.empty() || frames || to || restart.given(); }
+    // Returns true if the options request more than one picture.
+    bool requested() const { return !more.empty() || frames || to; }
     // Renders the pictures into `folder`, which is created if needed. layers: empty for pictures alone. part: restricts
     // the run to the pictures of that part. Returns the exit status.
     int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,

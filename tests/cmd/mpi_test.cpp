@@ -197,6 +197,19 @@ TEST_P(MpiTest, OnePictureAndAStressTestAreSharedToo) {
         ASSERT_EQ(result.status, 0) << result.err;
         EXPECT_TRUE(withoutDate(read("shared." + ending)) == withoutDate(read("one." + ending))) << ending;
     }
+    // In tiles: every rank makes rows, rank 0 writes them.
+    const std::vector<std::string> tiles{"render", "--relief", "city:48x48", "--size", "61x300", "--tiled", "-o"};
+    for (const std::string ending : {"tif", "exr"}) {
+        auto one = tiles, shared = tiles;
+        one.push_back(path("one." + ending));
+        shared.push_back(path("shared." + ending));
+        runFine(one);
+        const Result result = runRanks(3, shared);
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_TRUE(read("shared." + ending) == read("one." + ending)) << ending;
+        EXPECT_FALSE(std::filesystem::exists(path("shared." + ending + ".part")));
+        EXPECT_FALSE(std::filesystem::exists(path("shared." + ending + ".rows")));
+    }
     const std::vector<std::string> stress{"stress", "--cases", "70", "--tracers", "layers", "--parts", "tracers"};
     auto one = stress, shared = stress;
     one.insert(one.end(), {"--record", path("one.jsonl")});

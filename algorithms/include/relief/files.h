@@ -85,17 +85,11 @@ Image<glm::vec3> readNormals(const std::string& path, Work& work, std::int64_t m
 float linearFromSrgb(float encoded);
 float srgbFromLinear(float linear);
 
-// The rows [begin, end) of a picture that are written to a file of their own (PNG, TIFF or EXR). text: printable ASCII,
-// stored in the file, by which the bands of a picture are joined (picture_bands.h); empty if not needed.
-struct PictureBand {
-    int begin = 0, end = 0;
-    std::string text;
-};
-
 // Writes a picture of linear colours; the extension determines the format. 8-bit formats and PNG: sRGB with 8 bits,
-// clamped, NaN as 0; EXR and HDR: linear floats. band: only these rows; null: all. Throws InputError for unknown
+// clamped, NaN as 0; EXR and HDR: linear floats. bandText, of a band of rows of a larger picture: printable ASCII,
+// stored in the file (PNG, TIFF or EXR), by which bands are joined (picture_bands.h). Throws InputError for unknown
 // formats, WorkError.
-void writeColor(const std::string& path, const ColorImage& image, const PictureBand* band = nullptr);
+void writeColor(const std::string& path, const ColorImage& image, const std::string& bandText = {});
 // Writes heights. PNG and TIFF: 16 bits by the full range; EXR, and TIFF with asFloat: 32-bit floats, unchanged. Throws
 // InputError for unknown formats, WorkError.
 void writeHeight(const std::string& path, const FloatImage& heights, bool asFloat = false);
@@ -105,9 +99,9 @@ struct NamedPlane {
     std::string name;
     FloatImage plane;
 };
-// Writes 32-bit float OpenEXR with the planes in the given order, at least one and all of one size. band: only
-// these rows; null: all. Throws InputError if the extension is not .exr, WorkError.
-void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const PictureBand* band = nullptr);
+// Writes 32-bit float OpenEXR with the planes in the given order, at least one and all of one size. bandText: as for
+// writeColor(). Throws InputError if the extension is not .exr, WorkError.
+void writePlanes(const std::string& path, const std::vector<NamedPlane>& planes, const std::string& bandText = {});
 
 // An output file that is written under a temporary name in the same folder and renamed when complete, so that readers
 // see either the old file or the whole new one. Without commit() the temporary file is removed. "-" is not handled

@@ -42,7 +42,8 @@ constexpr std::uint64_t byteSum(std::initializer_list<std::uint64_t> terms) {
 std::uint64_t availableMemory(const std::string& root = "/");
 
 // What the user can do about a refusal.
-enum class MemoryHint : std::uint8_t { None, SmallerSize, SmallerPicture, SmallerMap };
+// SmallerOrTiled: as SmallerSize, for `relief render`, whose --tiled needs less.
+enum class MemoryHint : std::uint8_t { None, SmallerSize, SmallerPicture, SmallerMap, SmallerOrTiled };
 
 // Throws MemoryError if `bytes` more than the process has now exceed availableMemory(). The message states in one line
 // what `subject` (an option, a file, a map) needs and what is available. Requests below kCheckedBytes always pass.

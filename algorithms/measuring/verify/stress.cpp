@@ -43,7 +43,7 @@ std::vector<MethodGroup> grouped(const std::vector<MeasuredMethod>& methods) {
 // Sets the heights in the scenario as a command names them; the map is written to a file if no recipe makes it.
 void nameHeights(Scenario& scenario, const Case& of, const StressOptions& options) {
     Pictures& pictures = scenario.pictures;
-    if (of.made.recipe.empty() || std::max(of.field.width(), of.field.height()) > kMaxPictureSide) {
+    if (of.made.recipe.empty() || std::max(of.field.width(), of.field.height()) > kMaxReliefSide) {
         const std::string name = "stress_" + std::to_string(options.seed) + "_" + std::to_string(of.number) + ".exr";
         pictures.height = options.folder == "." ? name : options.folder + "/" + name;
         pictures.reading.range.kind = HeightRange::Kind::Full;
