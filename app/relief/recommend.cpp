@@ -170,7 +170,10 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
     options->scenario.addMemory(*parser, "--resident");
     addAsked(*parser, *options);
-    addText(*parser, "--seconds", options->seconds, "S", "time for everything, seconds, 1 or more, default 20", "Run");
+    addText(*parser, "--seconds", options->seconds, "S",
+            "time for everything, seconds, 1 or more; default 4 up to 1024 x 1024 texels, growing with the side to 16 "
+            "from 4096 x 4096 on",
+            "Run");
     addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Run");
     CLI::Option* const check =
         addFlag(*parser, "--check", options->check,

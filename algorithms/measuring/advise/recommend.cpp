@@ -236,6 +236,12 @@ void weighBuilding(Advice& advice) {
 
 }  // namespace
 
+double adviceSeconds(const HeightField& field) {
+    constexpr double kShort = 4, kLongest = 16, kSide = 1024;
+    return kShort *
+           std::clamp(std::sqrt(static_cast<double>(field.width()) * field.height()) / kSide, 1.0, kLongest / kShort);
+}
+
 std::vector<AdviceTrial> runTrials(const AdviceOptions& options, bool keepAll, std::size_t& stillClose, Work& work) {
     return Elimination(options, keepAll, work).run(stillClose);
 }

@@ -81,17 +81,8 @@ class Watch {
     std::jthread thread_;
 };
 
-// Returns a piece from the middle of the map, with the same slab thickness in texels.
+// Side of the piece from which building time and memory are estimated.
 constexpr int kPieceSide = 64;
-HeightField piece(const HeightField& field) {
-    auto heights = std::make_shared<FloatImage>(kPieceSide, kPieceSide);
-    const int x0 = (field.width() - kPieceSide) / 2;
-    const int y0 = (field.height() - kPieceSide) / 2;
-    for (int y = 0; y < kPieceSide; ++y) {
-        for (int x = 0; x < kPieceSide; ++x) (*heights)(x, y) = field.texel(x0 + x, y0 + y);
-    }
-    return {heights, field.surface(), field.address(), field.slabTexels() / kPieceSide};
-}
 
 // Returns one of every kEvery runs of neighbouring pixels of a picture, so that the rays cover the whole map and
 // packets still consist of neighbouring rays.
@@ -120,6 +111,17 @@ std::size_t affordableRays(const Tracer& exact, const RayBlock& rays, std::size_
 }
 
 }  // namespace
+
+HeightField middlePiece(const HeightField& field, int side) {
+    const int width = std::min(side, field.width()), height = std::min(side, field.height());
+    auto heights = std::make_shared<FloatImage>(width, height);
+    const int x0 = (field.width() - width) / 2;
+    const int y0 = (field.height() - height) / 2;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) (*heights)(x, y) = field.texel(x0 + x, y0 + y);
+    }
+    return {heights, field.surface(), field.address(), field.slabTexels() / width};
+}
 
 AdviceRays::AdviceRays(const AdviceOptions& options, std::uint64_t seed, Work& work) : options_(options) {
     MapCache none;
@@ -216,7 +218,7 @@ bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
     constexpr double kFixedBuildSeconds = 0.05;  // seconds; shorter times are the fixed cost of building any map
     MapCache maps;
     const auto begun = Clock::now();
-    const auto tracer = makeTracer(trial.facts.method, piece(field), maps, work_, options_.form);
+    const auto tracer = makeTracer(trial.facts.method, middlePiece(field, kPieceSide), maps, work_, options_.form);
     const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     const double times = static_cast<double>(field.width()) * field.height() / (kPieceSide * kPieceSide);
     // Up to half of the piece's bytes may be specific to its size, such as a map's border.
