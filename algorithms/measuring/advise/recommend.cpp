@@ -68,9 +68,10 @@ class Elimination {
     // Builds each form, counts it on one block of rays and times it once.
     void screen(WholeProgress& progress) {
         AdviceMaps maps(options_, work_);
+        const double building = elapsed() + kBuilding * options_.seconds;
         double best = std::numeric_limits<double>::infinity();
         for (AdviceTrial& trial : trials_) {
-            maps.make(trial, std::min(kOneMap * options_.seconds, kBuilding * options_.seconds - elapsed()));
+            maps.make(trial, std::min(kOneMap * options_.seconds, building - elapsed()));
             progress.advance();
             if (!trial.tracer) continue;
             rays_.count(trial, 1, work_);
