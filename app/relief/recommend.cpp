@@ -159,18 +159,20 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
         "memory, or whose map takes too long to build, is dropped; the others are timed in short alternating rounds, "
         "after each of which clearly slower ones are dropped. A method up to 3% slower is preferred if its map is "
         "smaller. The answer gives the reasons: properties of the relief, steps, samples, bytes and build time; it "
-        "warns if building the map costs more than it saves. Filters are compared with a small supersampled picture. "
-        "Of a map that is read by tiles (--resident, with --no-filter), only the methods that can are measured, and "
-        "the "
-        "properties of the relief are those of a sample. With --form scalar the answer depends on counts only: the "
-        "same seed gives the same answer if the time "
+        "warns if building the map costs more than it saves. Filters are compared with a small supersampled picture, "
+        "of the middle of maps larger than 1024 x 1024. Of a map that is read by tiles (--resident, with --no-filter), "
+        "only the methods that can are measured, and the properties of the relief are those of a sample. With --form "
+        "scalar the answer depends on counts only: the same seed gives the same answer if the time "
         "sufficed to build every map.",
         "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
         "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
     options->scenario.addMemory(*parser, "--resident");
     addAsked(*parser, *options);
-    addText(*parser, "--seconds", options->seconds, "S", "time for everything, seconds, 1 or more, default 20", "Run");
+    addText(*parser, "--seconds", options->seconds, "S",
+            "time for everything, seconds, 1 or more; default 4 up to 1024 x 1024 texels, growing with the side to 16 "
+            "from 4096 x 4096 on",
+            "Run");
     addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Run");
     CLI::Option* const check =
         addFlag(*parser, "--check", options->check,

@@ -68,9 +68,10 @@ class Elimination {
     // Builds each form, counts it on one block of rays and times it once.
     void screen(WholeProgress& progress) {
         AdviceMaps maps(options_, work_);
+        const double building = elapsed() + kBuilding * options_.seconds;
         double best = std::numeric_limits<double>::infinity();
         for (AdviceTrial& trial : trials_) {
-            maps.make(trial, std::min(kOneMap * options_.seconds, kBuilding * options_.seconds - elapsed()));
+            maps.make(trial, std::min(kOneMap * options_.seconds, building - elapsed()));
             progress.advance();
             if (!trial.tracer) continue;
             rays_.count(trial, 1, work_);
@@ -235,6 +236,12 @@ void weighBuilding(Advice& advice) {
 }
 
 }  // namespace
+
+double adviceSeconds(const HeightField& field) {
+    constexpr double kShort = 4, kLongest = 16, kSide = 1024;
+    return kShort *
+           std::clamp(std::sqrt(static_cast<double>(field.width()) * field.height()) / kSide, 1.0, kLongest / kShort);
+}
 
 std::vector<AdviceTrial> runTrials(const AdviceOptions& options, bool keepAll, std::size_t& stillClose, Work& work) {
     return Elimination(options, keepAll, work).run(stillClose);

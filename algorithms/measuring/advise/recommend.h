@@ -28,8 +28,12 @@ inline constexpr int kAdviceViews = 4;
 std::vector<Elevation> parseViews(const std::string& text, const std::string& option);
 std::string viewsText(const std::vector<Elevation>& views);
 
+// Returns the time, seconds, that suffices to build the promising maps of these heights on two threads: 4 up to 1024 x
+// 1024 texels, then growing with the side, to 16 from 4096 x 4096 on.
+double adviceSeconds(const HeightField& field);
+
 struct AdviceOptions {
-    explicit AdviceOptions(HeightField heights) : field(std::move(heights)) {}
+    explicit AdviceOptions(HeightField heights) : field(std::move(heights)), seconds(adviceSeconds(field)) {}
 
     HeightField field;
     std::string name;  // of the height map, for messages
@@ -37,7 +41,7 @@ struct AdviceOptions {
     double error = 0.5;                             // texels
     double outliers = 1e-4;                         // share of the rays that may have a larger error or another outcome
     std::int64_t memory = std::int64_t{256} << 20;  // bytes, of maps without the heights
-    double seconds = 20;                            // total time; a filter's reference may exceed it a little
+    double seconds;                                 // total time; a filter's reference may exceed it a little
     // Simd: the cost is processor time of this library's fastest code on one thread. Scalar: the cost of a port to a
     // shader, with only the maps that the port needs; it is dominated by memory look-ups and is therefore counted,
     // reads + stepCost x steps, equal on every machine.

@@ -103,13 +103,14 @@ std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, s
         }
         forms = std::move(stored);
     }
-    // Order of measurement, so that time that runs out costs least: forms without maps first, then maps of methods with
-    // a guarantee.
+    // Order of measurement, so that time that runs out costs least: methods with a guarantee first, those without maps
+    // before the others. Forms without maps are measured even if time has run out.
     std::stable_sort(forms.begin(), forms.end(), [](const MethodChoice& a, const MethodChoice& b) {
         const auto rank = [](const MethodChoice& form) {
-            if (!measuredMethod(form).buildsMaps) return 0;
+            const bool guaranteed = findTracer(form.name).guarantee != Guarantee::Approximate;
+            if (!measuredMethod(form).buildsMaps) return guaranteed ? 0 : 3;
             if (form.options.contains("inner")) return 2;
-            return findTracer(form.name).guarantee == Guarantee::Approximate ? 3 : 1;
+            return guaranteed ? 1 : 4;
         };
         return rank(a) < rank(b);
     });

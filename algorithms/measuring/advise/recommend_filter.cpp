@@ -5,7 +5,7 @@
 
 #include "filtering/filters/measured_filters.h"
 #include "filtering/methods/trilinear.h"
-#include "measuring/advise/recommend.h"
+#include "measuring/advise/recommend_trials.h"
 #include "measuring/bench/bench_filters.h"
 
 namespace relief {
@@ -21,6 +21,9 @@ constexpr int kSamples = 6;
 constexpr double kRichSeconds = 10;  // given this much time, the pictures are twice as wide
 // Approximate width of a pixel in texels, if the map is larger than the picture.
 constexpr double kTexelsPerPixel = 3;
+// Larger maps are represented by a piece of this side from their middle, as the filters' levels of the whole colour
+// picture would take about a hundred bytes per texel.
+constexpr int kLargestSide = 1024;
 
 std::vector<double> elevations(const std::vector<Elevation>& views) {
     const auto kept = [](double degrees) { return std::clamp(degrees, kFlattestFilterView, kSteepestFilterView); };
@@ -31,12 +34,35 @@ std::vector<double> elevations(const std::vector<Elevation>& views) {
     return {low, high};
 }
 
+// Returns the part of the picture that lies on the middle piece of a map of this size.
+std::shared_ptr<const ColorImage> middlePicture(const ColorImage& color, int width, int height) {
+    const auto part = [](int pixels, int texels) {
+        return std::max(1, static_cast<int>(std::int64_t{pixels} * std::min(texels, kLargestSide) / texels));
+    };
+    auto picture = std::make_shared<ColorImage>(part(color.width(), width), part(color.height(), height));
+    const int x0 = (color.width() - picture->width()) / 2, y0 = (color.height() - picture->height()) / 2;
+    for (int y = 0; y < picture->height(); ++y) {
+        for (int x = 0; x < picture->width(); ++x) (*picture)(x, y) = color(x0 + x, y0 + y);
+    }
+    return picture;
+}
+
+FilterScene sceneOf(const AdviceOptions& options) {
+    HeightField field = options.field;
+    auto color = options.color;
+    if (std::max(field.width(), field.height()) > kLargestSide) {
+        if (color) color = middlePicture(*color, field.width(), field.height());
+        field = middlePiece(field, kLargestSide);
+    }
+    if (!color) color = patchPicture(field.heights(), options.seed);
+    return {options.name, field, color};
+}
+
 }  // namespace
 
 FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work& work) {
     FilterBenchOptions bench;
-    const auto color = options.color ? options.color : patchPicture(options.field.heights(), options.seed);
-    bench.scenes = {{options.name, options.field, color}};
+    bench.scenes = {sceneOf(options)};
     bench.filters = advisedFilters();
     bench.pixelModels = {PixelModel::Gaussian};
     bench.elevations = elevations(options.views);
@@ -45,7 +71,7 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
     bench.height = kHeight * times;
     bench.samples = kSamples;
     bench.rounds = 1;
-    bench.distance = std::clamp(kTexelsPerPixel * bench.width / color->width(), 0.3, 1.4);
+    bench.distance = std::clamp(kTexelsPerPixel * bench.width / bench.scenes.front().color->width(), 0.3, 1.4);
     const std::vector<FilterBenchRow> rows = benchFilters(bench, work);
 
     FilterAdvice advice;

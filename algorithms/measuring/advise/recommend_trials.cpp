@@ -81,17 +81,8 @@ class Watch {
     std::jthread thread_;
 };
 
-// Returns a piece from the middle of the map, with the same slab thickness in texels.
+// Side of the piece from which building time and memory are estimated.
 constexpr int kPieceSide = 64;
-HeightField piece(const HeightField& field) {
-    auto heights = std::make_shared<FloatImage>(kPieceSide, kPieceSide);
-    const int x0 = (field.width() - kPieceSide) / 2;
-    const int y0 = (field.height() - kPieceSide) / 2;
-    for (int y = 0; y < kPieceSide; ++y) {
-        for (int x = 0; x < kPieceSide; ++x) (*heights)(x, y) = field.texel(x0 + x, y0 + y);
-    }
-    return {heights, field.surface(), field.address(), field.slabTexels() / kPieceSide};
-}
 
 // Returns one of every kEvery runs of neighbouring pixels of a picture, so that the rays cover the whole map and
 // packets still consist of neighbouring rays.
@@ -120,6 +111,17 @@ std::size_t affordableRays(const Tracer& exact, const RayBlock& rays, std::size_
 }
 
 }  // namespace
+
+HeightField middlePiece(const HeightField& field, int side) {
+    const int width = std::min(side, field.width()), height = std::min(side, field.height());
+    auto heights = std::make_shared<FloatImage>(width, height);
+    const int x0 = (field.width() - width) / 2;
+    const int y0 = (field.height() - height) / 2;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) (*heights)(x, y) = field.texel(x0 + x, y0 + y);
+    }
+    return {heights, field.surface(), field.address(), field.slabTexels() / width};
+}
 
 AdviceRays::AdviceRays(const AdviceOptions& options, std::uint64_t seed, Work& work) : options_(options) {
     MapCache none;
@@ -206,25 +208,30 @@ AdviceMaps::AdviceMaps(const AdviceOptions& options, Work& work)
       work_(work),
       maps_(static_cast<std::size_t>(std::max<std::int64_t>(options.memory, std::int64_t{1} << 20)) * 4) {}
 
-// Builds the map of a small piece first, and estimates from it whether the whole map can keep the memory and time
+// Builds the maps of small pieces first, and estimates from them whether the whole map can keep the memory and time
 // limits.
 bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
     const HeightField& field = options_.field;
-    if (std::min(field.width(), field.height()) <= 2 * kPieceSide || !measuredMethod(trial.facts.method).buildsMaps) {
-        return true;
-    }
+    const int side = std::min(field.width(), field.height());
+    if (side <= 2 * kPieceSide || !measuredMethod(trial.facts.method).buildsMaps) return true;
     constexpr double kFixedBuildSeconds = 0.05;  // seconds; shorter times are the fixed cost of building any map
-    MapCache maps;
-    const auto begun = Clock::now();
-    const auto tracer = makeTracer(trial.facts.method, piece(field), maps, work_, options_.form);
-    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-    const double times = static_cast<double>(field.width()) * field.height() / (kPieceSide * kPieceSide);
-    // Up to half of the piece's bytes may be specific to its size, such as a map's border.
-    if (static_cast<double>(tracer->bytes()) * times > 1.5 * static_cast<double>(options_.memory)) {
-        trial.facts.verdict = Verdict::Memory;
-        trial.facts.bytes = static_cast<std::int64_t>(static_cast<double>(tracer->bytes()) * times);
-    } else if (seconds > kFixedBuildSeconds && seconds * times > 4 * limit) {
-        trial.facts.verdict = Verdict::BuildTime;
+    constexpr int kLeastShare = 8;               // of the map's side
+    double seconds = 0;
+    for (int piece = kPieceSide; seconds <= kFixedBuildSeconds; piece *= 2) {
+        MapCache maps;
+        const auto begun = Clock::now();
+        const auto tracer = makeTracer(trial.facts.method, middlePiece(field, piece), maps, work_, options_.form);
+        seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+        const double times = static_cast<double>(field.width()) * field.height() / (static_cast<double>(piece) * piece);
+        const double bytes = static_cast<double>(tracer->bytes()) * times;
+        // A sixth of the piece's bytes may be specific to its size, such as a map's border.
+        if (bytes > 1.2 * static_cast<double>(options_.memory)) {
+            trial.facts.verdict = Verdict::Memory;
+            trial.facts.bytes = static_cast<std::int64_t>(bytes);
+        } else if (seconds > kFixedBuildSeconds && seconds * times > 4 * limit) {
+            trial.facts.verdict = Verdict::BuildTime;
+        }
+        if (trial.facts.verdict != Verdict::Kept || piece * 2 * kLeastShare > side) break;
     }
     return trial.facts.verdict == Verdict::Kept;
 }
@@ -249,6 +256,11 @@ void AdviceMaps::make(AdviceTrial& trial, double limit) {
             return;
         }
         if (!known && !fits(trial, limit)) return;
+        if (!known && maps_.bytes() > static_cast<std::size_t>(options_.memory)) {
+            // Tracers that are still compared keep theirs.
+            maps_.clear();
+            seconds_.clear();
+        }
         trial.tracer = built(facts.method, known ? options_.seconds : limit, facts.buildSeconds);
     } catch (const Cancelled&) {
         work_.throwIfStopped();

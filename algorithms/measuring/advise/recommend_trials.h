@@ -9,6 +9,10 @@
 
 namespace relief {
 
+// Returns a piece from the middle of the map, at most `side` texels long and wide, with the same slab thickness in
+// texels.
+HeightField middlePiece(const HeightField& field, int side);
+
 struct AdviceTrial {
     AdvisedForm facts;
     std::shared_ptr<const Tracer> tracer;  // null: the form was dropped

@@ -19,7 +19,11 @@ void conservativeCones(const HeightField& field, int sectors, double slack, std:
 // Dummer's cones between texel centres, without a safety margin: kappa is the maximum of (h_q - h_p) / |q - p|.
 void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& work);
 // Relaxed cones of Policarpo & Oliveira: along sampled azimuths, for each texel visible from above the apex, the place
-// where the ray through it leaves the surface again; the smallest ratio of distance to height.
+// where the ray through it leaves the surface again; the smallest ratio of distance to height. By SIMD
+// (relaxed_cone_lanes.h); the values are those of relaxedSlope(), rounded to float.
 void relaxedCones(const HeightField& field, int directions, int radius, std::vector<float>& slopes, Work& work);
+// Reference: kappa of the texel (x, y), from all samples up to `reach` texels away. reach: the smaller of radius and
+// the longer side of the map.
+double relaxedSlope(const HeightField& field, int directions, int reach, int x, int y);
 
 }  // namespace relief

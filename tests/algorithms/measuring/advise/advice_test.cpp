@@ -139,5 +139,26 @@ TEST(Advice, KeepsItsDefinitionsOnDrawnTables) {
     }
 }
 
+TEST(Advice, TakesLongerForLargerMaps) {
+    EXPECT_EQ(adviceSeconds(HeightField(constantHeights(8, 8, 0.5F))), 4);
+    EXPECT_EQ(adviceSeconds(HeightField(constantHeights(1024, 1024, 0.5F))), 4);
+    EXPECT_EQ(adviceSeconds(HeightField(constantHeights(4096, 1024, 0.5F))), 8);
+    EXPECT_EQ(adviceSeconds(HeightField(constantHeights(8192, 4096, 0.5F))), 16);
+    EXPECT_EQ(options().seconds, 4);
+}
+
+TEST(Advice, PieceIsTheMiddleOfTheMap) {
+    const HeightField field(randomHeights(20, 9, 3), Surface::Columns, Address::Border, 0.2);
+    const HeightField piece = middlePiece(field, 10);
+    EXPECT_EQ(piece.width(), 10);
+    EXPECT_EQ(piece.height(), 9);
+    EXPECT_EQ(piece.surface(), Surface::Columns);
+    EXPECT_EQ(piece.address(), Address::Border);
+    EXPECT_DOUBLE_EQ(piece.slabTexels(), field.slabTexels());
+    for (int y = 0; y < 9; ++y) {
+        for (int x = 0; x < 10; ++x) EXPECT_EQ(piece.texel(x, y), field.texel(x + 5, y));
+    }
+}
+
 }  // namespace
 }  // namespace relief::test

@@ -222,5 +222,86 @@ TEST(DummersCones, AreTheSteepestOverAllTexelCentres) {
     }
 }
 
+std::vector<float> relaxedSlopes(const HeightField& field, int directions, int radius, int threads) {
+    Work work(threads);
+    std::vector<float> slopes(field.heights().size());
+    relaxedCones(field, directions, radius, slopes, work);
+    return slopes;
+}
+
+// Compares every texel with the reference, bit by bit, on every instruction set. Returns the smallest slope above 0.
+float expectTheReference(const HeightField& field, int directions, int radius) {
+    SCOPED_TRACE(describe(field) + ", " + std::to_string(directions) + " azimuths, radius " + std::to_string(radius));
+    std::vector<float> expected;
+    float least = 1;
+    for (int y = 0; y < field.height(); ++y) {
+        for (int x = 0; x < field.width(); ++x) {
+            const int reach = std::min(radius, std::max(field.width(), field.height()));
+            expected.push_back(static_cast<float>(relaxedSlope(field, directions, reach, x, y)));
+            if (expected.back() > 0) least = std::min(least, expected.back());
+        }
+    }
+    onEveryTarget([&] {
+        EXPECT_EQ(relaxedSlopes(field, directions, radius, 1), expected);
+        EXPECT_EQ(relaxedSlopes(field, directions, radius, 3), expected);
+    });
+    return least;
+}
+
+// Narrow maps wrap several times within the radius; long ones have columns at which rounding moves a sample to the
+// neighbouring texel.
+TEST(RelaxedCones, AreTheReferenceToTheBit) {
+    for (const Surface surface : allSurfaces()) {
+        for (const Address address : allAddresses()) {
+            for (const auto& [width, height] :
+                 std::vector<std::pair<int, int>>{{13, 9}, {16, 16}, {1, 5}, {3, 3}, {1, 1}, {19, 35}, {150, 2}}) {
+                const HeightField field(walls(width, height, 21), surface, address, 0.3);
+                expectTheReference(field, 16, 64);
+                expectTheReference(field, 7, 5);
+            }
+            for (const char* relief : {"hills", "fractal", "bricks", "spikes"}) {
+                expectTheReference(HeightField(share(makeRelief(relief, 41, 30, 3)), surface, address, 0.3), 16, 64);
+            }
+        }
+    }
+}
+
+TEST(RelaxedCones, AreTheReferenceOnLevelGround) {
+    for (const Address address : allAddresses()) {
+        for (const float height : {0.93F, 0.3F, 1.0F, 0.0F}) {
+            expectTheReference(HeightField(constantHeights(21, 18, height), Surface::Bilinear, address, 0.3), 16, 64);
+        }
+        FloatImage image = makeRelief("hills", 40, 20, 5);
+        for (float& h : image.pixels()) h = 0.9F + 1e-6F * h;
+        expectTheReference(HeightField(share(std::move(image)), Surface::Bilinear, address, 0.3), 16, 64);
+    }
+}
+
+// The apex is the greatest float below the height at which a ray over a wall leaves it.
+TEST(RelaxedCones, AreTheReferenceWhereRoundingDecides) {
+    const float top = 0.25000075F;
+    const double exit = 1 + (static_cast<double>(top) - 1) / 6 * 8;
+    float least = 1;
+    for (int n = 0; n < 20; ++n) {
+        FloatImage image(30, 1, 0.0F);
+        image(10, 0) = std::nextafter(static_cast<float>(exit), 0.0F);
+        image(15, 0) = image(16, 0) = top;
+        image(17, 0) = 0.13F + 0.001F * static_cast<float>(n);
+        const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
+        least = std::min(least, expectTheReference(field, 4, 64));
+    }
+    EXPECT_LT(least, 1e-12F);
+}
+
+// In the vertical plane of a row: a wall 5 texels away of height 0.5, 3 texels thick, hides the floor behind it from
+// above, so that a ray over the first texel of its top leaves the wall at its far edge.
+TEST(RelaxedCones, EndWhereARayLeavesAWall) {
+    FloatImage image(64, 1, 0.0F);
+    for (int x = 15; x < 18; ++x) image(x, 0) = 0.5F;
+    const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
+    // The highest such ray passes the last but one texel of the top, at a distance of 6, and is outside at 8.
+    EXPECT_FLOAT_EQ(relaxedSlopes(field, 4, 64, 1)[10], static_cast<float>((1 - 0.5 / 6 * 8) / 8));
+}
+
 }  // namespace
 }  // namespace relief::test
