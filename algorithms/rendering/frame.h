@@ -29,6 +29,7 @@ namespace relief {
 
 class PackedConeHits;
 class FlatGround;
+class HorizonBounds;
 struct FrameBuffers;
 struct FrameSetup;
 struct HeightBoundsMap;
@@ -226,6 +227,8 @@ class FrameRenderer {
     std::unique_ptr<const FlatGround> madeGround(const FrameRequest& request, const Tracer& tracer, Work& work);
     std::unique_ptr<const PackedConeHits> madeConeHits(const FrameRequest& request, const Tracer& tracer,
                                                        bool readsNeighbours, Work& work);
+    std::vector<std::shared_ptr<const HorizonBounds>> madeHorizons(const FrameRequest& request, const Frame& frame,
+                                                                   const VisiblePolygons& visible, Work& work);
     void reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work);
 
     std::optional<FrameRequest> last_;
@@ -244,6 +247,9 @@ class FrameRenderer {
     // Number of rays traced so far over the heights tracedOf_.
     std::size_t traced_ = 0;
     std::shared_ptr<const void> tracedOf_;
+    // Bounds of the horizon of the last frame's polygons, and the number of pixels drawn over its heights in its light.
+    std::vector<std::shared_ptr<const HorizonBounds>> horizons_;
+    std::size_t litPixels_ = 0;
 };
 
 // Returns the filter's query for the pixel; std::nullopt without a hit.

@@ -144,6 +144,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     }
     frame.rows = frame.stored = {0, frame.height};
     frame.rays = nullptr, frame.hits = nullptr, frame.color = nullptr, frame.shadows = nullptr;
+    maker.totals.nanoseconds[static_cast<std::size_t>(Stage::Shadows)] += setup->horizonTime.count();
     report(frame, request, setup->visible, maker.totals, kAllStages, mesh);
     if (counts && !mesh) reportCounts(frame, maker.countTotals);
     if (request.filter.name == kSupersample) {

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "images/tiled_heights.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/simd/packed_cone_hits.h"
@@ -194,6 +196,41 @@ std::unique_ptr<const PackedConeHits> FrameRenderer::madeConeHits(const FrameReq
     return std::make_unique<const PackedConeHits>(request.field, packedCones(request.field, *maps_, work));
 }
 
+// Returns bounds of the horizon by polygon number, null where there are none: those of the last frame where relief and
+// light are the same, others if the pixels pay for them.
+std::vector<std::shared_ptr<const HorizonBounds>> FrameRenderer::madeHorizons(const FrameRequest& request,
+                                                                              const Frame& frame,
+                                                                              const VisiblePolygons& visible,
+                                                                              Work& work) {
+    // A sweep takes a tenth of the time per texel that rays take per pixel.
+    constexpr std::size_t kTexelsPerPixel = 8;
+    const HeightField& field = request.field;
+    const glm::dvec3 toLight = lightDirection(request.light);
+    std::vector<std::shared_ptr<const HorizonBounds>> made(frame.polygons.size());
+    const auto last = std::exchange(horizons_, {});
+    const bool same = last_ && last_->field.identity() == field.identity() && lightDirection(last_->light) == toLight;
+    if (!same) litPixels_ = 0;
+    litPixels_ += static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+    for (const VisiblePolygon& polygon : visible.polygons) {
+        if (!(glm::dot(polygon.quad.normal, toLight) > 0)) continue;
+        const glm::dvec2 run = lightRun(polygon.quad, toLight, frame.slabTexels);
+        if (!HorizonBounds::suits(field, run)) continue;
+        const auto found = std::find_if(last.begin(), last.end(), [&](const auto& bounds) {
+            return bounds && bounds->field().identity() == field.identity() && bounds->run() == run &&
+                   bounds->field().surface() == field.surface() && bounds->field().address() == field.address();
+        });
+        std::shared_ptr<const HorizonBounds>& bounds = made[polygon.number];
+        if (found != last.end()) {
+            bounds = *found;
+            continue;
+        }
+        if (litPixels_ * kTexelsPerPixel < field.texels()) continue;
+        bounds = std::make_shared<const HorizonBounds>(field, run, work);
+    }
+    horizons_ = made;
+    return made;
+}
+
 // Counts how many of the maps that methods share are not built because nothing reads them.
 void FrameRenderer::reportMaps(Frame& frame, const FrameRequest& request, const Tracer& tracer, Work& work) {
     const bool tracesVisibility = frame.filter && frame.filter->description().visible;
@@ -234,6 +271,12 @@ std::unique_ptr<FrameSetup> FrameRenderer::madeSetup(const FrameRequest& request
     }
     if (request.shadows && has(stale, Stage::Shadows)) {
         setup->query = makeAnyHit(visibilityChoice(request.field), request.field, *maps_, work);
+        // Bounds hold for starts on the surface.
+        if (request.skip && frame->exactHits && setup->mesh == nullptr) {
+            const auto begin = Clock::now();
+            setup->horizons = madeHorizons(request, *frame, setup->visible, work);
+            setup->horizonTime = (Clock::now() - begin) * work.threads().size();
+        }
     }
     const bool newFilter = (changed & kFilterInputs) != 0;
     frame->filter = newFilter ? madeFilter(request, work) : frame_->filter;
@@ -279,6 +322,7 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
             worker.shade(tile, work);
         });
     }
+    totals.nanoseconds[static_cast<std::size_t>(Stage::Shadows)] += setup->horizonTime.count();
     report(*frame, request, setup->visible, totals, stale, setup->mesh != nullptr);
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);

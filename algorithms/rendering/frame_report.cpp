@@ -70,6 +70,8 @@ void report(Frame& frame, const FrameRequest& request, const VisiblePolygons& vi
         count(MessageId::CountShadowAway, static_cast<double>(totals.shadowAway));
         count(MessageId::CountShadowTop, static_cast<double>(totals.shadowTop));
         if (totals.shadowSteps > 0) count(MessageId::CountShadowSteps, static_cast<double>(totals.shadowSteps));
+        count(MessageId::CountShadowBounds, static_cast<double>(totals.shadowBounds));
+        count(MessageId::CountShadowBoundsBlocked, static_cast<double>(totals.shadowBoundsBlocked));
         count(MessageId::CountShadowLimits, static_cast<double>(totals.shadowLimits));
     }
     count(MessageId::CountStagesKept,

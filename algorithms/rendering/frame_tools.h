@@ -22,8 +22,12 @@ struct FrameSetup {
     std::unique_ptr<const AnyHitQuery> query{};
     std::unique_ptr<const FlatGround> ground{};
     std::unique_ptr<const PackedConeHits> coneHits{};
+    std::vector<std::shared_ptr<const HorizonBounds>> horizons{};
+    std::chrono::steady_clock::duration horizonTime{};  // of making them, times the number of threads
 
-    FrameTools tools() const { return {visible, *tracer, mesh.get(), query.get(), ground.get(), coneHits.get()}; }
+    FrameTools tools() const {
+        return {visible, *tracer, mesh.get(), query.get(), ground.get(), coneHits.get(), horizons};
+    }
 };
 
 // Throws InputError if the request's sizes or its filter are out of range.

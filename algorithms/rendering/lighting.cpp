@@ -16,6 +16,13 @@ glm::dvec3 lightDirection(const Light& light) {
     return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
 }
 
+glm::dvec2 lightRun(const TexturedQuad& quad, glm::dvec3 toLight, double slabTexels) {
+    const glm::dvec3 &perS = quad.plane.perS, &perT = quad.plane.perT;
+    const double length = slabTexels * glm::length(perS) / glm::dot(toLight, quad.normal);
+    return {length * glm::dot(toLight, perS) / glm::dot(perS, perS),
+            length * glm::dot(toLight, perT) / glm::dot(perT, perT)};
+}
+
 ReliefAxes::ReliefAxes(const TexturedQuad& quad)
     : normal(quad.normal), alongS(glm::normalize(quad.plane.perS)), alongT(glm::normalize(quad.plane.perT)) {}
 

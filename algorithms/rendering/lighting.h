@@ -23,6 +23,10 @@ struct Light {
 // Returns the unit vector towards the light, world space.
 glm::dvec3 lightDirection(const Light& light);
 
+// Returns the texels (s, t) that the light passes over while it rises from the bottom of the polygon's slab to its top.
+// The light must be in front of the polygon. slabTexels: slab thickness in texels.
+glm::dvec2 lightRun(const TexturedQuad& quad, glm::dvec3 toLight, double slabTexels);
+
 // A polygon's axes normalised to length 1, computed once for many normals.
 struct ReliefAxes {
     glm::dvec3 normal, alongS, alongT;

@@ -21,7 +21,7 @@ struct Entry {
     MessageId why;
 };
 
-constexpr std::array<Entry, 13> kEntries{{
+constexpr std::array<Entry, 14> kEntries{{
     {Ledger::Lossless, "stages", MessageId::CountStagesKept, {}, MessageId::SkipStages, MessageId::SkipStagesWhy},
     {Ledger::Lossless,
      "maps",
@@ -78,6 +78,12 @@ constexpr std::array<Entry, 13> kEntries{{
      {MessageId::CountHitsLit},
      MessageId::SkipShadowTop,
      MessageId::SkipShadowTopWhy},
+    {Ledger::Lossless,
+     "shadow-bounds",
+     MessageId::CountShadowBounds,
+     {MessageId::CountHitsLit},
+     MessageId::SkipShadowBounds,
+     MessageId::SkipShadowBoundsWhy},
     {Ledger::Bounded,
      "little-parallax",
      MessageId::CountRaysParallax,

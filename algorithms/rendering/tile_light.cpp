@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -41,7 +42,25 @@ AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, doub
     return ray;
 }
 
-void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
+// Sets what the horizon's bounds say about the tile's pixels in row y that face the light.
+void TileWorker::boundRow(const PixelArea& tile, int y, std::span<const double> facing,
+                          std::span<Horizon> answers) const {
+    std::fill(answers.begin(), answers.end(), Horizon::Undecided);
+    if (tools_.horizons.empty()) return;
+    const HitBlock& hits = frame_.hits->hits;
+    const std::size_t row = frame_.index(tile.x0, y);
+    overPolygons(tile, y, [&](std::uint8_t polygon, std::size_t begin, std::size_t end) {
+        const HorizonBounds* const horizon = tools_.horizons[polygon].get();
+        if (horizon == nullptr) return;
+        const auto part = [&](const std::vector<double>& column) {
+            return std::span(column).subspan(row + begin, end - begin);
+        };
+        horizon->decide(scene_, part(hits.s), part(hits.t), part(hits.lambda), facing.subspan(begin, end - begin),
+                        answers.subspan(begin, end - begin));
+    });
+}
+
+void TileWorker::castShadows(const PixelArea& tile, const double* facing, Work& work) const {
     if (tools_.query == nullptr) return;
     const HitBlock& hits = frame_.hits->hits;
     std::vector<std::uint8_t>& shadowed = buffers_.shadows->shadowed;
@@ -49,27 +68,37 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     auto& [pixels, rays] = *kept;
     pixels.clear();
     rays.resize(static_cast<std::size_t>(kTileWidth) * kTileHeight);
-    std::int64_t hit = 0;
-    std::int64_t away = 0;
-    std::int64_t top = 0;
-    std::array<double, kTileWidth> facing;
+    std::int64_t hit = 0, away = 0, top = 0, decided = 0, decidedBlocked = 0;
+    std::array<Horizon, kTileWidth> answers;
+    std::span<const double> row;  // of `facing`
     overPixels(tile, [&](int x, int y, std::size_t i) {
-        if (x == tile.x0) faceLight(tile, y, facing);
+        if (x == tile.x0) {
+            row = {facing + static_cast<std::size_t>(y - tile.y0) * kTileWidth, kTileWidth};
+            boundRow(tile, y, row, answers);
+        }
         if (hits.outcome[i] != Outcome::Hit) return;
         ++hit;
-        const TexturedQuad& quad = frame_.polygons[frame_.rays->polygon[i]];
-        if (glm::dot(quad.normal, toLight_) <= 0) {
+        const std::uint8_t polygon = frame_.rays->polygon[i];
+        if (faces_[polygon] == 0) {
             // The light is behind the whole polygon.
             shadowed[i] = 1;
             ++away;
             return;
         }
-        const bool turned = facing[static_cast<std::size_t>(x - tile.x0)] <= 0;
+        const auto column = static_cast<std::size_t>(x - tile.x0);
+        const bool turned = row[column] <= 0;
         away += turned ? 1 : 0;
         // The surface is turned away from the light, so the shadow ray cannot change its colour; without skipping it is
         // traced all the same.
         if (turned && request_.skip) return;
-        const AnyRay ray = shadowRay(quad, frame_.rays->rays[i], hits.lambda[i]);
+        // A hit that stands for those around it may lie below the surface.
+        if (answers[column] != Horizon::Undecided && frame_.hits->by[i] != HitBy::LittleParallax) {
+            shadowed[i] = answers[column] == Horizon::Blocked ? 1 : 0;
+            ++decided;
+            decidedBlocked += shadowed[i];
+            return;
+        }
+        const AnyRay ray = shadowRay(frame_.polygons[polygon], frame_.rays->rays[i], hits.lambda[i]);
         if (ray.dz > 0) {
             rays.set(pixels.size(), ray);
             pixels.push_back(i);
@@ -99,6 +128,8 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
     totals_.shadowHits += hit;
     totals_.shadowAway += request_.skip ? away : 0;
     totals_.shadowTop += top;
+    totals_.shadowBounds += decided;
+    totals_.shadowBoundsBlocked += decidedBlocked;
     totals_.shadowSteps += static_cast<std::int64_t>(counts.steps);
 }
 
@@ -106,7 +137,6 @@ void TileWorker::castShadows(const PixelArea& tile, Work& work) const {
 // hit are unspecified.
 void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facing) const {
     const HitBlock& hits = frame_.hits->hits;
-    const std::vector<std::uint8_t>& polygon = frame_.rays->polygon;
     if (!slopes_) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             facing[static_cast<std::size_t>(x - tile.x0)] =
@@ -115,14 +145,11 @@ void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facin
         return;
     }
     const std::size_t row = frame_.index(tile.x0, y);
-    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
-    for (std::size_t begin = 0, end = 0; begin < width; begin = end) {
-        while (end < width && polygon[row + end] == polygon[row + begin]) ++end;
-        if (polygon[row + begin] == kNoPolygon) continue;
-        facingLight(*slopes_, axes_[polygon[row + begin]], frame_.slabTexels, toLight_,
+    overPolygons(tile, y, [&](std::uint8_t polygon, std::size_t begin, std::size_t end) {
+        facingLight(*slopes_, axes_[polygon], frame_.slabTexels, toLight_,
                     std::span(hits.s).subspan(row + begin, end - begin),
                     std::span(hits.t).subspan(row + begin, end - begin), facing.subspan(begin, end - begin));
-    }
+    });
 }
 
 // Fills the tile's light stage with the sky's colour.
@@ -132,23 +159,43 @@ void TileWorker::fillSky(const PixelArea& tile) const {
     }
 }
 
-void TileWorker::lightHits(const PixelArea& tile) const {
+void TileWorker::shade(const PixelArea& tile, Work& work) const {
+    const PixelArea lit{tile.x0, std::max(tile.y0, frame_.lit.begin), tile.x1, std::min(tile.y1, frame_.lit.end)};
+    if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(lit); });
+    timed(Stage::Color, [&] { colorHits(tile, work); });
+    // Shadows and light read the same cosines; whenever shadows are stale, so is the light.
+    Borrowed<FacingWork> kept;
+    const std::span<double> facing(kept->facing);
+    const auto rowOf = [&](int y) {
+        return facing.subspan(static_cast<std::size_t>(y - tile.y0) * kTileWidth, kTileWidth);
+    };
+    timed(Stage::Light, [&] {
+        for (int y = tile.y0; y < tile.y1; ++y) faceLight(tile, y, rowOf(y));
+    });
+    timed(Stage::Shadows,
+          [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, rowOf(part.y0).data(), work); }); });
+    if (lit.y0 < lit.y1) timed(Stage::Light, [&] { lightHits(lit, rowOf(lit.y0).data()); });
+}
+
+// facing: rows of kTileWidth, the first for tile.y0.
+void TileWorker::lightHits(const PixelArea& tile, const double* facing) const {
     const HitBlock& hits = frame_.hits->hits;
     const auto colors = frame_.color->color.pixels();
     const std::vector<std::uint8_t>& shadowed = frame_.shadows->shadowed;
     std::span<Color> out;  // a row of the picture
-    std::array<double, kTileWidth> facing{};
     std::array<float, kTileWidth> amount;
+    const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
     overPixels(tile, [&](int x, int y, std::size_t i) {
         if (x == tile.x0) {
             out = buffers_.light->color.row(y - frame_.lit.begin);
-            faceLight(tile, y, facing);
+            const double* const row = facing + static_cast<std::size_t>(y - tile.y0) * kTileWidth;
+            for (std::size_t n = 0; n < width; ++n) amount[n] = litAmount(row[n], request_.light);
             if (!shadowed.empty()) {
-                for (int n = 0; n < tile.x1 - x; ++n) {
-                    if (shadowed[i + static_cast<std::size_t>(n)] != 0) facing[static_cast<std::size_t>(n)] = 0;
+                const float dark = litAmount(0, request_.light);
+                for (std::size_t n = 0; n < width; ++n) {
+                    if (shadowed[i + n] != 0) amount[n] = dark;
                 }
             }
-            for (std::size_t n = 0; n < kTileWidth; ++n) amount[n] = litAmount(facing[n], request_.light);
         }
         switch (hits.outcome[i]) {
             case Outcome::Hit:

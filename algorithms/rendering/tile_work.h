@@ -1,12 +1,13 @@
 // Scratch buffers of a tile's stages, reused for the next tile. Internal to tile_worker.cpp.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/borrowed.h"
 #include "relief/visibility/any_ray.h"
 #include "rendering/block_order.h"
-#include "rendering/frame.h"
+#include "rendering/frame_buffers.h"
 
 namespace relief {
 
@@ -23,6 +24,10 @@ struct FilterWork {
 struct ShadowWork {
     std::vector<std::size_t> pixels;
     AnyRayBlock rays;
+};
+// The cosine between normal and light of a tile's pixels, rows of kTileWidth; unspecified without a hit.
+struct FacingWork {
+    std::array<double, static_cast<std::size_t>(kTileWidth) * kTileHeight> facing;
 };
 
 // Collects the indices of the tile's pixels that see a polygon.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/maps/tile_prefetch.h"
 #include "relief/methods/look_up_point.h"
@@ -39,13 +41,14 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
                &frame.rays->rays,
                &frame.hits->hits,
                frame.stored.begin} {
-    for (const TexturedQuad& quad : frame.polygons) axes_.emplace_back(quad);
+    for (const TexturedQuad& quad : frame.polygons) {
+        axes_.emplace_back(quad);
+        faces_.push_back(glm::dot(quad.normal, toLight_) > 0 ? 1 : 0);
+    }
     polygons_.resize(frame.polygons.size(), nullptr);
     for (const VisiblePolygon& polygon : tools.visible.polygons) polygons_[polygon.number] = &polygon;
-    if (frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear) {
-        slopes_ =
-            tools.coneHits != nullptr ? SlopeScene(request.field, tools.coneHits->cones()) : SlopeScene(request.field);
-    }
+    scene_ = tools.coneHits != nullptr ? SlopeScene(request.field, tools.coneHits->cones()) : SlopeScene(request.field);
+    if (frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear) slopes_ = scene_;
 }
 
 // Clears data of an earlier frame from the buffers; the light stage is not cleared, since every pixel of it is set.

@@ -14,6 +14,7 @@
 #include "relief/block_work.h"
 #include "relief/methods/slope_scene.h"
 #include "relief/visibility/any_hit.h"
+#include "relief/visibility/horizon_bounds.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame_buffers.h"
 #include "rendering/mesh_raster.h"
@@ -29,7 +30,7 @@ struct FrameTotals {
     Count footprints{0}, smallFootprints{0}, texels{0}, texelsTested{0}, texelsHidden{0}, texelsSkipped{0};
     Count clearFootprints{0}, hiddenFootprints{0};
     Count shadowRays{0}, shadowBlocked{0}, shadowAway{0}, shadowTop{0}, shadowSteps{0}, shadowLimits{0};
-    Count shadowHits{0}, flatRays{0}, parallaxRays{0}, tinyFootprints{0};
+    Count shadowHits{0}, shadowBounds{0}, shadowBoundsBlocked{0}, flatRays{0}, parallaxRays{0}, tinyFootprints{0};
     std::atomic<double> mappingOff{0};  // maximum, texels
 };
 
@@ -41,6 +42,8 @@ struct FrameTools {
     const AnyHitQuery* query;
     const FlatGround* ground = nullptr;        // null: every ray is traced
     const PackedConeHits* coneHits = nullptr;  // null: the tracer itself traces
+    // By polygon number; null: all its shadow rays are traced.
+    std::span<const std::shared_ptr<const HorizonBounds>> horizons{};
 };
 
 // Keeps references to its arguments. One worker serves all tiles and may be called from any thread.
@@ -66,13 +69,7 @@ class TileWorker {
             overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
         });
     }
-    void shade(const PixelArea& tile, Work& work) const {
-        const PixelArea lit{tile.x0, std::max(tile.y0, frame_.lit.begin), tile.x1, std::min(tile.y1, frame_.lit.end)};
-        if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(lit); });
-        timed(Stage::Color, [&] { colorHits(tile, work); });
-        timed(Stage::Shadows, [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, work); }); });
-        timed(Stage::Light, [&] { lightHits(lit); });
-    }
+    void shade(const PixelArea& tile, Work& work) const;
 
   private:
     template <class Body>
@@ -95,6 +92,17 @@ class TileWorker {
     void overPixels(const PixelArea& tile, const Body& body) const {
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; ++x) body(x, y, frame_.index(x, y));
+        }
+    }
+
+    // Calls body(polygon, begin, end) for the runs of one polygon in row y, pixels from the tile's left edge.
+    template <class Body>
+    void overPolygons(const PixelArea& tile, int y, const Body& body) const {
+        const std::uint8_t* const polygon = frame_.rays->polygon.data() + frame_.index(tile.x0, y);
+        const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
+        for (std::size_t begin = 0, end = 0; begin < width; begin = end) {
+            while (end < width && polygon[end] == polygon[begin]) ++end;
+            if (polygon[begin] != kNoPolygon) body(polygon[begin], begin, end);
         }
     }
 
@@ -124,10 +132,12 @@ class TileWorker {
     void colorHits(const PixelArea& tile, Work& work) const;
     void filterTiny(std::vector<std::size_t>& pixels, FilterBlock& block, Work& work) const;
     void filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts, Work& work) const;
-    void castShadows(const PixelArea& tile, Work& work) const;
+    // facing: the first row of the area.
+    void castShadows(const PixelArea& tile, const double* facing, Work& work) const;
     AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;
+    void boundRow(const PixelArea& tile, int y, std::span<const double> facing, std::span<Horizon> answers) const;
     void faceLight(const PixelArea& tile, int y, std::span<double> facing) const;
-    void lightHits(const PixelArea& tile) const;
+    void lightHits(const PixelArea& tile, const double* facing) const;
 
     const FrameRequest& request_;
     const Frame& frame_;
@@ -139,7 +149,9 @@ class TileWorker {
     PictureHits picture_;
     std::vector<const VisiblePolygon*> polygons_;  // by polygon number; null: not visible
     std::vector<ReliefAxes> axes_;                 // by polygon number
-    std::optional<SlopeScene> slopes_;             // set for bilinear relief that is shaded with its own normals
+    SlopeScene scene_;
+    std::vector<std::uint8_t> faces_;   // by polygon number: whether its front faces the light
+    std::optional<SlopeScene> slopes_;  // set for bilinear relief that is shaded with its own normals
 };
 
 // Counts steps and reads of the tile's rays by tracing them again with the tracer that made the hits.

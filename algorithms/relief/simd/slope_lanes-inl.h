@@ -79,14 +79,16 @@ HWY_INLINE Nodes nodesAt(V place, std::int32_t size, bool repeat) {
     return nodes;
 }
 
+// bend: the mixed second derivative within the cell.
 struct Slope {
-    V s, t;
+    V s, t, bend;
 };
 // The slope within a cell, from the heights of its nodes.
 HWY_INLINE Slope slopeOf(V h00, V h10, V h01, V h11, const Nodes& x, const Nodes& y) {
     const auto mixed = [&](V first, V second, V share)
                            HWY_ATTR { return hn::Add(hn::Mul(hn::Sub(set(1), share), first), hn::Mul(share, second)); };
-    return {mixed(hn::Sub(h10, h00), hn::Sub(h11, h01), y.share), mixed(hn::Sub(h01, h00), hn::Sub(h11, h10), x.share)};
+    return {mixed(hn::Sub(h10, h00), hn::Sub(h11, h01), y.share), mixed(hn::Sub(h01, h00), hn::Sub(h11, h10), x.share),
+            hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00))};
 }
 HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
     const D d;

@@ -28,6 +28,14 @@ std::shared_ptr<const Frame> rendered(const FrameRequest& request, int threads =
     return FrameRenderer(std::make_shared<MapCache>()).render(request, work);
 }
 
+// Shadow queries, and those of them that found an obstacle, by rays or by bounds of the horizon.
+double queriesOf(const Frame& frame) {
+    return frame.counters.at(MessageId::CountShadowRays) + frame.counters.at(MessageId::CountShadowBounds);
+}
+double blockedOf(const Frame& frame) {
+    return frame.counters.at(MessageId::CountShadowBlocked) + frame.counters.at(MessageId::CountShadowBoundsBlocked);
+}
+
 // Returns the largest height of the surface above the line from the hit to the light, sampled every 1/32 texel.
 double highestOver(const FrameRequest& request, const TexturedQuad& quad, const Hit& hit) {
     const glm::dvec3 light = lightDirection(request.light);
@@ -106,9 +114,10 @@ TEST(Shadows, onlyTheLightIsDoneAgain) {
     FrameRenderer renderer(std::make_shared<MapCache>());
     FrameRequest request = shadowed("bricks");
     const auto first = renderer.render(request, work);
-    EXPECT_GT(first->counters.at(MessageId::CountShadowRays), 500);
-    EXPECT_GT(first->counters.at(MessageId::CountShadowBlocked), 100);
+    EXPECT_GT(queriesOf(*first), 500);
+    EXPECT_GT(blockedOf(*first), 100);
     EXPECT_LE(first->counters.at(MessageId::CountShadowBlocked), first->counters.at(MessageId::CountShadowRays));
+    EXPECT_GT(first->counters.at(MessageId::CountShadowBounds), queriesOf(*first) / 2);
     EXPECT_GT(first->counters.at(MessageId::CountShadowAway), 10);
     request.light.azimuth += 40;
     const auto moved = renderer.render(request, work);
@@ -144,7 +153,7 @@ TEST(Shadows, polygonsTurnedAwayFromTheLightAreUnlit) {
     request.light.ambient = 0.3;
     request.light.intensity = 1;
     const auto frame = rendered(request);
-    EXPECT_EQ(frame->counters.at(MessageId::CountShadowRays), 0);
+    EXPECT_EQ(queriesOf(*frame), 0);
     int seen = 0;
     for (std::size_t i = 0; i < frame->hits->hits.size(); ++i) {
         if (frame->hits->hits.outcome[i] != Outcome::Hit) continue;
@@ -162,9 +171,40 @@ TEST(Shadows, approximateMethodsDoNotShadeThemselves) {
         request.light.azimuth = 20;
         request.method = {method.name, {}};
         const auto frame = rendered(request);
-        const auto& c = frame->counters;
-        EXPECT_LE(c.at(MessageId::CountShadowBlocked), 0.02 * (c.at(MessageId::CountShadowRays) + 1)) << method.name;
+        EXPECT_LE(blockedOf(*frame), 0.02 * (queriesOf(*frame) + 1)) << method.name;
     }
+}
+
+// Without skipping, every shadow query is a ray: the bounds of the horizon change no bit, whatever the light. They are
+// kept from frame to frame, but not for another light or relief.
+TEST(Shadows, boundsOfTheHorizonAnswerAsRaysDo) {
+    double decided = 0, queries = 0;
+    for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            Work work(2);
+            FrameRenderer renderer(std::make_shared<MapCache>());
+            for (const SceneKind scene : {SceneKind::Floor, SceneKind::Wall, SceneKind::Cube}) {
+                for (const auto& [azimuth, elevation] : std::vector<std::pair<double, double>>{
+                         {-50, 40}, {35, 25}, {90, 15}, {180, 10}, {200, 0.5}, {45, 60}, {-120, 89.99}, {0, 90}}) {
+                    const double depth = elevation < 20 ? 0.05 : 0.4;
+                    FrameRequest request = shadowed("city", scene);
+                    request.field = HeightField(request.field.sharedHeights(), surface, address, depth);
+                    request.light.azimuth = azimuth, request.light.elevation = elevation;
+                    request.width = 61, request.height = 47;
+                    const auto frame = renderer.render(request, work);
+                    decided += frame->counters.at(MessageId::CountShadowBounds);
+                    queries += queriesOf(*frame);
+                    request.skip = false;
+                    const auto all = rendered(request);
+                    EXPECT_EQ(all->counters.at(MessageId::CountShadowBounds), 0);
+                    ASSERT_TRUE(frame->light->color == all->light->color)
+                        << sceneName(scene) << ", light " << azimuth << "," << elevation << ", depth " << depth;
+                }
+            }
+        }
+    }
+    std::cout << decided << " of " << queries << " decided by bounds\n";
+    EXPECT_GT(decided, queries / 3);
 }
 
 TEST(Shadows, sameBitsForAnyNumberOfThreads) {

@@ -254,12 +254,13 @@ TEST(Skip, theLedgerNamesWhatHowMuchAndWhy) {
             EXPECT_EQ(sentence(row.why, language).find('{'), std::string::npos);
         }
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"stages", "maps", "polygons-away", "polygons-off-screen", "sky",
-                                               "flat-ground", "highest-point", "small-footprints", "sight",
-                                               "shadow-away", "shadow-top", "little-parallax", "tiny-footprints"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"stages", "maps", "polygons-away", "polygons-off-screen", "sky", "flat-ground",
+                                        "highest-point", "small-footprints", "sight", "shadow-away", "shadow-top",
+                                        "shadow-bounds", "little-parallax", "tiny-footprints"}));
     EXPECT_EQ(rows[2].count, frame->counters.at(MessageId::CountPolygonsAway));
     EXPECT_GE(rows[2].count, 3);
-    EXPECT_NE(sentence(rows[11].why).find("0.5"), std::string::npos);
+    EXPECT_NE(sentence(rows[12].why).find("0.5"), std::string::npos);
 }
 
 // Traced, over flat ground, of little parallax, started at the highest point: each ray is in exactly one of these
