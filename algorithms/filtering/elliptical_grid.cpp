@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "filtering/grid_stages.h"
@@ -56,84 +57,115 @@ std::vector<std::pair<std::size_t, float>> summedSlots(const PointLattice& latti
 
 }  // namespace
 
-const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
+namespace {
+
+// Appends the pixels of the indices, in runs of consecutive cells.
+void findRuns(const FilterBlock& block, std::span<const std::size_t> indices, std::vector<PixelRun>& runs) {
+    constexpr std::size_t kMostRun = std::size_t{1} << kTileAcross;
+    runs.clear();
+    for (std::size_t n = 0; n < indices.size();) {
+        const std::size_t first = indices[n], most = std::min(kMostRun, indices.size() - n);
+        const int x = block.x[first], y = block.y[first];
+        // Most runs end with a row of the tile, so the whole row is compared without a branch.
+        std::size_t count = std::min(most, kMostRun - (static_cast<std::size_t>(x) & (kMostRun - 1)));
+        int apart = indices[n + count - 1] == first + count - 1 ? 0 : 1;
+        if (apart == 0) {
+            for (std::size_t k = 0; k < count; ++k)
+                apart |= (block.x[first + k] - x - static_cast<int>(k)) | (block.y[first + k] ^ y);
+        }
+        if (apart != 0) {
+            const auto follows = [&](std::size_t k) {
+                return indices[n + k] == first + k && block.x[first + k] == x + static_cast<int>(k) &&
+                       block.y[first + k] == y;
+            };
+            for (count = 1; count < most && follows(count);) ++count;
+        }
+        runs.push_back({first, count});
+        n += count;
+    }
+}
+
+}  // namespace
+
+const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t& last, glm::dvec2 scale,
                                Reused<TilePixels>& out, std::vector<std::size_t>& fallback) {
     const FilterBlock& block = run.block;
     TilePixels& tile = out.refill();
     const PixelView* view = block.view[first];
-    int x0 = block.x[first], x1 = x0, y0 = block.y[first], y1 = y0;
-    for (std::size_t i = first; i < last; ++i) {
-        x0 = std::min(x0, block.x[i]), x1 = std::max(x1, block.x[i]);
-        y0 = std::min(y0, block.y[i]), y1 = std::max(y1, block.y[i]);
-    }
-    constexpr int kSides = 2 * kTileHalo + 1;
-    tile.cells = {view, scale, x0 - kTileHalo, y0 - kTileHalo, x1 - x0 + kSides, y1 - y0 + kSides};
     const HeightField& field = run.setup.tracer->field();
     // Plain filtering has the same limit. Factors of 1 and 10^6 change neither errors nor rays in the measurements
     // described in grid_lanes.h.
     const double largest = 4.0 * std::max(field.width(), field.height());
-    const bool all = view != nullptr && beforeHorizon(view->texelFromScreen, x0, y0, x1, y1);
-    const auto sidesOf = [&](std::size_t i) {
-        return std::abs(block.ux[i]) + std::abs(block.uy[i]) + std::abs(block.vx[i]) + std::abs(block.vy[i]);
-    };
-    tile.indices.resize(last - first);
-    std::size_t served = 0;
-    for (std::size_t i = first; i < last; ++i) {
-        const bool before = all || (view != nullptr && beforeHorizon(view->texelFromScreen, block.x[i], block.y[i],
-                                                                     block.x[i], block.y[i]));
-        tile.indices[served] = i;
-        // Written so that NaN is not supported.
-        const bool serves = before && block.exact[i] != 0 && sidesOf(i) < largest;
-        served += serves ? 1 : 0;
-        if (!serves) fallback.push_back(i);
+    const auto scanned = [&] { return scanTile(block, first, last, kTileAcross, kTileDown, largest); };
+    // A frame's blocks are whole tiles.
+    last = block.size();
+    TileScan scan = scanned();
+    if (!scan.same) {
+        const auto same = [&](std::size_t i) {
+            return block.view[i] == view && block.x[i] >> kTileAcross == block.x[first] >> kTileAcross &&
+                   block.y[i] >> kTileDown == block.y[first] >> kTileDown;
+        };
+        for (last = first; last < block.size() && same(last);) ++last;
+        scan = scanned();
     }
-    tile.indices.resize(served);
+    const auto& [of, x0, x1, y0, y1, usable] = scan;
+    constexpr int kSides = 2 * kTileHalo + 1;
+    tile.cells = {view, scale, x0 - kTileHalo, y0 - kTileHalo, x1 - x0 + kSides, y1 - y0 + kSides};
+    const bool all = view != nullptr && beforeHorizon(view->texelFromScreen, x0, y0, x1, y1);
+    tile.indices.resize(last - first);
+    if (all && usable) {
+        std::iota(tile.indices.begin(), tile.indices.end(), first);
+    } else {
+        std::size_t served = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const bool before = all || (view != nullptr && beforeHorizon(view->texelFromScreen, block.x[i], block.y[i],
+                                                                         block.x[i], block.y[i]));
+            tile.indices[served] = i;
+            // Written so that NaN is not supported.
+            const bool serves = before && block.exact[i] != 0 && block.sides(i) < largest;
+            served += serves ? 1 : 0;
+            if (!serves) fallback.push_back(i);
+        }
+        tile.indices.resize(served);
+    }
+    findRuns(block, tile.indices, tile.runs);
     return tile;
 }
 
 const PlaneSplit& splitPixels(const Run& run, const TilePixels& pixels, const NearGround& ground,
                               Reused<PlaneSplit>& out) {
-    const FilterBlock& block = run.block;
     PlaneSplit& split = out.refill();
-    const std::size_t row = pixels.cells.row();
-    const glm::dvec2 scale = pixels.cells.scale;
-    split.edges.clear();
-    split.planeOf.clear();
-    if (split.planes.size() < pixels.indices.size()) split.planes.resize(pixels.indices.size());
-    for (const std::size_t i : pixels.indices) {
-        const std::size_t own = pixels.cells.at(block.x[i], block.y[i]);
-        if ((ground.around[own] & kOnPlane) == 0) {
-            split.edges.push_back(i);
-            continue;
-        }
-        Jacobian j{block.ux[i], block.vx[i], block.uy[i], block.vy[i]};
-        if ((ground.around[own] & kOnLevel) == 0) {
-            const auto half = [&](const std::vector<double>& column, std::size_t way) {
-                return 0.5 * (column[own + way] - column[own - way]);
-            };
-            const Centres& centres = ground.centres;
-            j = {half(centres.s, 1), half(centres.t, 1), half(centres.s, row), half(centres.t, row)};
-        }
-        split.planes.place(split.planeOf.size(), glm::dvec2(block.s[i], block.t[i]) * scale, scaled(j, scale));
-        split.planeOf.push_back(i);
+    split.columns.refill(pixels.indices.size());
+    const Centres& centres = ground.centres;
+    const TileCells& cells = centres.cells;
+    const SplitJob job{&run.block, centres.s.data(), centres.t.data(), cells.row(), ground.around.data(), cells.scale};
+    for (const PixelRun& one : pixels.runs) {
+        splitRun(job, one.first, one.count, cells.at(run.block.x[one.first], run.block.y[one.first]), split.columns);
     }
     return split;
 }
 
 void filterPlanes(Run& run, const PlaneSplit& split, SumWork& sum, std::span<Color> colors) {
     const EllipticalKernel& plain = run.setup.plain;
-    reserve(sum.planes, split.planeOf.size());
+    const std::span<const std::size_t> of = split.planeOf();
+    if (of.empty()) return;
     const FootprintCounts before = run.counts;
-    if (run.log != nullptr && !split.planeOf.empty()) {
-        const FilterQuery one = split.planes[0];
-        sum.planes[0] = plain.filter(one.jacobian, one.place, run.counts, run.log);
+    const FilterBlock& planes = split.columns.planes;
+    // Without a pixel in between, the colours need not be moved.
+    const bool together = of.back() - of.front() + 1 == of.size();
+    if (!together) reserve(sum.planes, of.size());
+    const std::span<Color> to =
+        together ? colors.subspan(of.front(), of.size()) : std::span(sum.planes.data(), of.size());
+    if (run.log != nullptr) {
+        const FilterQuery one = planes[0];
+        to[0] = plain.filter(one.jacobian, one.place, run.counts, run.log);
         run.log->skipped = true;
     } else {
-        plain.filter(split.planes, {1, 1}, {sum.planes.data(), split.planeOf.size()}, run.counts);
+        plain.filter(planes, {1, 1}, to, run.counts);
     }
     run.counts.skipped += run.counts.texels - before.texels;
     run.counts.flat += run.counts.footprints - before.footprints;
-    for (std::size_t n = 0; n < split.planeOf.size(); ++n) colors[split.planeOf[n]] = sum.planes[n];
+    for (std::size_t n = 0; n < of.size() && !together; ++n) colors[of[n]] = sum.planes[n];
 }
 
 void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const PointColors& points, SumWork& sum,
@@ -142,18 +174,19 @@ void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const
     const FilterBlock& block = run.block;
     const TileCells& cells = ground.centres.cells;
     const auto perCell = static_cast<std::int32_t>(setup.lattice.places.size());
+    const std::span<const std::size_t> edges = split.edges();
     sum.base.clear();
-    for (const std::size_t i : split.edges) {
+    for (const std::size_t i : edges) {
         sum.base.push_back(static_cast<std::int32_t>(cells.at(block.x[i], block.y[i])) * perCell);
     }
     sum.offset.clear();
     for (const PointLattice::Term& term : setup.lattice.terms) {
         sum.offset.push_back((term.dy * cells.width + term.dx) * perCell + term.point);
     }
-    reserve(sum.sums, split.edges.size());
+    reserve(sum.sums, edges.size());
     sumPoints(points.slots.data(), sum.base, sum.offset, setup.lattice.weights, sum.sums);
-    for (std::size_t n = 0; n < split.edges.size(); ++n) {
-        const std::size_t i = split.edges[n];
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+        const std::size_t i = edges[n];
         const auto& [red, green, blue, total] = sum.sums[n].channel;
         if (total > 0) {
             colors[i] = Color(red, green, blue) / total;
@@ -164,7 +197,7 @@ void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const
             colors[i] = setup.reader.levels().bilinear(0, place, setup.reader.address());
         }
     }
-    run.counts.footprints += static_cast<std::int64_t>(split.edges.size());
+    run.counts.footprints += static_cast<std::int64_t>(edges.size());
 }
 
 void logEdge(Run& run, const EdgeGround& ground, const RestPoints& rest, const PointColors& points) {
@@ -238,7 +271,7 @@ void GridKernel::filterTile(grid::Run& run, const grid::TilePixels& pixels, Scra
     const NearGround near = surveyPixels(run, pixels, centres, scratch.survey, scratch.around);
     const PlaneSplit& split = splitPixels(run, pixels, near, scratch.split);
     filterPlanes(run, split, scratch.sum, colors);
-    if (split.edges.empty()) return;
+    if (split.edges().empty()) return;
     const EdgeGround ground = surveyEdges(run, split, near, scratch.survey);
     const PointPlan& plan = planPoints(run, split, ground, scratch.points, scratch.plan);
     CentreColors& centreColors = readCentres(run, ground, plan, scratch.points, scratch.colors);
@@ -255,16 +288,9 @@ void GridKernel::filter(const FilterBlock& block, glm::dvec2 scale, std::span<Co
     static thread_local Scratch scratch;
     grid::Run run{setup_, block, counts, work, log};
     std::vector<std::size_t> fallbackPixels;
-    for (std::size_t first = 0; first < block.size() && !work.stopped();) {
-        std::size_t last = first;
-        const auto same = [&](std::size_t i) {
-            return block.view[i] == block.view[first] && block.x[i] >> kTileAcross == block.x[first] >> kTileAcross &&
-                   block.y[i] >> kTileDown == block.y[first] >> kTileDown;
-        };
-        while (last < block.size() && same(last)) ++last;
+    for (std::size_t first = 0, last = 0; first < block.size() && !work.stopped(); first = last) {
         const grid::TilePixels& pixels = grid::gatherPixels(run, first, last, scale, scratch.pixels, fallbackPixels);
         if (!pixels.indices.empty()) filterTile(run, pixels, scratch, colors);
-        first = last;
     }
     if (fallbackPixels.empty()) return;
     FilterBlock fallback;

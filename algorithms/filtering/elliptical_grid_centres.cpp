@@ -1,8 +1,8 @@
 // The hits at cells' centres, and how each lies among its neighbours.
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "filtering/grid_stages.h"
 #include "relief/block_work.h"
@@ -12,46 +12,29 @@ namespace relief::grid {
 
 namespace {
 
-// Sets the hits of a row of cells, all of which are known.
-void setRow(Centres& centres, std::size_t cell, std::size_t count, const double* s, const double* t,
-            const double* lambda) {
-    std::memset(centres.known.data() + cell, 1, count);
-    std::copy_n(s, count, centres.s.data() + cell);
-    std::copy_n(t, count, centres.t.data() + cell);
-    std::copy_n(lambda, count, centres.lambda.data() + cell);
-    const glm::dvec2 scale = centres.cells.scale;
-    for (std::size_t n = 0; n < count; ++n) centres.pictureS[cell + n] = static_cast<float>(s[n] * scale.x);
-    for (std::size_t n = 0; n < count; ++n) centres.pictureT[cell + n] = static_cast<float>(t[n] * scale.y);
-    for (std::size_t n = 0; n < count; ++n) centres.floatLambda[cell + n] = static_cast<float>(lambda[n]);
-}
-
 // Copies all centres that the picture contains, row by row.
 void takePicture(const HeightField& field, const PictureHits& picture, Centres& centres) {
     const TileCells& cells = centres.cells;
     const HitBlock& hits = *picture.hits;
     const int from = std::max(cells.x0, 0), to = std::min(cells.x0 + cells.width, picture.width);
     const auto count = static_cast<std::size_t>(std::max(to - from, 0));
-    centres.allKnown = true;
+    const std::uint8_t own = cells.view->number;
+    centres.allKnown = count == cells.row();
     for (int y = cells.y0; y < cells.y0 + cells.height; ++y) {
-        const bool there = picture.hasRow(y) && count > 0;
-        centres.allKnown = centres.allKnown && there && count == cells.row();
-        if (!there) continue;
-        const std::size_t i = picture.at(from, y), cell = cells.at(from, y);
-        const std::uint8_t* polygon = picture.polygon + i;
-        const Outcome* outcome = hits.outcome.data() + i;
-        // On columns, the place where colours are sampled differs from the hit and must be computed for each.
-        int other = field.surface() == Surface::Bilinear ? 0 : 1;
-        for (std::size_t n = 0; n < count; ++n)
-            other += polygon[n] != cells.view->number || outcome[n] != Outcome::Hit ? 1 : 0;
-        if (other == 0) {
-            setRow(centres, cell, count, hits.s.data() + i, hits.t.data() + i, hits.lambda.data() + i);
+        const std::size_t start = cells.at(cells.x0, y), end = start + cells.row();
+        if (!picture.hasRow(y) || count == 0) {
+            centres.clear(start, end);
+            centres.allKnown = false;
             continue;
         }
-        for (std::size_t n = 0; n < count; ++n) {
-            const bool known = polygon[n] == cells.view->number;
-            centres.known[cell + n] = known ? 1 : 0;
-            centres.allKnown = centres.allKnown && known;
-            if (!known || outcome[n] != Outcome::Hit) continue;
+        const std::size_t i = picture.at(from, y), cell = cells.at(from, y);
+        centres.clear(start, cell);
+        const bool known = copyHits(picture, i, count, own, cells.scale, centres.columns(cell));
+        centres.allKnown = centres.allKnown && known;
+        centres.clear(cell + count, end);
+        // On columns, the place where colours are sampled differs from the hit and must be computed for each.
+        for (std::size_t n = 0; n < count && field.surface() == Surface::Columns; ++n) {
+            if (std::isnan(centres.s[cell + n])) continue;
             const glm::dvec2 place = lookUpPoint(field, (*picture.rays)[i + n], hits[i + n]);
             centres.set(cell + n, place.x, place.y, hits.lambda[i + n]);
         }
@@ -152,17 +135,16 @@ Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& 
     Centres& centres = out.refill();
     centres.cells = pixels.cells;
     const std::size_t count = pixels.cells.count(), columns = count + kCellSlack;
-    centres.s.assign(columns, std::numeric_limits<double>::quiet_NaN());
-    centres.pictureS.assign(columns, std::numeric_limits<float>::quiet_NaN());
-    reserve(centres.t, columns), reserve(centres.lambda, columns);
-    reserve(centres.pictureT, columns), reserve(centres.floatLambda, columns);
-    centres.known.assign(count, 0);
-    centres.allKnown = false;
+    for (auto* column : {&centres.s, &centres.t, &centres.lambda}) reserve(*column, columns);
+    for (auto* column : {&centres.pictureS, &centres.pictureT, &centres.floatLambda}) reserve(*column, columns);
+    reserve(centres.known, count);
     const FilterBlock& block = run.block;
+    centres.allKnown = block.picture != nullptr;
     if (block.picture != nullptr) {
         takePicture(run.setup.tracer->field(), *block.picture, centres);
         return centres;
     }
+    centres.clear(0, count);
     for (const std::size_t i : pixels.indices) {
         const std::size_t cell = pixels.cells.at(block.x[i], block.y[i]);
         centres.known[cell] = 1;
@@ -180,7 +162,7 @@ NearGround surveyPixels(Run& run, const TilePixels& pixels, Centres& centres, Su
 }
 
 EdgeGround surveyEdges(Run& run, const PlaneSplit& split, const NearGround& ground, SurveyWork& survey) {
-    if (complete(run, split.edges, kTileHalo, ground.centres, survey)) findAround(run, ground.centres, ground.around);
+    if (complete(run, split.edges(), kTileHalo, ground.centres, survey)) findAround(run, ground.centres, ground.around);
     return {ground.centres, ground.around};
 }
 

@@ -10,97 +10,22 @@ namespace relief::grid {
 
 namespace {
 
-// Sets the point's bit in each cell with eight neighbours for which the cell `off` entries before it has that bit in
-// mask.
-void takeBit(const TileCells& cells, const BitColumn& mask, std::ptrdiff_t off, std::size_t point, BitColumn& out) {
-    const std::uint16_t* from = mask.data() - off;
-    const auto bit = static_cast<std::uint16_t>(1U << point);
-    for (std::size_t c = cells.inner(); c < cells.count() - cells.inner(); ++c)
-        out[c] |= static_cast<std::uint16_t>(from[c] & bit);
-}
-
-// Sets the bits of the points that any edge pixel sums. Edge pixels are at least kTileHalo cells from the border. mask:
-// scratch memory.
-void markSummed(const PointLattice& lattice, const FilterBlock& block, std::span<const std::size_t> edges,
-                const TileCells& cells, BitColumn& mask, BitColumn& needed) {
-    mask.assign(cells.count(), 0);
-    for (const std::size_t i : edges) mask[cells.at(block.x[i], block.y[i])] = 0xFFFF;
-    for (const PointLattice::Term& term : lattice.terms) {
-        const int off = term.dy * cells.width + term.dx;
-        takeBit(cells, mask, off, static_cast<std::size_t>(term.point), needed);
-    }
-}
-
-// Adds the four centres around each such point. mask: scratch memory.
-void addCentres(const PointLattice& lattice, const TileCells& cells, BitColumn& mask, BitColumn& needed) {
-    mask.assign(cells.count(), 0);
-    for (std::size_t k = 1; k < lattice.places.size(); ++k) {
-        // The cells whose squares have this centre as a corner: the centre's own, the one to its left, and the two
-        // above.
-        const std::uint16_t* own = needed.data() + lattice.squareOf(k, cells.width);
-        const std::uint16_t* above = own - cells.width;
-        for (std::size_t c = cells.inner(); c < cells.count() - cells.inner(); ++c) {
-            const auto here = static_cast<std::ptrdiff_t>(c);
-            const int any = own[here] | own[here - 1] | above[here] | above[here - 1];
-            mask[c] |= static_cast<std::uint16_t>(any >> k & 1);
-        }
-    }
-    for (std::size_t c = 0; c < cells.count(); ++c) needed[c] |= mask[c];
-}
-
-// Sets all bits or none of each cell: whether hits within the square between its centre and the centres to the right,
-// below and diagonally below can be interpolated from these four. They can if none of the six lines between the four
-// crosses an edge, that is if each line is smooth at both ends or straight at one end.
-void joinSquares(const TileCells& cells, const BitColumn& around, BitColumn& joined) {
-    const std::size_t row = cells.row();
-    joined.assign(cells.count(), 0);
-    std::uint16_t* out = joined.data();
-    const auto join = [](unsigned p, unsigned q, unsigned line) {
-        return (p & q & (unsigned{kSmooth} << line)) | (((p | q) & (unsigned{kStraight} << line)) / kStraight);
-    };
-    for (std::size_t c = 0; c < cells.count() - cells.inner(); ++c) {
-        const unsigned p = around[c], q = around[c + 1], r = around[c + row], s = around[c + row + 1];
-        const unsigned lines = (join(p, q, kAcross) & join(r, s, kAcross)) | (join(p, r, kDown) & join(q, s, kDown)) |
-                               join(p, s, kFalling) | join(r, q, kRising);
-        out[c] = lines == kAllLines ? 0xFFFF : 0;
-    }
-}
-
-// Sets a bit for each point whose hit is interpolated from centres; for a centre, whose footprint is.
-void markInterpolated(const PointLattice& lattice, const TileCells& cells, const BitColumn& around,
-                      const BitColumn& joined, BitColumn& interpolated) {
-    // A centre's footprint follows from its neighbours if the horizontal and the vertical line through it are straight,
-    // or smooth with nearby hits.
-    constexpr unsigned kCross = (1U << kAcross) | (1U << kDown);
-    for (std::size_t c = 0; c < cells.count(); ++c) {
-        const unsigned lines = (around[c] / kStraight) | ((around[c] & kNearAround) != 0 ? around[c] : 0U);
-        interpolated[c] = (lines & kCross) == kCross ? 1 : 0;
-    }
-    for (std::size_t k = 1; k < lattice.places.size(); ++k)
-        takeBit(cells, joined, lattice.squareOf(k, cells.width), k, interpolated);
-}
-
-// Appends the k-th points that are needed and not interpolated, row by row. which: scratch memory.
+// Appends the k-th points that are needed and not interpolated, row by row.
 void addPlaces(const PointLattice& lattice, const TileCells& cells, const BitColumn& needed,
-               const BitColumn& interpolated, std::size_t k, std::vector<std::int32_t>& which, Places& out) {
-    reserve(which, cells.row() + 1);
-    const std::size_t perCell = lattice.places.size();
-    for (std::size_t y = 0; y * cells.row() < cells.count(); ++y) {
-        const std::size_t first = y * cells.row();
-        // Compaction without a branch, because which cells are selected is unpredictable.
-        std::size_t count = 0;
-        for (std::size_t x = 0; x < cells.row(); ++x) {
-            which[count] = static_cast<std::int32_t>(x);
-            count += static_cast<std::size_t>((needed[first + x] & ~interpolated[first + x]) >> k & 1);
-        }
-        out.reserve(count);
-        const double placeY = cells.y0 + static_cast<int>(y) + 0.5 + lattice.places[k].y;
-        for (std::size_t n = 0; n < count; ++n, ++out.count) {
-            const std::size_t cell = first + static_cast<std::size_t>(which[n]);
-            out.slots[out.count] = static_cast<std::uint32_t>(cell * perCell + k);
-            out.x[out.count] = cells.x0 + which[n] + 0.5 + lattice.places[k].x;
-            out.y[out.count] = placeY;
-        }
+               const BitColumn& interpolated, std::size_t k, Places& out) {
+    for (std::size_t first = 0; first < cells.count(); first += cells.row()) {
+        out.reserve(cells.row() + kPointSlack);
+        const int y = cells.y0 + static_cast<int>(first / cells.row());
+        const PlacesJob job{needed.data() + first,
+                            interpolated.data() + first,
+                            k,
+                            lattice.places.size(),
+                            cells.row(),
+                            first,
+                            cells.x0 + 0.5,
+                            lattice.places[k].x,
+                            y + 0.5 + lattice.places[k].y};
+        out.count += listPlaces(job, out.x.data() + out.count, out.y.data() + out.count, out.slots.data() + out.count);
     }
 }
 
@@ -153,19 +78,6 @@ void read(Run& run, const Footprints& footprints, CentreColors& colors) {
     }
 }
 
-// The weighted mean of four centres' colours; `at` is the cell of the upper left one.
-PointColor meanColor(const std::vector<PointColor>& slots, std::size_t at, std::size_t row, std::size_t perCell,
-                     const std::array<float, 4>& share) {
-    const PointColor* p = slots.data() + at * perCell;
-    const PointColor *q = p + perCell, *r = p + row * perCell, *s = r + perCell;
-    PointColor mean;
-    for (std::size_t n = 0; n < 4; ++n) {
-        mean.channel[n] = (share[0] * p->channel[n] + share[1] * q->channel[n]) +
-                          (share[2] * r->channel[n] + share[3] * s->channel[n]);
-    }
-    return mean;
-}
-
 }  // namespace
 
 const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeGround& ground, PointWork& points,
@@ -173,11 +85,7 @@ const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeG
     PointPlan& plan = out.refill();
     const TileCells& cells = ground.centres.cells;
     const PointLattice& lattice = run.setup.lattice;
-    for (auto* column : {&plan.needed, &plan.interpolated}) column->assign(cells.count() + kCellSlack, 0);
-    markSummed(lattice, run.block, split.edges, cells, points.mask, plan.needed);
-    addCentres(lattice, cells, points.mask, plan.needed);
-    joinSquares(cells, ground.around, points.mask);
-    markInterpolated(lattice, cells, ground.around, points.mask, plan.interpolated);
+    planCells({lattice, run.block, split.edges(), cells, ground.around}, points.mask, plan);
     return plan;
 }
 
@@ -192,7 +100,7 @@ CentreColors& readCentres(Run& run, const EdgeGround& ground, const PointPlan& p
     addInterpolated(lattice, centres, plan.needed, plan.interpolated, 0, footprints);
     Places& places = points.places;
     places.count = 0;
-    addPlaces(lattice, cells, plan.needed, plan.interpolated, 0, points.which, places);
+    addPlaces(lattice, cells, plan.needed, plan.interpolated, 0, places);
     HitBlock& hits = points.centreHits;
     if (hits.size() < places.count) hits.resize(places.count);
     for (std::size_t n = 0; n < places.count; ++n) {
@@ -225,14 +133,9 @@ const RestPoints& meanColors(const Run& run, const EdgeGround& ground, const Poi
     rest.needed = plan.needed;
     for (std::size_t k = 1; k < perCell; ++k) {
         const auto square = static_cast<std::size_t>(lattice.squareOf(k, cells.width));
-        const auto bit = static_cast<std::uint16_t>(1U << k);
-        std::array<float, 4> share;
-        for (std::size_t n = 0; n < share.size(); ++n) share[n] = static_cast<float>(lattice.shares[k][n]);
-        for (std::size_t c = cells.inner(); c < last; ++c) {
-            if ((plan.needed[c] & uniform[c - square] & bit) == 0) continue;
-            rest.needed[c] &= static_cast<std::uint16_t>(~bit);
-            colors.slots[c * perCell + k] = meanColor(colors.slots, c - square, cells.row(), perCell, share);
-        }
+        MeanJob job{square, cells.row(), perCell, k, {}};
+        for (std::size_t n = 0; n < job.share.size(); ++n) job.share[n] = static_cast<float>(lattice.shares[k][n]);
+        meanUniform(job, cells.inner(), last, uniform.data(), rest.needed.data(), colors.slots.data());
     }
     return rest;
 }
@@ -246,7 +149,7 @@ PointColors readPoints(Run& run, const EdgeGround& ground, const PointPlan& plan
     Places& places = points.places;
     places.count = 0;
     for (std::size_t k = 1; k < lattice.places.size(); ++k)
-        addPlaces(lattice, cells, rest.needed, plan.interpolated, k, points.which, places);
+        addPlaces(lattice, cells, rest.needed, plan.interpolated, k, places);
     for (std::size_t begin = 0; begin < places.count; begin += kRayGrain) {
         const std::size_t count = std::min(kRayGrain, places.count - begin);
         traceBatch(run, *cells.view, places, begin, count, points.batch);

@@ -1,6 +1,7 @@
 // Queries of pixels to a texture filter, single and in blocks.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -63,6 +64,8 @@ struct FilterBlock {
     ViewRay ray(std::size_t i) const {
         return picture == nullptr ? rays[i] : (*picture->rays)[picture->at(x[i], y[i])];
     }
+    // The sum of the Jacobian's absolute values.
+    double sides(std::size_t i) const { return std::abs(ux[i]) + std::abs(uy[i]) + std::abs(vx[i]) + std::abs(vy[i]); }
     void resize(std::size_t count) {
         for (auto* column : {&s, &t, &ux, &vx, &uy, &vy, &lambda, &spread}) column->resize(count);
         rays.resize(count);

@@ -5,9 +5,7 @@
 #define HWY_TARGET_INCLUDE "filtering/grid_follow.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include <hwy/highway.h>
-
-#include "relief/simd/lane_rays.h"
+#include "filtering/simd/lane_packing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -15,10 +13,7 @@ namespace follow {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr std::size_t kLanes = hn::MaxLanes(D());
+using packing::D, packing::V, packing::M, packing::kLanes, packing::Packing;
 static_assert(kLanes <= kPointSlack);
 
 HWY_INLINE V set(double x) {
@@ -27,30 +22,9 @@ HWY_INLINE V set(double x) {
 
 // Selects those of the cells from c on whose point is needed and interpolated.
 HWY_INLINE M selected(const FollowJob& job, std::size_t c) {
-    const hn::Rebind<std::uint16_t, D> narrow;
-    const hn::Rebind<std::uint32_t, D> wide;
-    const hn::RebindToUnsigned<D> whole;
-    const auto bit = hn::Set(narrow, static_cast<std::uint16_t>(1U << job.point));
-    const auto both = hn::And(hn::LoadU(narrow, job.needed + c), hn::LoadU(narrow, job.interpolated + c));
-    const auto bits = hn::PromoteTo(whole, hn::PromoteTo(wide, hn::And(both, bit)));
-    return hn::RebindMask(D(), hn::Ne(bits, hn::Zero(whole)));
+    const auto bit = static_cast<std::uint16_t>(1U << job.point);
+    return hn::And(packing::withBits(job.needed + c, bit), packing::withBits(job.interpolated + c, bit));
 }
-
-// Moves the selected lanes to the front. Not hn::Compress: g++ 12 copies its table to the stack on each call.
-struct Packing {
-    explicit Packing(M chosen) {
-        std::uint8_t bits[8];
-        hn::StoreMaskBits(D(), chosen, bits);
-        const hn::Rebind<std::uint8_t, D> bytes;
-        const hn::Rebind<std::int32_t, D> wide;
-        const auto lanes = hn::LoadU(bytes, kPackedLanes[bits[0]].data());
-        indices_ = hn::PromoteTo(hn::RebindToSigned<D>(), hn::PromoteTo(wide, lanes));
-    }
-    HWY_INLINE V operator()(V v) const { return hn::TableLookupLanes(v, hn::IndicesFromVec(D(), indices_)); }
-
-  private:
-    hn::Vec<hn::RebindToSigned<D>> indices_;
-};
 
 // A coordinate of points, and its derivatives along x and y of the picture.
 struct Coordinate {

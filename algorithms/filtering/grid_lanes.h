@@ -10,6 +10,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "filtering/filter_block.h"
 #include "filtering/pixel_view.h"
 #include "filtering/point_lattice.h"
 #include "filtering/point_reader.h"
@@ -117,6 +118,16 @@ inline constexpr float kUniformColors = 1.0F / 64, kUniformShare = 0.25F;
 // longer.
 void findUniform(const std::array<const float*, 3>& channel, std::size_t row, std::size_t count, float bounds,
                  std::uint16_t* uniform);
+// A job for meanUniform: the k-th points of cells.
+struct MeanJob {
+    std::size_t square = 0, row = 0;  // PointLattice::squareOf, cells per row
+    std::size_t points = 0, point = 0;
+    std::array<float, 4> share{};
+};
+// Sets the colours of the points of cells [first, last) that are needed and whose square is uniform to the weighted
+// mean of the square's centres, and removes them from needed.
+void meanUniform(const MeanJob& job, std::size_t first, std::size_t last, const std::uint16_t* uniform,
+                 std::uint16_t* needed, PointColor* colors);
 // Copies the centres' colours (the first of each cell's `points`) to columns of red, green and blue. They are infinite
 // where the centre is not needed (bit 0) or has no hit. All columns are kCellSlack cells longer.
 void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,
@@ -142,5 +153,63 @@ struct FollowJob {
 // Appends the points that are needed and interpolated, and their slots: cell * points + point. Centres use the
 // differences of their neighbours; other points use means and differences of the four centres around them.
 void followPoints(const FollowJob& job, PointBlock& out, std::vector<std::uint32_t>& slots);
+
+// Of pixels [first, last) of a block: whether all have the same view and lie in one tile of 2^across x 2^down pixels;
+// if so, their bounding rectangle, and whether all hits are exact and all footprints' columns sum to less than
+// `largest`.
+struct TileScan {
+    bool same = false;
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+    bool usable = false;
+};
+TileScan scanTile(const FilterBlock& block, std::size_t first, std::size_t last, int across, int down, double largest);
+
+// Hits of cells: in texels of the height map, and in float in texels of the picture. Columns are kCellSlack longer.
+struct CellColumns {
+    double *s = nullptr, *t = nullptr, *lambda = nullptr;
+    float *pictureS = nullptr, *pictureT = nullptr, *floatLambda = nullptr;
+    std::uint8_t* known = nullptr;  // 1 where the ray belongs to the polygon
+};
+// Sets the first `count` cells to the picture's rays from `from` on: NaN for other polygons' and for those without a
+// hit. Also overwrites the columns of up to kPointSlack cells behind, except `known`. Returns true if all are known.
+bool copyHits(const PictureHits& picture, std::size_t from, std::size_t count, std::uint8_t polygon, glm::dvec2 scale,
+              const CellColumns& out);
+
+// A job for splitRun: pixels of a block whose cells are consecutive. The cells' columns are kCellSlack longer.
+struct SplitJob {
+    const FilterBlock* block = nullptr;
+    const double *s = nullptr, *t = nullptr;  // of centres, texels of the height map
+    std::size_t row = 0;
+    const std::uint16_t* around = nullptr;  // Surroundings
+    glm::dvec2 scale{1};
+};
+// Pixels on planes, as places and Jacobians in texels of the picture, and the others. The columns are as long as the
+// number of all pixels plus kPointSlack.
+struct SplitColumns {
+    std::size_t planeCount = 0, edgeCount = 0;
+    FilterBlock planes;
+    std::vector<std::size_t> planeOf, edges;  // indices in the block
+
+    void refill(std::size_t pixels) {
+        planeCount = edgeCount = 0;
+        if (planeOf.size() >= pixels + kPointSlack) return;
+        planes.resize(pixels + kPointSlack);
+        planeOf.resize(pixels + kPointSlack), edges.resize(pixels + kPointSlack);
+    }
+};
+// Appends the pixels [first, first + count) of the block, whose cells start at `cell`. The Jacobian of pixels on a
+// plane is that of the hits around, or the pixel's own on level ground.
+void splitRun(const SplitJob& job, std::size_t first, std::size_t count, std::size_t cell, SplitColumns& out);
+
+// A job for listPlaces: the k-th points of a row of cells, from column 0 of that row on.
+struct PlacesJob {
+    const std::uint16_t *needed = nullptr, *interpolated = nullptr;  // of the row; kCellSlack longer
+    std::size_t point = 0, points = 0;                               // k, and the number of points of the lattice
+    std::size_t row = 0, cell = 0;                                   // cells per row, and the first cell
+    double x = 0, off = 0, y = 0;  // the first cell's centre; from there to the point along x; place of the point
+};
+// Writes the points of the row that are needed and not interpolated, and returns their number. The columns have room
+// for a whole row and kPointSlack more.
+std::size_t listPlaces(const PlacesJob& job, double* x, double* y, std::uint32_t* slots);
 
 }  // namespace relief

@@ -4,8 +4,10 @@
 // elliptical_grid*.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -54,9 +56,14 @@ struct TileCells {
     }
 };
 
+// Pixels [first, first + count) of the block, whose cells are consecutive.
+struct PixelRun {
+    std::size_t first = 0, count = 0;
+};
 struct TilePixels {
     TileCells cells;
     std::vector<std::size_t> indices;  // in the block
+    std::vector<PixelRun> runs;        // the same
 };
 
 // Hits of the view's rays through cells' centres. s is NaN where there is no hit, or none is known yet.
@@ -68,6 +75,19 @@ struct Centres {
     std::vector<std::uint8_t> known;
     bool allKnown = false;
 
+    // Marks the cells [begin, end) as unknown.
+    void clear(std::size_t begin, std::size_t end) {
+        std::fill(s.begin() + static_cast<std::ptrdiff_t>(begin), s.begin() + static_cast<std::ptrdiff_t>(end),
+                  std::numeric_limits<double>::quiet_NaN());
+        std::fill(pictureS.begin() + static_cast<std::ptrdiff_t>(begin),
+                  pictureS.begin() + static_cast<std::ptrdiff_t>(end), std::numeric_limits<float>::quiet_NaN());
+        std::fill(known.begin() + static_cast<std::ptrdiff_t>(begin), known.begin() + static_cast<std::ptrdiff_t>(end),
+                  std::uint8_t{0});
+    }
+    CellColumns columns(std::size_t cell) {
+        return {s.data() + cell,        t.data() + cell,           lambda.data() + cell, pictureS.data() + cell,
+                pictureT.data() + cell, floatLambda.data() + cell, known.data() + cell};
+    }
     void set(std::size_t cell, double atS, double atT, double atLambda) {
         s[cell] = atS, t[cell] = atT, lambda[cell] = atLambda;
         pictureS[cell] = static_cast<float>(atS * cells.scale.x);
@@ -90,8 +110,10 @@ struct EdgeGround {
 
 // The pixels on planes, as queries with the planes' Jacobians, and the other pixels: edges.
 struct PlaneSplit {
-    FilterBlock planes;
-    std::vector<std::size_t> planeOf, edges;  // indices in the block
+    SplitColumns columns;
+
+    std::span<const std::size_t> planeOf() const { return {columns.planeOf.data(), columns.planeCount}; }
+    std::span<const std::size_t> edges() const { return {columns.edges.data(), columns.edgeCount}; }
 };
 
 // Points that edge pixels sum, with the centres around them, and the points whose hits are interpolated from centres.
@@ -161,7 +183,6 @@ struct SurveyWork {
 };
 struct PointWork {
     BitColumn mask;
-    std::vector<std::int32_t> which;
     Places places;
     HitBlock centreHits;
     RayBatch batch;
@@ -178,9 +199,9 @@ struct SumWork {
 void traceBatch(Run& run, const PixelView& view, const Places& places, std::size_t begin, std::size_t count,
                 RayBatch& batch);
 
-// 1. Collects the block's pixels [first, last), of one view and tile. Indices of pixels that the grid does not support
-// are appended to `fallback`.
-const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t last, glm::dvec2 scale,
+// 1. Collects the block's pixels from `first` on that have one view and lie in one tile, and sets `last` behind these.
+// Indices of pixels that the grid does not support are appended to `fallback`.
+const TilePixels& gatherPixels(const Run& run, std::size_t first, std::size_t& last, glm::dvec2 scale,
                                Reused<TilePixels>& out, std::vector<std::size_t>& fallback);
 // 2. Copies the known hits of centres from the picture or, without one, from the block.
 Centres& takeCentres(const Run& run, const TilePixels& pixels, Reused<Centres>& out);
@@ -194,6 +215,17 @@ const PlaneSplit& splitPixels(const Run& run, const TilePixels& pixels, const Ne
 void filterPlanes(Run& run, const PlaneSplit& split, SumWork& sum, std::span<Color> colors);
 // 6. Traces the unknown centres within kTileHalo cells of any edge pixel.
 EdgeGround surveyEdges(Run& run, const PlaneSplit& split, const NearGround& ground, SurveyWork& survey);
+// Input of planCells, the arithmetic of stage 7.
+struct PlanJob {
+    const PointLattice& lattice;
+    const FilterBlock& block;
+    std::span<const std::size_t> edges;
+    const TileCells& cells;
+    const BitColumn& around;
+};
+// mask: scratch memory.
+void planCells(const PlanJob& job, BitColumn& mask, PointPlan& out);
+
 // 7. Determines which points the edge pixels need, and which of these need no ray.
 const PointPlan& planPoints(const Run& run, const PlaneSplit& split, const EdgeGround& ground, PointWork& points,
                             Reused<PointPlan>& out);

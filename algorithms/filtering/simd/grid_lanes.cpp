@@ -186,7 +186,7 @@ HWY_INLINE void layWith(const PixelView& view, const SlopeAt& slopeAt, const Poi
 }
 void layFootprints(const PixelView& view, const SlopeScene* slopes, const PointBlur& blur, glm::dvec2 scale,
                    const PointHits& hits, PointBlock& points) {
-    const auto level = [](V s, V) { return slopes::Slope{s, s}; };
+    const auto level = [](V s, V) { return slopes::Slope{s, s, s}; };
     if (slopes == nullptr) return layWith<false>(view, level, blur, scale, hits, points);
     slopes::withSlopes(*slopes,
                        [&](const auto& slopeAt) HWY_ATTR { layWith<true>(view, slopeAt, blur, scale, hits, points); });
@@ -212,13 +212,42 @@ void findUniform(const std::array<const float*, 3>& channel, std::size_t row, st
     }
 }
 
+// The channels of kFloats colours, `apart` of them from one to the next.
+using Channels = std::array<VF, 4>;
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE Channels channelsOf(const PointColor* colors, std::size_t) {
+    const auto one = [&](std::size_t n) { return hn::Set(DF(), colors->channel[n]); };
+    return {one(0), one(1), one(2), one(3)};
+}
+#else
+// Loads every fourth colour from the k-th on into a vector of N floats, a quarter for each.
+template <std::size_t N>
+HWY_INLINE auto quartersOf(const PointColor* colors, std::size_t apart, std::size_t k) {
+    const hn::CappedTag<float, N> d;
+    if constexpr (N > 4) {
+        const auto low = quartersOf<N / 2>(colors, apart, k), high = quartersOf<N / 2>(colors, apart, k + N / 2);
+        return hn::Combine(d, high, low);
+    } else {
+        return hn::Load(d, colors[k * apart].channel);
+    }
+}
+HWY_INLINE Channels channelsOf(const PointColor* colors, std::size_t apart) {
+    const DF d;
+    // A transposition within quarters moves colour k to lane k.
+    const VF r0 = quartersOf<kFloats>(colors, apart, 0), r1 = quartersOf<kFloats>(colors, apart, 1);
+    const VF r2 = quartersOf<kFloats>(colors, apart, 2), r3 = quartersOf<kFloats>(colors, apart, 3);
+    const VF even0 = hn::InterleaveLower(d, r0, r2), odd0 = hn::InterleaveLower(d, r1, r3);
+    const VF even1 = hn::InterleaveUpper(d, r0, r2), odd1 = hn::InterleaveUpper(d, r1, r3);
+    return {hn::InterleaveLower(d, even0, odd0), hn::InterleaveUpper(d, even0, odd0),
+            hn::InterleaveLower(d, even1, odd1), hn::InterleaveUpper(d, even1, odd1)};
+}
+#endif
+
 void splitCentres(const PointColor* colors, std::size_t points, const std::uint16_t* needed, std::size_t count,
                   const std::array<float*, 3>& out) {
     const DF d;
-    const hn::RebindToSigned<DF> di;
     const hn::RebindToUnsigned<DF> du;
     const hn::Rebind<std::uint16_t, DF> dh;
-    const auto apart = static_cast<std::int32_t>(4 * points);
     const VF none = hn::Set(d, std::numeric_limits<float>::infinity());
     for (std::size_t c = 0; c < count; c += kFloats) {
         const auto bits = hn::PromoteTo(du, hn::And(hn::LoadU(dh, needed + c), hn::Set(dh, std::uint16_t{1})));
@@ -227,11 +256,10 @@ void splitCentres(const PointColor* colors, std::size_t points, const std::uint1
             for (float* column : out) hn::StoreU(none, d, column + c);
             continue;
         }
-        const auto at = hn::Mul(hn::Iota(di, static_cast<std::int32_t>(c)), hn::Set(di, apart));
-        const auto channel = [&](std::size_t n) HWY_ATTR { return hn::GatherIndex(d, colors->channel + n, at); };
-        const auto known = hn::And(selected, hn::Gt(channel(3), hn::Zero(d)));
+        const Channels channel = channelsOf(colors + c * points, points);
+        const auto known = hn::And(selected, hn::Gt(channel[3], hn::Zero(d)));
         for (std::size_t n = 0; n < out.size(); ++n) {
-            hn::StoreU(hn::IfThenElse(known, channel(n), none), d, out[n] + c);
+            hn::StoreU(hn::IfThenElse(known, channel[n], none), d, out[n] + c);
         }
     }
 }
