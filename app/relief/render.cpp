@@ -204,7 +204,8 @@ int runRender(const RenderOptions& options, Session& session) {
         return 0;
     }
     if (options.many.restart.given()) {
-        throw InputError("--resume, --anew", Message(MessageId::NeedsArgument, {{"other", "--tiled"}}));
+        throw InputError("--resume, --anew",
+                         Message(MessageId::NeedsEither, {{"other", "--tiled"}, {"another", "--frames"}}));
     }
     const RowRange rows = options.part ? partRows(number, picture.height()) : RowRange();
     picture.requireMemory(rows, false);

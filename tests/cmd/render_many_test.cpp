@@ -157,7 +157,8 @@ TEST_P(RenderManyTest, KilledItResumesToTheSamePictures) {
 
 TEST_P(RenderManyTest, OnePictureIsNoRunToResume) {
     for (const char* flag : {"--resume", "--anew"}) {
-        expectRefusal({"render", "--relief", "bricks:64x64", "-o", path("f.png"), flag}, 2, {"--frames", "f.png"});
+        expectRefusal({"render", "--relief", "bricks:64x64", "-o", path("f.png"), flag}, 2,
+                      {flag, "--tiled", "--frames"});
     }
     EXPECT_TRUE(files().empty());
 }
