@@ -1,7 +1,7 @@
 // The stages in which the grid filter (elliptical_grid.h) filters one tile, in order, with their results. A stage takes
 // the results of earlier stages as arguments and returns its own, so that none can be called too early; stages 3 and 6
 // add to Centres, and stages 9 and 10 add the other points' colours to those of stage 8. Private to
-// elliptical_grid*.cpp.
+// elliptical_grid*.cpp and simd/grid_plan.cpp.
 #pragma once
 
 #include <algorithm>
