@@ -2,7 +2,7 @@
 
 #include "base/simd_targets.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "filtering/grid_follow.cpp"
+#define HWY_TARGET_INCLUDE "filtering/simd/grid_follow.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include "filtering/simd/lane_packing-inl.h"
