@@ -14,7 +14,7 @@ namespace relief {
 class DistanceWalk;
 
 // Sets hits for the rays first to last - 1. Returns the indices of rays that the reference has to trace: all if the map
-// is not stored in floats or has more than 2^31 values; and rays flatter than the domain of exactness.
+// has more than 2^31 values; and rays flatter than the domain of exactness.
 std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
                                   HitBlock& hits);
 

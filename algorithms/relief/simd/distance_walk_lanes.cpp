@@ -1,9 +1,9 @@
 #include "relief/methods/distance_walk_lanes.h"
 
 #include <limits>
-#include <numeric>
-
 #include "base/simd_targets.h"
+
+#include "relief/methods/lane_fallback.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relief/simd/distance_walk_lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -29,14 +29,9 @@ HWY_EXPORT(walkAll);
 
 std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
                                   HitBlock& hits) {
-    std::vector<std::size_t> left;
-    const auto* values = std::get_if<std::vector<float>>(&walk.distanceMap()->values.codes());
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (values == nullptr || values->size() > kMost || walk.field().heights().size() > kMost) {
-        left.resize(last - first);
-        std::iota(left.begin(), left.end(), first);
-        return left;
-    }
+    if (!fitsLanes(walk.distanceMap()->values) || walk.field().heights().size() > kMost) return allRays(first, last);
+    std::vector<std::size_t> left;
     HWY_DYNAMIC_DISPATCH(walkAll)(walk, rays, first, last, hits, left);
     return left;
 }

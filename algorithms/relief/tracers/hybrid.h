@@ -18,6 +18,9 @@ namespace relief {
 
 class HybridTracer {
   public:
+    static std::string formNote() {
+        return "It starts the inner method anew in every segment, ray by ray; the inner method alone is mostly faster.";
+    }
     static MethodDescription describe() {
         MethodDescription method;
         method.name = "hybrid";

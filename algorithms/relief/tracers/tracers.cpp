@@ -7,6 +7,7 @@
 #include "base/for_each_type.h"
 #include "images/tiled_heights.h"
 #include "relief/block_work.h"
+#include "relief/tracers/form_note.h"
 #include "relief/tracers/map_choice.h"
 #include "relief/tracers/tile_methods.h"
 #include "relief/tracers/tracer_types.h"
@@ -218,6 +219,17 @@ Form methodForm(const MethodChoice& choice) {
         form = formWith<T>(parseOptions<typename T::Options>(choice.name, choice.options));
     });
     return form;
+}
+
+std::string formNote(const std::string& name) {
+    findTracer(name);  // throws
+    std::string note;
+    forEachType<TracerTypes>([&]<class T>() {
+        if constexpr (requires { T::formNote(); }) {
+            if (descriptionOf<T>().name == name) note = T::formNote();
+        }
+    });
+    return note;
 }
 
 bool tracesTiles(const MethodChoice& choice) {

@@ -73,7 +73,7 @@ TEST(BenchTracers, FormsDifferInRateOnly) {
         EXPECT_EQ(rows[r].memoryBytes, rows[r + 1].memoryBytes);
     }
     EXPECT_EQ(rows[6].form, Form::Simd);
-    EXPECT_EQ(methodForm({"cone", {{"sectors", "4"}}}), Form::Scalar);
+    EXPECT_EQ(methodForm({"cone", {{"sectors", "4"}}}), Form::Simd);
     EXPECT_EQ(methodForm({"max-pyramid", {{"base", "1"}}}), Form::Scalar);
     // Neither form dominates the other.
     const ParetoTable table = paretoTable(rows);
