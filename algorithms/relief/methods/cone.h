@@ -110,6 +110,13 @@ class ConeTracer {
         NullSink sink;
         for (const std::size_t i : left) hits.set(i, trace(rays[i], sink));
     }
+    // The SIMD version of traceSegment() for blocks. Returns the indices of rays that traceSegment() has to trace.
+    std::vector<std::size_t> traceSegmentsSimd(const RayBlock& rays, const std::vector<Segment>& segments,
+                                               HitBlock& hits) const {
+        if (packed_ || !hasSimdMap()) return allRays(0, rays.size());
+        return coneCellsSimd({field_, grid_, *map_}, rays, 0, rays.size(), hits, segments.data());
+    }
+    static bool segmentsInSimd(const Options& options) { return options.ofTexels(); }
 
     const HeightField& field() const { return field_; }
     // Null for the packed layout.

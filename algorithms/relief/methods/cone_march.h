@@ -39,6 +39,12 @@ class ConeMarch {
             hits.set(i, trace(rays[i], sink));
         }
     }
+    // The SIMD version of traceSegment() for blocks. Returns the indices of rays that traceSegment() has to trace.
+    std::vector<std::size_t> traceSegmentsSimd(const RayBlock& rays, const std::vector<Segment>& segments,
+                                               HitBlock& hits) const {
+        if (!hasSimdMap()) return allRays(0, rays.size());
+        return coneMarchSimd({field_, *map_, iterations_, bisections_}, rays, 0, rays.size(), hits, segments.data());
+    }
     bool hasSimdMap() const { return fitsLanes(map_->slopes); }
 
     const HeightField& field() const { return field_; }

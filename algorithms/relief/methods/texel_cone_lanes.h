@@ -25,12 +25,12 @@ struct ConeMarchSearch {
     int bisections;
 };
 
-// Set hits for the rays first to last - 1. Return the indices of rays that the reference has to trace: those flatter
-// than the domain of exactness (cells), and those so distant that one product cannot subtract their period exactly
-// (march). Require fitsLanes() of the map's slopes.
+// Set hits for the rays first to last - 1; with segments, one per ray of the block, those of traceSegment(). Return the
+// indices of rays that the reference has to trace: those flatter than the domain of exactness (cells), and those so
+// distant that one product cannot subtract their period exactly (march). Require fitsLanes() of the map's slopes.
 std::vector<std::size_t> coneCellsSimd(const ConeCellSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits);
+                                       std::size_t last, HitBlock& hits, const Segment* segments = nullptr);
 std::vector<std::size_t> coneMarchSimd(const ConeMarchSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits);
+                                       std::size_t last, HitBlock& hits, const Segment* segments = nullptr);
 
 }  // namespace relief

@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 void walkAll(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
-             std::vector<std::size_t>& left) {
-    RayQueue<DistanceWalk> queue{walk, rays, hits, first, last, left};
+             std::vector<std::size_t>& left, const Segment* segments) {
+    RayQueue<DistanceWalk> queue{walk, rays, hits, first, last, left, segments};
     runAlternating<VoxelWalk<NoVisits>>(queue);
 }
 
@@ -28,11 +28,11 @@ namespace relief {
 HWY_EXPORT(walkAll);
 
 std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
-                                  HitBlock& hits) {
+                                  HitBlock& hits, const Segment* segments) {
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
     if (!fitsLanes(walk.distanceMap()->values) || walk.field().heights().size() > kMost) return allRays(first, last);
     std::vector<std::size_t> left;
-    HWY_DYNAMIC_DISPATCH(walkAll)(walk, rays, first, last, hits, left);
+    HWY_DYNAMIC_DISPATCH(walkAll)(walk, rays, first, last, hits, left, segments);
     return left;
 }
 

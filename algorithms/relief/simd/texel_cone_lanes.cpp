@@ -11,13 +11,13 @@ HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 void coneCellsAll(const ConeCellSearch& search, const RayBlock& rays, std::size_t first, std::size_t last,
-                  HitBlock& hits, std::vector<std::size_t>& left) {
-    RayQueue<ConeCellSearch> queue{search, rays, hits, first, last, left};
+                  HitBlock& hits, std::vector<std::size_t>& left, const Segment* segments) {
+    RayQueue<ConeCellSearch> queue{search, rays, hits, first, last, left, segments};
     runAlternating<ConeCells<NoVisits>>(queue);
 }
 void coneMarchAll(const ConeMarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last,
-                  HitBlock& hits, std::vector<std::size_t>& left) {
-    BracketQueue<ConeMarchSearch> queue{{search, rays, hits, first, last, left}, {}};
+                  HitBlock& hits, std::vector<std::size_t>& left, const Segment* segments) {
+    BracketQueue<ConeMarchSearch> queue{{search, rays, hits, first, last, left, segments}, {}};
     runAlternating<ConeSteps<NoVisits>>(queue);
     bisect<NoVisits>(queue);
 }
@@ -32,15 +32,15 @@ HWY_EXPORT(coneCellsAll);
 HWY_EXPORT(coneMarchAll);
 
 std::vector<std::size_t> coneCellsSimd(const ConeCellSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits) {
+                                       std::size_t last, HitBlock& hits, const Segment* segments) {
     std::vector<std::size_t> left;
-    HWY_DYNAMIC_DISPATCH(coneCellsAll)(search, rays, first, last, hits, left);
+    HWY_DYNAMIC_DISPATCH(coneCellsAll)(search, rays, first, last, hits, left, segments);
     return left;
 }
 std::vector<std::size_t> coneMarchSimd(const ConeMarchSearch& search, const RayBlock& rays, std::size_t first,
-                                       std::size_t last, HitBlock& hits) {
+                                       std::size_t last, HitBlock& hits, const Segment* segments) {
     std::vector<std::size_t> left;
-    HWY_DYNAMIC_DISPATCH(coneMarchAll)(search, rays, first, last, hits, left);
+    HWY_DYNAMIC_DISPATCH(coneMarchAll)(search, rays, first, last, hits, left, segments);
     return left;
 }
 

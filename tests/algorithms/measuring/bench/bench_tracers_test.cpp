@@ -78,7 +78,7 @@ TEST(BenchTracers, FormsDifferInRateOnly) {
     // Neither form dominates the other.
     const ParetoTable table = paretoTable(rows);
     EXPECT_TRUE(table.bothForms());
-    EXPECT_EQ(table.points.size(), 11U) << "exact, the paper's recursion and hybrid have one form";
+    EXPECT_EQ(table.points.size(), 12U) << "exact and the paper's recursion have one form";
     for (const Form form : {Form::Simd, Form::Scalar}) {
         const auto dominated = dominatedPoints(table.points, ErrorMeasure::Max);
         bool front = false;

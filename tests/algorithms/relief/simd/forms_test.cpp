@@ -21,11 +21,18 @@ TEST(Forms, conesAreTracedInSimdAsFilesStoreThem) {
     for (const MethodChoice& choice :
          {MethodChoice{"cone", {{"layout", "texel"}}}, MethodChoice{"cone", {{"sectors", "4"}}},
           MethodChoice{"cone", {{"precision", "u8"}}}, MethodChoice{"cone-dummer", {{"precision", "u16"}}},
-          MethodChoice{"relaxed-cone", {{"radius", "4"}}}}) {
+          MethodChoice{"relaxed-cone", {{"radius", "4"}}},
+          MethodChoice{"hybrid", {{"inner", "cone"}, {"inner.sectors", "4"}}}}) {
         EXPECT_EQ(methodForm(choice), Form::Simd) << describe(choice);
         EXPECT_EQ(makeTracer(choice, field, cache, work)->form(), Form::Simd) << describe(choice);
         EXPECT_EQ(makeTracer(choice, field, cache, work, Form::Scalar)->form(), Form::Scalar) << describe(choice);
     }
+}
+
+TEST(Forms, hybridIsScalarWhereItsInnerMethodIs) {
+    EXPECT_EQ(methodForm({"hybrid", {}}), Form::Simd);
+    EXPECT_EQ(methodForm({"hybrid", {{"inner", "exact"}}}), Form::Scalar);
+    EXPECT_EQ(methodForm({"hybrid", {{"inner", "cone"}}}), Form::Scalar);
 }
 
 }  // namespace

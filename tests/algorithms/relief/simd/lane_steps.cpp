@@ -41,8 +41,9 @@ struct NotedVisits {
     }
 };
 
-void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
-    RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left};
+void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left,
+              const Segment* segments) {
+    RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left, segments};
     runAlternating<VoxelWalk<NotedVisits>>(queue);
 }
 void noteMarch(const MarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
@@ -56,13 +57,14 @@ void noteLayers(const LayerSearch& search, const RayBlock& rays, HitBlock& hits,
 void noteOffsets(const OffsetSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     OffsetLanes<NotedVisits>(search, rays, hits, left).run(0, rays.size());
 }
-void noteConeCells(const ConeCellSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
-    RayQueue<ConeCellSearch> queue{search, rays, hits, 0, rays.size(), left};
+void noteConeCells(const ConeCellSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left,
+                   const Segment* segments) {
+    RayQueue<ConeCellSearch> queue{search, rays, hits, 0, rays.size(), left, segments};
     runAlternating<ConeCells<NotedVisits>>(queue);
 }
-void noteConeMarch(const ConeMarchSearch& search, const RayBlock& rays, HitBlock& hits,
-                   std::vector<std::size_t>& left) {
-    BracketQueue<ConeMarchSearch> queue{{search, rays, hits, 0, rays.size(), left}, {}};
+void noteConeMarch(const ConeMarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left,
+                   const Segment* segments) {
+    BracketQueue<ConeMarchSearch> queue{{search, rays, hits, 0, rays.size(), left, segments}, {}};
     runAlternating<ConeSteps<NotedVisits>>(queue);
     bisect<NotedVisits>(queue);
 }
@@ -100,8 +102,8 @@ std::vector<LaneSteps> notedBy(const RayBlock& rays, const Kernel& kernel) {
 
 }  // namespace
 
-std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& rays) {
-    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteWalk)(walk, rays, rest...); });
+std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& rays, const Segment* segments) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteWalk)(walk, rays, rest..., segments); });
 }
 std::vector<LaneSteps> stepsInLanes(const MarchSearch& search, const RayBlock& rays) {
     return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteMarch)(search, rays, rest...); });
@@ -112,11 +114,11 @@ std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& r
 std::vector<LaneSteps> stepsInLanes(const OffsetSearch& search, const RayBlock& rays) {
     return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteOffsets)(search, rays, rest...); });
 }
-std::vector<LaneSteps> stepsInLanes(const ConeCellSearch& search, const RayBlock& rays) {
-    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteConeCells)(search, rays, rest...); });
+std::vector<LaneSteps> stepsInLanes(const ConeCellSearch& search, const RayBlock& rays, const Segment* segments) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteConeCells)(search, rays, rest..., segments); });
 }
-std::vector<LaneSteps> stepsInLanes(const ConeMarchSearch& search, const RayBlock& rays) {
-    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteConeMarch)(search, rays, rest...); });
+std::vector<LaneSteps> stepsInLanes(const ConeMarchSearch& search, const RayBlock& rays, const Segment* segments) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteConeMarch)(search, rays, rest..., segments); });
 }
 std::vector<LaneSteps> stepsInLanes(const PackedConeAnyHit& query, const AnyRayBlock& rays) {
     noted().assign(rays.size(), {});
