@@ -8,6 +8,7 @@
 #include "output.h"
 #include "relief/maps/pyramid_files.h"
 #include "relief/reliefs.h"
+#include "relief/tracers/form_note.h"
 #include "relief/tracers/map_choice.h"
 #include "relief/visibility/any_hit.h"
 #include "scenario/row_methods.h"
@@ -89,7 +90,10 @@ Json methodJson(const MethodDescription& method) {
     for (const OptionDescription& option : method.options) {
         json["options"].push_back(optionJson(option, method.defaults.at(option.name)));
     }
-    if (method.kind != MethodKind::AnyHit) json["form"] = formName(methodForm({method.name, {}}));
+    if (method.kind != MethodKind::AnyHit) {
+        json["form"] = formName(methodForm({method.name, {}}));
+        if (const std::string note = formNote(method.name); !note.empty()) json["form_note"] = note;
+    }
     return json;
 }
 
@@ -161,7 +165,9 @@ std::string methodText(const MethodDescription& method) {
     std::string out = entry(method.name, method.title + ". " + method.help, 2, 4);
     out += entry("guarantee", guaranteeText(method), 6, 12);
     if (method.kind != MethodKind::AnyHit) {
-        out += entry("form", std::string(formName(methodForm({method.name, {}}))), 6, 12);
+        const std::string note = formNote(method.name);
+        out += entry("form", std::string(formName(methodForm({method.name, {}}))) + (note.empty() ? "" : ". " + note),
+                     6, 12);
     }
     out += entry("surfaces", commaList(surfaces), 6, 12);
     std::vector<std::string> addresses;

@@ -100,7 +100,7 @@ TEST_F(ChartsPane, HoverReadsSpeedWithItsError) {
     const Point at = view()->picture().pareto->marks[pointOf("offset")].at;
     QTest::mouseMove(canvas(), canvas()->toWidget(at).toPoint());
     QTest::qWait(50);
-    EXPECT_TRUE(view()->readout().contains(QStringLiteral("offset (scalar): "))) << view()->readout().toStdString();
+    EXPECT_TRUE(view()->readout().contains(QStringLiteral("offset (simd): "))) << view()->readout().toStdString();
     EXPECT_TRUE(view()->readout().contains(QStringLiteral("error"))) << view()->readout().toStdString();
 }
 

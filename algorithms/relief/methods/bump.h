@@ -11,6 +11,7 @@ namespace relief {
 
 class BumpTracer : public TopPlaneTracer {
   public:
+    static std::string formNote() { return "The ray is not traced."; }
     static MethodDescription describe() {
         MethodDescription method = shading(ShadingNormal::Heights);
         method.name = "bump";

@@ -6,7 +6,7 @@
 // ray passes above the cell's highest point (packed layout only), otherwise the leaf tests it.
 // Layouts: packed, four square cones per cell, one for each quadrant of directions, where |dxy| is the larger of |dx|
 // and |dy| (maps/packed_cones.h; cone_walk.h, SIMD: simd/cone_walk-inl.h); texel, one round cone per cell or one per
-// sector, as engines store them (maps/cone_map.h).
+// sector, as engines store them (maps/cone_map.h; the walk below, SIMD: simd/texel_cone_lanes-inl.h).
 // Guarantee: exact, the same bits as `exact`. Failure mode: needle forests at grazing angles.
 // Cost: one or two stored values per step, one leaf per cell near the surface; memory 16 bytes per cell (packed; 24 for
 // bilinear surfaces), or 4 (1 + sectors) bytes.
@@ -18,6 +18,8 @@
 #include "relief/maps/distance_map.h"
 #include "relief/methods/cone_rays.h"
 #include "relief/methods/cone_walk.h"
+#include "relief/methods/lane_fallback.h"
+#include "relief/methods/texel_cone_lanes.h"
 
 namespace relief {
 
@@ -79,7 +81,6 @@ class ConeTracer {
         parameters.precision = parsePrecision(options.precision);
         return relief::coneMap(ConeKind::Conservative, parameters, field, cache, work);
     }
-    static bool simdWith(const Options& options) { return !options.ofTexels(); }
     static ConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         if (options.ofTexels()) return {field, makeMap(field, options, cache, work)};
         return {field, packedCones(field, cache, work)};
@@ -100,16 +101,27 @@ class ConeTracer {
         return walk_ ? walk_->traceSegment(ray, segment, sink) : run<false>(ray, segment, sink);
     }
     void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
-        std::vector<std::size_t> flat;
-        traceByCones(field_, walk_->scene(), *packed_, rays, first, last, hits, flat);
+        std::vector<std::size_t> left;
+        if (packed_) {
+            traceByCones(field_, walk_->scene(), *packed_, rays, first, last, hits, left);
+        } else {
+            left = coneCellsSimd({field_, grid_, *map_}, rays, first, last, hits);
+        }
         NullSink sink;
-        for (const std::size_t i : flat) hits.set(i, trace(rays[i], sink));
+        for (const std::size_t i : left) hits.set(i, trace(rays[i], sink));
     }
+    // The SIMD version of traceSegment() for blocks. Returns the indices of rays that traceSegment() has to trace.
+    std::vector<std::size_t> traceSegmentsSimd(const RayBlock& rays, const std::vector<Segment>& segments,
+                                               HitBlock& hits) const {
+        if (packed_ || !hasSimdMap()) return allRays(0, rays.size());
+        return coneCellsSimd({field_, grid_, *map_}, rays, 0, rays.size(), hits, segments.data());
+    }
+    static bool segmentsInSimd(const Options& options) { return options.ofTexels(); }
 
     const HeightField& field() const { return field_; }
     // Null for the packed layout.
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
-    bool hasSimdMap() const { return packed_ != nullptr; }
+    bool hasSimdMap() const { return packed_ || fitsLanes(map_->slopes); }
     std::size_t bytes() const { return packed_ ? packed_->bytes() : map_->bytes(); }
     double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
     double segmentRecords() const { return 3; }

@@ -1,8 +1,10 @@
 // What both published cone tracers share: a number of steps to the edge of the interpolated cone, as in their shaders.
-// Dummer 2006; Policarpo & Oliveira 2007. Not safe under interpolation.
+// Dummer 2006; Policarpo & Oliveira 2007. Not safe under interpolation. SIMD: simd/texel_cone_lanes-inl.h.
 #pragma once
 
 #include "relief/maps/cone_map.h"
+#include "relief/methods/lane_fallback.h"
+#include "relief/methods/texel_cone_lanes.h"
 #include "relief/sampled_surface.h"
 
 namespace relief {
@@ -29,6 +31,21 @@ class ConeMarch {
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return march(ray, SampledSurface(field_, ray), segment, false, sink);
     }
+
+    // The SIMD version, with the same results: sets hits for the rays first to last - 1.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        NullSink sink;
+        for (const std::size_t i : coneMarchSimd({field_, *map_, iterations_, bisections_}, rays, first, last, hits)) {
+            hits.set(i, trace(rays[i], sink));
+        }
+    }
+    // The SIMD version of traceSegment() for blocks. Returns the indices of rays that traceSegment() has to trace.
+    std::vector<std::size_t> traceSegmentsSimd(const RayBlock& rays, const std::vector<Segment>& segments,
+                                               HitBlock& hits) const {
+        if (!hasSimdMap()) return allRays(0, rays.size());
+        return coneMarchSimd({field_, *map_, iterations_, bisections_}, rays, 0, rays.size(), hits, segments.data());
+    }
+    bool hasSimdMap() const { return fitsLanes(map_->slopes); }
 
     const HeightField& field() const { return field_; }
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }

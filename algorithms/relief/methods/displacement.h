@@ -35,6 +35,7 @@ class DisplacementTracer {
                      &Options::density}};
         }
     };
+    static std::string formNote() { return "Triangles are drawn instead of rays being traced."; }
     static MethodDescription describe() {
         MethodDescription method;
         method.name = "displacement";

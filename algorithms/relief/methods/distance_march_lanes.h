@@ -27,8 +27,8 @@ struct MarchSearch {
 };
 
 // Sets hits for the rays first to last - 1. Returns the indices of rays that the reference has to trace: all if the map
-// is not stored in floats or has more than 2^31 values; rays flatter than the map serves; and rays so distant that one
-// product cannot subtract their period exactly.
+// has more than 2^31 values; rays flatter than the map serves; and rays so distant that one product cannot subtract
+// their period exactly.
 std::vector<std::size_t> marchSimd(const MarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last,
                                    HitBlock& hits);
 

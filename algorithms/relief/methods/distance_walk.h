@@ -42,6 +42,12 @@ class DistanceWalk {
         for (const std::size_t i : walkSimd(*this, rays, first, last, hits)) hits.set(i, trace(rays[i], sink));
     }
 
+    // The SIMD version of traceSegment() for blocks. Returns the indices of rays that traceSegment() has to trace.
+    std::vector<std::size_t> traceSegmentsSimd(const RayBlock& rays, const std::vector<Segment>& segments,
+                                               HitBlock& hits) const {
+        return walkSimd(*this, rays, 0, rays.size(), hits, segments.data());
+    }
+
     const HeightField& field() const { return field_; }
     const std::shared_ptr<const DistanceMap>& distanceMap() const { return map_; }
     const CellGrid& grid() const { return grid_; }

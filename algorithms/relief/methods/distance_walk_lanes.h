@@ -13,9 +13,10 @@ namespace relief {
 
 class DistanceWalk;
 
-// Sets hits for the rays first to last - 1. Returns the indices of rays that the reference has to trace: all if the map
-// is not stored in floats or has more than 2^31 values; and rays flatter than the domain of exactness.
+// Sets hits for the rays first to last - 1; with segments, one per ray of the block, those of traceSegment(). Returns
+// the indices of rays that the reference has to trace: all if the map has more than 2^31 values; and rays flatter than
+// the domain of exactness.
 std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
-                                  HitBlock& hits);
+                                  HitBlock& hits, const Segment* segments = nullptr);
 
 }  // namespace relief

@@ -14,6 +14,7 @@ namespace relief {
 
 class ExactTracer {
   public:
+    static std::string formNote() { return "It is the reference to which all exact methods are compared."; }
     static MethodDescription describe() {
         MethodDescription method;
         method.name = "exact";

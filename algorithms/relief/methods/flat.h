@@ -10,6 +10,7 @@ namespace relief {
 
 class FlatTracer : public TopPlaneTracer {
   public:
+    static std::string formNote() { return "The ray is not traced."; }
     static MethodDescription describe() {
         MethodDescription method = shading(ShadingNormal::Plane);
         method.name = "flat";

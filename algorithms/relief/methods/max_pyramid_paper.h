@@ -19,6 +19,9 @@ namespace relief {
 
 class MaxPyramidPaperTracer {
   public:
+    static std::string formNote() {
+        return "It shows the recursion of the paper; max-pyramid finds the same hits in SIMD.";
+    }
     static MethodDescription describe() {
         MethodDescription method;
         method.name = "max-pyramid-paper";

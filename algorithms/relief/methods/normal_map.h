@@ -12,6 +12,7 @@ namespace relief {
 
 class NormalMapTracer : public TopPlaneTracer {
   public:
+    static std::string formNote() { return "The ray is not traced."; }
     static MethodDescription describe() {
         MethodDescription method = shading(ShadingNormal::NormalMap);
         method.name = "normal-map";

@@ -41,6 +41,13 @@ class OffsetLimitedTracer {
     Hit traceSegment(const ViewRay& ray, Segment segment, Sink& sink) const {
         return OffsetTracer::shiftedWithin(field_, ray, segment, share(ray), sink);
     }
+    // The SIMD version, with the same results: sets hits for the rays first to last - 1.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+        NullSink sink;
+        for (const std::size_t i : offsetSimd({field_, true}, rays, first, last, hits)) {
+            hits.set(i, trace(rays[i], sink));
+        }
+    }
     double segmentRecords() const { return 3; }
 
     const HeightField& field() const { return field_; }

@@ -14,6 +14,7 @@
 #include "relief/methods/distance_march_lanes.h"
 #include "relief/ray_length.h"
 #include "relief/sampled_surface.h"
+#include "relief/simd/stored_lanes-inl.h"
 #include "relief/simd/surface_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,7 +24,7 @@ namespace relief::HWY_NAMESPACE {
 class DistanceLanes {
   public:
     explicit DistanceLanes(const DistanceMap& map)
-        : values_(std::get<std::vector<float>>(map.values.codes()).data()),
+        : values_(map.values),
           nx_(map.nx()),
           ny_(map.ny()),
           layers_(map.layers()),
@@ -46,8 +47,8 @@ class DistanceLanes {
         const V j1 = hn::Mul(addressed(hn::Add(y0, one), ny_), constant(nx_));
         const auto column = [&](V i, V j) {
             const V place = hn::Add(j, i);
-            const V below = value(hn::Add(lower, place));
-            return hn::Add(below, hn::Mul(share, hn::Sub(value(hn::Add(upper, place)), below)));
+            const V below = values_.at(hn::Add(lower, place));
+            return hn::Add(below, hn::Mul(share, hn::Sub(values_.at(hn::Add(upper, place)), below)));
         };
         const V c00 = column(i0, j0), c01 = column(i0, j1);
         const V top = hn::Add(c00, hn::Mul(u, hn::Sub(column(i1, j0), c00)));
@@ -56,19 +57,9 @@ class DistanceLanes {
     }
 
   private:
-    HWY_INLINE V addressed(V i, double size) const {
-        const V n = constant(size), zero = hn::Zero(D());
-        if (!repeats_) return hn::Min(hn::Max(i, zero), constant(size - 1));
-        const V rest = hn::Sub(i, hn::Mul(hn::Floor(hn::Mul(i, constant(1 / size))), n));
-        const V raised = hn::IfThenElse(hn::Lt(rest, zero), hn::Add(rest, n), rest);
-        return hn::IfThenElse(hn::Ge(raised, n), hn::Sub(raised, n), raised);
-    }
-    HWY_INLINE V value(V number) const {
-        const auto at = hn::DemoteTo(hn::Rebind<std::int32_t, D>(), number);
-        return hn::PromoteTo(D(), hn::GatherIndex(hn::Rebind<float, D>(), values_, at));
-    }
+    HWY_INLINE V addressed(V i, double size) const { return addressedIndex(i, size, repeats_); }
 
-    const float* values_;
+    StoredLanes values_;
     double nx_, ny_, layers_, fieldWidth_, fieldHeight_;
     bool repeats_;
 };

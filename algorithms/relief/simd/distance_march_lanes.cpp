@@ -1,9 +1,7 @@
 #include "relief/methods/distance_march_lanes.h"
 
-#include <limits>
-#include <numeric>
-
 #include "base/simd_targets.h"
+#include "relief/methods/lane_fallback.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relief/simd/distance_march_lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -29,14 +27,8 @@ HWY_EXPORT(marchAll);
 
 std::vector<std::size_t> marchSimd(const MarchSearch& search, const RayBlock& rays, std::size_t first, std::size_t last,
                                    HitBlock& hits) {
+    if (!fitsLanes(search.map.values) || search.iterations < 1) return allRays(first, last);
     std::vector<std::size_t> left;
-    const auto* values = std::get_if<std::vector<float>>(&search.map.values.codes());
-    constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (values == nullptr || values->size() > kMost || search.iterations < 1) {
-        left.resize(last - first);
-        std::iota(left.begin(), left.end(), first);
-        return left;
-    }
     HWY_DYNAMIC_DISPATCH(marchAll)(search, rays, first, last, hits, left);
     return left;
 }

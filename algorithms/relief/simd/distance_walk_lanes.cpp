@@ -1,9 +1,9 @@
 #include "relief/methods/distance_walk_lanes.h"
 
 #include <limits>
-#include <numeric>
-
 #include "base/simd_targets.h"
+
+#include "relief/methods/lane_fallback.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relief/simd/distance_walk_lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 void walkAll(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits,
-             std::vector<std::size_t>& left) {
-    RayQueue<DistanceWalk> queue{walk, rays, hits, first, last, left};
+             std::vector<std::size_t>& left, const Segment* segments) {
+    RayQueue<DistanceWalk> queue{walk, rays, hits, first, last, left, segments};
     runAlternating<VoxelWalk<NoVisits>>(queue);
 }
 
@@ -28,16 +28,11 @@ namespace relief {
 HWY_EXPORT(walkAll);
 
 std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
-                                  HitBlock& hits) {
-    std::vector<std::size_t> left;
-    const auto* values = std::get_if<std::vector<float>>(&walk.distanceMap()->values.codes());
+                                  HitBlock& hits, const Segment* segments) {
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (values == nullptr || values->size() > kMost || walk.field().heights().size() > kMost) {
-        left.resize(last - first);
-        std::iota(left.begin(), left.end(), first);
-        return left;
-    }
-    HWY_DYNAMIC_DISPATCH(walkAll)(walk, rays, first, last, hits, left);
+    if (!fitsLanes(walk.distanceMap()->values) || walk.field().heights().size() > kMost) return allRays(first, last);
+    std::vector<std::size_t> left;
+    HWY_DYNAMIC_DISPATCH(walkAll)(walk, rays, first, last, hits, left, segments);
     return left;
 }
 

@@ -53,7 +53,7 @@ HWY_INLINE void overLanes(std::uint32_t lanes, const Body& body) {
 }
 
 // The rays [next, last) that a Search has yet to trace, shared by all vectors. fallback receives the indices of rays
-// that the reference has to trace.
+// that the reference has to trace. segments: of each ray of the block, if only these are traced.
 template <class Search>
 struct RayQueue {
     const Search& search;
@@ -62,6 +62,9 @@ struct RayQueue {
     std::size_t next;
     std::size_t last;
     std::vector<std::size_t>& fallback;
+    const Segment* segments = nullptr;
+
+    Segment segmentOf(std::size_t number) const { return segments == nullptr ? Segment{} : segments[number]; }
 };
 
 // Receiver of the numbers of each step. Only tests record them, to compare them with the reference's log.

@@ -9,27 +9,16 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "relief/cell_grid.h"
 #include "relief/methods/layer_lanes.h"
-#include "relief/simd/surface_lanes-inl.h"
+#include "relief/simd/bisection_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
-// The layer between `above` and `below`, which contains the hit and is to be halved.
-struct Bracket {
-    std::size_t ray;
-    ViewRay reduced;
-    double above;
-    double below;
-};
-
-struct LayerQueue : RayQueue<LayerSearch> {
-    std::vector<Bracket> brackets;
-};
+using LayerQueue = BracketQueue<LayerSearch>;
 
 // A vector of rays in flight through the layers.
 template <class Visits>
@@ -111,35 +100,6 @@ void LayerWalk<Visits>::finish(std::size_t lane, bool inside) {
         lambda = above_[lane] + share * (lambda - above_[lane]);
     }
     queue_.hits.set(i, Hit::at(queue_.rays[i], lambda));
-}
-
-// Halves all brackets, each the same number of times, and sets the hits.
-inline void bisect(LayerQueue& queue) {
-    const SurfaceLanes surface(queue.search.field);
-    Row<double> s0{}, t0{}, a{}, b{}, from{}, to{};
-    for (std::size_t begin = 0; begin < queue.brackets.size(); begin += kLanes) {
-        const std::size_t count = std::min(kLanes, queue.brackets.size() - begin);
-        for (std::size_t n = 0; n < count; ++n) {
-            const Bracket& bracket = queue.brackets[begin + n];
-            s0[n] = bracket.reduced.s0, t0[n] = bracket.reduced.t0;
-            a[n] = bracket.reduced.a, b[n] = bracket.reduced.b;
-            from[n] = bracket.above, to[n] = bracket.below;
-        }
-        V above = load(from), below = load(to);
-        const V startS = load(s0), startT = load(t0), runS = load(a), runT = load(b);
-        for (int k = 0; k < queue.search.bisections; ++k) {
-            const V middle = hn::Mul(constant(0.5), hn::Add(above, below));
-            const V height = surface.at(hn::Add(startS, hn::Mul(middle, runS)), hn::Add(startT, hn::Mul(middle, runT)));
-            const M over = hn::Lt(hn::Sub(height, hn::Sub(constant(1), middle)), hn::Zero(D()));
-            above = hn::IfThenElse(over, middle, above);
-            below = hn::IfThenElse(over, below, middle);
-        }
-        store(below, to);
-        for (std::size_t n = 0; n < count; ++n) {
-            const std::size_t ray = queue.brackets[begin + n].ray;
-            queue.hits.set(ray, Hit::at(queue.rays[ray], to[n]));
-        }
-    }
 }
 
 }  // namespace relief::HWY_NAMESPACE

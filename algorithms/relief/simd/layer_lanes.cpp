@@ -14,7 +14,7 @@ void searchLayers(const LayerSearch& search, const RayBlock& rays, std::size_t f
                   std::vector<std::size_t>& left) {
     LayerQueue queue{{search, rays, hits, first, last, left}, {}};
     runAlternating<LayerWalk<NoVisits>>(queue);
-    if (search.refinement == LayerRefinement::Bisection) bisect(queue);
+    if (search.refinement == LayerRefinement::Bisection) bisect<NoVisits>(queue);
 }
 
 }  // namespace relief::HWY_NAMESPACE

@@ -39,6 +39,13 @@ class SurfaceLanes {
         return hn::Add(hn::Mul(hn::Sub(one, v), top), hn::Mul(v, bottom));
     }
 
+    // relief::reduceToPeriod() under repeat, for coordinates below 2^40.
+    HWY_INLINE V reduceToPeriod(V x, double size) const {
+        const V n = constant(size), zero = hn::Zero(D()), rest = reduced(x, size);
+        const V positive = hn::IfThenElse(hn::Lt(rest, zero), hn::Add(rest, n), rest);
+        return hn::IfThenElse(hn::Ge(positive, n), zero, positive);
+    }
+
   private:
     // Repeat: std::fmod, whose remainder is exact; a quotient that is off by one is corrected. Otherwise clamps to [-1,
     // n + 1].

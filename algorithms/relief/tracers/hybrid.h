@@ -13,6 +13,7 @@
 
 #include "relief/methods/pyramid_walk.h"
 #include "relief/tracers.h"
+#include "relief/tracers/segment_blocks.h"
 
 namespace relief {
 
@@ -52,14 +53,24 @@ class HybridTracer {
     };
     static HybridTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         return {PyramidWalk(field, maxPyramidMap(field, cache, work)), options.level,
-                makeTracer({options.inner, options.innerOptions}, field, cache, work, Form::Scalar)};
+                makeSegmentTracer({options.inner, options.innerOptions}, field, cache, work)};
     }
 
-    HybridTracer(PyramidWalk walk, int level, std::shared_ptr<const Tracer> inner)
+    static bool simdWith(const Options& options) { return segmentsInSimd({options.inner, options.innerOptions}); }
+    static std::string formNote() {
+        return "In SIMD with the inner methods distance-conservative, distance-refined, cone-dummer, relaxed-cone and "
+               "cone:layout=texel; with others, whose SIMD versions begin at the top plane, the reference runs.";
+    }
+
+    HybridTracer(PyramidWalk walk, int level, std::shared_ptr<const SegmentBlockTracer> inner)
         : walk_(std::move(walk)), level_(std::min(level, walk_.top())), inner_(std::move(inner)) {}
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const;
+
+    // The SIMD version, with the same results: sets hits for the rays first to last - 1. Each ray walks through the
+    // texels of the level as in the reference; the segments at which rays arrive are searched together, in SIMD.
+    void traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const;
 
     const HeightField& field() const { return walk_.field(); }
     std::size_t bytes() const { return walk_.bytes() + inner_->bytes(); }
@@ -73,6 +84,32 @@ class HybridTracer {
     const PyramidWalk& pyramidWalk() const { return walk_; }
 
   private:
+    // A ray in a texel of the level.
+    struct Place {
+        GridRay ray;
+        PyramidNode node{};
+        double lambda = 0;         // where it enters the texel
+        double left = 0;           // the cells that it may still cross
+        PyramidWalk::Exit exit{};  // of the texel
+        double out = 0;            // lambda at the exit, at most 1
+    };
+    // Sets the place at which the walk begins. Returns the hit if it is known there, and Outcome::Unset otherwise.
+    template <class Sink>
+    Hit begin(const ViewRay& viewRay, Place& place, Sink& sink) const;
+    // Skips texels below the ray. Returns Outcome::Unset in a texel that the inner method must search.
+    template <class Sink>
+    Outcome skip(Place& place, Sink& sink) const;
+    // Moves to the next texel. Returns false if the ray ends there.
+    template <class Sink>
+    bool leave(Place& place, Sink& sink) const;
+    template <class Sink>
+    void note(const Place& place, Decision decision, double in, double after, Sink& sink) const {
+        sink.step([&] {
+            const float maximum = walk_.maximum(level_, place.node);
+            return walk_.record(decision, level_, place.node, in, place.out, maximum, after);
+        });
+    }
+
     // How much a texel that the inner method traces subtracts from the ray's cellBound(). Within the domain of
     // exactness 1; beyond it, where the bound limits the work, as many cells as a line can cross in the texel, since
     // the inner method's work counts as well.
@@ -84,50 +121,114 @@ class HybridTracer {
 
     PyramidWalk walk_;
     int level_;
-    std::shared_ptr<const Tracer> inner_;
+    std::shared_ptr<const SegmentBlockTracer> inner_;
 };
+
+template <class Sink>
+Hit HybridTracer::begin(const ViewRay& viewRay, Place& place, Sink& sink) const {
+    const PyramidStart start = pyramidStart(walk_, place.ray, sink);
+    if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
+    if (start.hit) return Hit::at(viewRay, *start.hit);
+    place.node = start.node;
+    place.lambda = start.lambda;
+    for (int level = walk_.top(); level > level_; --level) {
+        place.node = walk_.child(place.ray, level, place.node, place.lambda);
+    }
+    place.left = place.ray.cellBound();
+    return Hit::none(Outcome::Unset);
+}
+
+template <class Sink>
+Outcome HybridTracer::skip(Place& place, Sink& sink) const {
+    while (place.left > 0) {
+        const float maximum = walk_.maximum(level_, place.node);
+        place.exit = walk_.exit(place.ray, level_, place.node);
+        place.out = std::min(place.exit.first(), 1.0);
+        sink.read(1);
+        if (!PyramidWalk::excluded(maximum, place.out)) {
+            note(place, Decision::Descend, place.lambda, place.lambda, sink);
+            return Outcome::Unset;
+        }
+        note(place, Decision::Skip, place.lambda, place.out, sink);
+        --place.left;
+        if (!leave(place, sink)) return Outcome::Miss;
+    }
+    const double at = place.lambda;
+    sink.step([&] { return walk_.record(Decision::Limit, level_, place.node, at, at, 0, at); });
+    return Outcome::Limit;
+}
+
+template <class Sink>
+bool HybridTracer::leave(Place& place, Sink& sink) const {
+    place.lambda = place.out;
+    const PyramidNode before = place.node;
+    if (walk_.moveOn(place.ray, level_, place.exit, place.node) && place.exit.first() < 1) return true;
+    place.node = before;
+    note(place, Decision::Miss, place.out, place.out, sink);
+    return false;
+}
 
 template <class Sink>
 Hit HybridTracer::trace(const ViewRay& viewRay, Sink& sink) const {
     if (!viewRay.finite()) return Hit::none(Outcome::Miss);
-    const GridRay ray = walk_.gridRay(viewRay);
-    const PyramidStart start = pyramidStart(walk_, ray, sink);
-    if (start.outcome != Outcome::Unset) return Hit::none(start.outcome);
-    if (start.hit) return Hit::at(viewRay, *start.hit);
-
-    PyramidNode node = start.node;
-    double lambda = start.lambda;
-    for (int level = walk_.top(); level > level_; --level) node = walk_.child(ray, level, node, lambda);
-    const double cost = segmentCost(ray);
-    double left = ray.cellBound();
-    while (left > 0) {
-        const float maximum = walk_.maximum(level_, node);
-        const PyramidWalk::Exit exit = walk_.exit(ray, level_, node);
-        const double out = std::min(exit.first(), 1.0);
-        sink.read(1);
-        const auto record = [&](Decision decision, double in, double after) {
-            return walk_.record(decision, level_, node, in, out, maximum, after);
-        };
-        if (PyramidWalk::excluded(maximum, out)) {
-            sink.step([&] { return record(Decision::Skip, lambda, out); });
-            --left;
-        } else {
-            sink.step([&] { return record(Decision::Descend, lambda, lambda); });
-            const Hit hit = inner_->traceSegment(viewRay, {lambda, out}, sink);
-            if (hit.outcome != Outcome::Miss) return hit;
-            sink.step([&] { return record(Decision::Ascend, out, out); });
-            left -= cost;
-        }
-        lambda = out;
-        const PyramidNode before = node;
-        if (!walk_.moveOn(ray, level_, exit, node) || exit.first() >= 1) {
-            node = before;
-            sink.step([&] { return record(Decision::Miss, out, out); });
-            return Hit::none(Outcome::Miss);
-        }
+    Place place{walk_.gridRay(viewRay)};
+    if (const Hit known = begin(viewRay, place, sink); known.outcome != Outcome::Unset) return known;
+    const double cost = segmentCost(place.ray);
+    for (;;) {
+        if (const Outcome end = skip(place, sink); end != Outcome::Unset) return Hit::none(end);
+        const Hit hit = inner_->traceSegment(viewRay, {place.lambda, place.out}, sink);
+        if (hit.outcome != Outcome::Miss) return hit;
+        note(place, Decision::Ascend, place.out, place.out, sink);
+        place.left -= cost;
+        if (!leave(place, sink)) return Hit::none(Outcome::Miss);
     }
-    sink.step([&] { return walk_.record(Decision::Limit, level_, node, lambda, lambda, 0, lambda); });
-    return Hit::none(Outcome::Limit);
+}
+
+inline void HybridTracer::traceSimd(const RayBlock& rays, std::size_t first, std::size_t last, HitBlock& hits) const {
+    struct Walker {
+        std::size_t ray;
+        Place place;
+    };
+    NullSink sink;
+    std::vector<Walker> walkers;
+    for (std::size_t i = first; i < last; ++i) {
+        const ViewRay ray = rays[i];
+        Hit known = Hit::none(Outcome::Miss);
+        if (ray.finite()) {
+            walkers.push_back({i, {walk_.gridRay(ray)}});
+            known = begin(ray, walkers.back().place, sink);
+            if (known.outcome == Outcome::Unset) continue;
+            walkers.pop_back();
+        }
+        hits.set(i, known);
+    }
+    RayBlock block;
+    std::vector<Segment> segments;
+    HitBlock found;
+    while (!walkers.empty()) {
+        std::erase_if(walkers, [&](Walker& walker) {
+            const Outcome end = skip(walker.place, sink);
+            if (end != Outcome::Unset) hits.set(walker.ray, Hit::none(end));
+            return end != Outcome::Unset;
+        });
+        block.resize(walkers.size());
+        segments.resize(walkers.size());
+        for (std::size_t k = 0; k < walkers.size(); ++k) {
+            block.set(k, rays[walkers[k].ray]);
+            segments[k] = {walkers[k].place.lambda, walkers[k].place.out};
+        }
+        inner_->traceSegments(block, segments, found);
+        std::size_t next = 0;
+        std::erase_if(walkers, [&](Walker& walker) {
+            const Hit hit = found[next++];
+            if (hit.outcome == Outcome::Miss) {
+                walker.place.left -= segmentCost(walker.place.ray);
+                if (leave(walker.place, sink)) return false;
+            }
+            hits.set(walker.ray, hit);
+            return true;
+        });
+    }
 }
 
 }  // namespace relief

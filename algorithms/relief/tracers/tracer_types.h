@@ -2,10 +2,11 @@
 //     describe(), Options with fields(), make(field, options, maps, work),
 //     trace(ray, sink), field(), bytes() of its maps, stepBound(ray);
 // and optional members, which tracers.cpp detects: traceSegment() with segmentRecords(), to work inside `hybrid`;
-// traceSimd(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps; guarantee(),
-// mesh(), pyramidWalk().
-// trace() returns Miss for a ray that is not finite, and otherwise only under border. Its log ends with the decision
-// that is the outcome, has at most stepBound(ray) records, and all its numbers are finite.
+// traceSimd(), the SIMD version, with simdWith() and hasSimdMap() where that depends on options and maps;
+// traceSegmentsSimd(), that of traceSegment(), with segmentsInSimd(); formNote(), a sentence on what has no SIMD
+// version and why; guarantee(), mesh(), pyramidWalk(). trace() returns Miss for a ray that is not finite, and otherwise
+// only under border. Its log ends with the decision that is the outcome, has at most stepBound(ray) records, and all
+// its numbers are finite.
 #pragma once
 
 #include <tuple>

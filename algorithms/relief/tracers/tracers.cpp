@@ -7,7 +7,10 @@
 #include "base/for_each_type.h"
 #include "images/tiled_heights.h"
 #include "relief/block_work.h"
+#include "relief/methods/lane_fallback.h"
+#include "relief/tracers/form_note.h"
 #include "relief/tracers/map_choice.h"
+#include "relief/tracers/segment_blocks.h"
 #include "relief/tracers/tile_methods.h"
 #include "relief/tracers/tracer_types.h"
 
@@ -30,6 +33,11 @@ concept SimdTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& h
     tracer.traceSimd(rays, std::size_t{}, std::size_t{}, hits);
 };
 
+template <class T>
+concept SimdSegmentTracer = requires(const T& tracer, const RayBlock& rays, HitBlock& hits) {
+    tracer.traceSegmentsSimd(rays, std::vector<Segment>{}, hits);
+};
+
 // The form that runs with these options if the caller leaves the choice to the method.
 template <class T>
 Form formWith(const typename T::Options& options) {
@@ -39,7 +47,7 @@ Form formWith(const typename T::Options& options) {
 }
 
 template <class T>
-class TracerOf final : public Tracer {
+class TracerOf final : public SegmentBlockTracer {
   public:
     TracerOf(T tracer, Form form) : tracer_(std::move(tracer)), form_(form) {
         // The SIMD version's map may be missing: for a map from a file, or a picture too large for it.
@@ -79,6 +87,17 @@ class TracerOf final : public Tracer {
     }
     Hit traceSegment(const ViewRay& ray, Segment segment, LogSink& sink) const override {
         return within(ray, segment, sink);
+    }
+    void traceSegments(const RayBlock& rays, const std::vector<Segment>& segments, HitBlock& hits) const override {
+        hits.resize(rays.size());
+        std::vector<std::size_t> left;
+        if constexpr (SimdSegmentTracer<T>) {
+            left = tracer_.traceSegmentsSimd(rays, segments, hits);
+        } else {
+            left = allRays(0, rays.size());
+        }
+        NullSink sink;
+        for (const std::size_t i : left) hits.set(i, within(rays[i], segments[i], sink));
     }
     double segmentRecords() const override {
         if constexpr (SegmentTracer<T>) return tracer_.segmentRecords();
@@ -210,6 +229,18 @@ void checkMethod(const MethodChoice& choice, const std::string& subject) {
     if (const auto inner = innerMethod(choice)) checkMethod(*inner, subject);
 }
 
+bool segmentsInSimd(const MethodChoice& choice) {
+    bool simd = false;
+    forEachType<TracerTypes>([&]<class T>() {
+        if (descriptionOf<T>().name != choice.name) return;
+        simd = SimdSegmentTracer<T>;
+        if constexpr (requires { &T::segmentsInSimd; }) {
+            simd = T::segmentsInSimd(parseOptions<typename T::Options>(choice.name, choice.options));
+        }
+    });
+    return simd;
+}
+
 Form methodForm(const MethodChoice& choice) {
     checkMethod(choice, {});
     Form form = Form::Scalar;
@@ -218,6 +249,17 @@ Form methodForm(const MethodChoice& choice) {
         form = formWith<T>(parseOptions<typename T::Options>(choice.name, choice.options));
     });
     return form;
+}
+
+std::string formNote(const std::string& name) {
+    findTracer(name);  // throws
+    std::string note;
+    forEachType<TracerTypes>([&]<class T>() {
+        if constexpr (requires { T::formNote(); }) {
+            if (descriptionOf<T>().name == name) note = T::formNote();
+        }
+    });
+    return note;
 }
 
 bool tracesTiles(const MethodChoice& choice) {
@@ -236,11 +278,13 @@ void requireTiles(const MethodChoice& choice, const TiledHeights& tiles) {
     throw InputError(tiles.path(), Message(MessageId::TiledMethod, {{"method", subject}, {"known", commaList(names)}}));
 }
 
-std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
-                                   Form form) {
+namespace {
+
+std::unique_ptr<SegmentBlockTracer> madeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache,
+                                               Work& work, Form form) {
     checkMethod(choice, {});
     if (field.tiles() != nullptr) requireTiles(choice, *field.tiles());
-    std::unique_ptr<Tracer> made;
+    std::unique_ptr<SegmentBlockTracer> made;
     forEachType<TracerTypes>([&]<class T>() {
         if (made || descriptionOf<T>().name != choice.name) return;
         const auto options = parseOptions<typename T::Options>(choice.name, choice.options);
@@ -252,6 +296,18 @@ std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField
         }
     });
     return made;
+}
+
+}  // namespace
+
+std::unique_ptr<Tracer> makeTracer(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work,
+                                   Form form) {
+    return madeTracer(choice, field, cache, work, form);
+}
+
+std::unique_ptr<SegmentBlockTracer> makeSegmentTracer(const MethodChoice& choice, const HeightField& field,
+                                                      MapCache& cache, Work& work) {
+    return madeTracer(choice, field, cache, work, Form::Scalar);
 }
 
 }  // namespace relief

@@ -73,12 +73,12 @@ TEST(BenchTracers, FormsDifferInRateOnly) {
         EXPECT_EQ(rows[r].memoryBytes, rows[r + 1].memoryBytes);
     }
     EXPECT_EQ(rows[6].form, Form::Simd);
-    EXPECT_EQ(methodForm({"cone", {{"sectors", "4"}}}), Form::Scalar);
+    EXPECT_EQ(methodForm({"cone", {{"sectors", "4"}}}), Form::Simd);
     EXPECT_EQ(methodForm({"max-pyramid", {{"base", "1"}}}), Form::Scalar);
     // Neither form dominates the other.
     const ParetoTable table = paretoTable(rows);
     EXPECT_TRUE(table.bothForms());
-    EXPECT_EQ(table.points.size(), 11U) << "exact, the paper's recursion and hybrid have one form";
+    EXPECT_EQ(table.points.size(), 12U) << "exact and the paper's recursion have one form";
     for (const Form form : {Form::Simd, Form::Scalar}) {
         const auto dominated = dominatedPoints(table.points, ErrorMeasure::Max);
         bool front = false;

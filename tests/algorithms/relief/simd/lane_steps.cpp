@@ -8,6 +8,8 @@
 #include "relief/simd/distance_march_lanes-inl.h"
 #include "relief/simd/distance_walk_lanes-inl.h"
 #include "relief/simd/layer_lanes-inl.h"
+#include "relief/simd/offset_lanes-inl.h"
+#include "relief/simd/texel_cone_lanes-inl.h"
 #include "relief/visibility/packed_cone_any_lanes-inl.h"
 
 #ifndef RELIEF_LANE_STEPS_NOTED
@@ -39,8 +41,9 @@ struct NotedVisits {
     }
 };
 
-void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
-    RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left};
+void noteWalk(const DistanceWalk& walk, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left,
+              const Segment* segments) {
+    RayQueue<DistanceWalk> queue{walk, rays, hits, 0, rays.size(), left, segments};
     runAlternating<VoxelWalk<NotedVisits>>(queue);
 }
 void noteMarch(const MarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
@@ -50,6 +53,20 @@ void noteMarch(const MarchSearch& search, const RayBlock& rays, HitBlock& hits, 
 void noteLayers(const LayerSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
     LayerQueue queue{{search, rays, hits, 0, rays.size(), left}, {}};
     runAlternating<LayerWalk<NotedVisits>>(queue);
+}
+void noteOffsets(const OffsetSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left) {
+    OffsetLanes<NotedVisits>(search, rays, hits, left).run(0, rays.size());
+}
+void noteConeCells(const ConeCellSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left,
+                   const Segment* segments) {
+    RayQueue<ConeCellSearch> queue{search, rays, hits, 0, rays.size(), left, segments};
+    runAlternating<ConeCells<NotedVisits>>(queue);
+}
+void noteConeMarch(const ConeMarchSearch& search, const RayBlock& rays, HitBlock& hits, std::vector<std::size_t>& left,
+                   const Segment* segments) {
+    BracketQueue<ConeMarchSearch> queue{{search, rays, hits, 0, rays.size(), left, segments}, {}};
+    runAlternating<ConeSteps<NotedVisits>>(queue);
+    bisect<NotedVisits>(queue);
 }
 void noteQueries(const PackedConeAnyHit& query, const AnyRayBlock& rays, Visibility* results) {
     runQueries<NotedVisits>(query, rays, 0, rays.size(), results);
@@ -64,6 +81,9 @@ namespace relief {
 HWY_EXPORT(noteWalk);
 HWY_EXPORT(noteMarch);
 HWY_EXPORT(noteLayers);
+HWY_EXPORT(noteOffsets);
+HWY_EXPORT(noteConeCells);
+HWY_EXPORT(noteConeMarch);
 HWY_EXPORT(noteQueries);
 
 namespace test {
@@ -82,14 +102,23 @@ std::vector<LaneSteps> notedBy(const RayBlock& rays, const Kernel& kernel) {
 
 }  // namespace
 
-std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& rays) {
-    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteWalk)(walk, rays, rest...); });
+std::vector<LaneSteps> stepsInLanes(const DistanceWalk& walk, const RayBlock& rays, const Segment* segments) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteWalk)(walk, rays, rest..., segments); });
 }
 std::vector<LaneSteps> stepsInLanes(const MarchSearch& search, const RayBlock& rays) {
     return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteMarch)(search, rays, rest...); });
 }
 std::vector<LaneSteps> stepsInLanes(const LayerSearch& search, const RayBlock& rays) {
     return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteLayers)(search, rays, rest...); });
+}
+std::vector<LaneSteps> stepsInLanes(const OffsetSearch& search, const RayBlock& rays) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteOffsets)(search, rays, rest...); });
+}
+std::vector<LaneSteps> stepsInLanes(const ConeCellSearch& search, const RayBlock& rays, const Segment* segments) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteConeCells)(search, rays, rest..., segments); });
+}
+std::vector<LaneSteps> stepsInLanes(const ConeMarchSearch& search, const RayBlock& rays, const Segment* segments) {
+    return notedBy(rays, [&](auto&... rest) { HWY_DYNAMIC_DISPATCH(noteConeMarch)(search, rays, rest..., segments); });
 }
 std::vector<LaneSteps> stepsInLanes(const PackedConeAnyHit& query, const AnyRayBlock& rays) {
     noted().assign(rays.size(), {});

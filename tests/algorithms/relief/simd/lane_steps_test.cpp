@@ -7,8 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "lanes.h"
+#include "relief/methods/cone.h"
+#include "relief/methods/cone_dummer.h"
 #include "relief/methods/distance_march.h"
 #include "relief/methods/layers.h"
+#include "relief/methods/offset_limited.h"
+#include "relief/methods/relaxed_cone.h"
 
 namespace relief::test {
 namespace {
@@ -141,6 +145,169 @@ TEST(LaneSteps, marchesByDistances) {
     });
     std::printf("%zu steps\n", steps);
     EXPECT_GT(steps, 20000U);
+}
+
+TEST(LaneSteps, walksOverTexelCones) {
+    std::size_t steps = 0;
+    Work work(1);
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        MapCache cache;
+        const CellGrid grid(field);
+        const Numbers numbers = [&](const Step& step) -> std::vector<double> {
+            if (step.as<subject::Cone>() == nullptr) return {};
+            // For a hit the log has the hit's lambda in place of the cell's end, to which SIMD continues.
+            const double after = step.decision == Decision::Hit ? step.lambdaOut : step.lambdaAfter;
+            return {static_cast<double>(step.i - grid.x.firstName),
+                    static_cast<double>(step.j - grid.y.firstName),
+                    step.value,
+                    step.lambdaIn,
+                    step.lambdaOut,
+                    after};
+        };
+        for (const int sectors : {1, 5}) {
+            for (const Precision precision : {Precision::Float, Precision::U16, Precision::U8}) {
+                ConeParameters parameters;
+                parameters.sectors = sectors;
+                parameters.precision = precision;
+                const auto map = coneMap(ConeKind::Conservative, parameters, field, cache, work);
+                const auto apt = [&](const ViewRay& ray) { return GridRay(grid, ray).inDomain(); };
+                steps += expectSameSteps(ConeTracer(field, map), rays, numbers, apt, [&] {
+                    std::vector<LaneSteps> all = stepsInLanes(ConeCellSearch{field, grid, *map}, rays);
+                    for (LaneSteps& ray : all) {
+                        for (std::vector<double>& step : ray) step.back() = std::min(step.back(), 1.0);
+                    }
+                    return all;
+                });
+            }
+        }
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 20000U);
+}
+
+TEST(LaneSteps, marchesByTexelCones) {
+    std::size_t steps = 0;
+    Work work(1);
+    const Numbers numbers = [](const Step& step) -> std::vector<double> {
+        if (step.decision == Decision::Refine) return {step.lambdaIn, step.lambdaOut, step.value};
+        if (step.as<subject::Cone>() == nullptr) return {};
+        return {step.lambdaIn, step.value, step.lambdaAfter};
+    };
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        MapCache cache;
+        for (const ConeKind kind : {ConeKind::Dummer, ConeKind::Relaxed}) {
+            for (const Precision precision : {Precision::Float, Precision::U8}) {
+                for (const int bisections : {0, 6}) {
+                    ConeParameters parameters;
+                    parameters.precision = precision;
+                    if (kind == ConeKind::Relaxed) parameters.radius = 8;
+                    const auto map = coneMap(kind, parameters, field, cache, work);
+                    const auto apt = [](const ViewRay& ray) {
+                        return std::max({std::abs(ray.s0), std::abs(ray.t0), std::abs(ray.a), std::abs(ray.b)}) <
+                               0x1p40;
+                    };
+                    steps += expectSameSteps(ConeMarch(field, map, 15, bisections), rays, numbers, apt, [&] {
+                        return stepsInLanes(ConeMarchSearch{field, *map, 15, bisections}, rays);
+                    });
+                }
+            }
+        }
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 20000U);
+}
+
+// traceSegment() as trace(), the same segment for all rays.
+template <class Tracer>
+struct Within {
+    const Tracer& tracer;
+    Segment segment;
+    const HeightField& field() const { return tracer.field(); }
+    void trace(const ViewRay& ray, LogSink& log) const { tracer.traceSegment(ray, segment, log); }
+};
+
+// Inside `hybrid` the same walks trace segments.
+TEST(LaneSteps, staysWithinSegments) {
+    std::size_t steps = 0;
+    Work work(1);
+    // Lambdas and values; for a hit in a cell the log has the hit's lambda in place of the cell's end.
+    const Numbers cones = [](const Step& step) -> std::vector<double> {
+        if (step.as<subject::Cone>() == nullptr) return {};
+        return {step.value, step.lambdaIn, step.lambdaOut};
+    };
+    const Numbers march = [](const Step& step) -> std::vector<double> {
+        if (step.decision == Decision::Refine) return {step.lambdaIn, step.lambdaOut, step.value};
+        if (step.as<subject::Cone>() == nullptr) return {};
+        return {step.lambdaIn, step.value, step.lambdaAfter};
+    };
+    const Numbers voxels = [](const Step& step) -> std::vector<double> {
+        if (step.as<subject::Voxel>() == nullptr) return {};
+        return {step.value, step.lambdaIn};
+    };
+    // Keeps the numbers of the lanes' steps from `first` to `last` - 1.
+    const auto part = [](std::vector<LaneSteps> all, int first, int last) {
+        for (LaneSteps& ray : all) {
+            for (std::vector<double>& step : ray) step = {step.begin() + first, step.begin() + last};
+        }
+        return all;
+    };
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        MapCache cache;
+        const CellGrid grid(field);
+        const auto conservative = coneMap(ConeKind::Conservative, {}, field, cache, work);
+        const auto dummer = coneMap(ConeKind::Dummer, {}, field, cache, work);
+        const auto distances = distanceMap(DistanceKind::EuclideanConservative, {}, field, cache, work);
+        const ConeTracer cells(field, conservative);
+        const ConeMarch marching(field, dummer, 15, 4);
+        const DistanceWalk walk(field, distances);
+        const auto exact = [&](const ViewRay& ray) {
+            const GridRay on(grid, ray);
+            return on.inDomain() && walk.perLambda(on) > 0;
+        };
+        const auto near = [](const ViewRay& ray) {
+            return std::max({std::abs(ray.s0), std::abs(ray.t0), std::abs(ray.a), std::abs(ray.b)}) < 0x1p40;
+        };
+        for (const Segment segment : {Segment{0, 0.3}, Segment{0.25, 0.7}, Segment{0.5, 0.5}, Segment{0.6, 1}}) {
+            const std::vector<Segment> segments(rays.size(), segment);
+            const Segment* const all = segments.data();
+            steps += expectSameSteps(Within<ConeTracer>{cells, segment}, rays, cones, exact, [&] {
+                return part(stepsInLanes(ConeCellSearch{field, grid, *conservative}, rays, all), 2, 5);
+            });
+            steps += expectSameSteps(Within<ConeMarch>{marching, segment}, rays, march, near, [&] {
+                return stepsInLanes(ConeMarchSearch{field, *dummer, 15, 4}, rays, all);
+            });
+            steps += expectSameSteps(Within<DistanceWalk>{walk, segment}, rays, voxels, exact,
+                                     [&] { return part(stepsInLanes(walk, rays, all), 3, 5); });
+        }
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 20000U);
+}
+
+TEST(LaneSteps, shiftsByOffset) {
+    std::size_t steps = 0;
+    const Numbers numbers = [](const Step& step) -> std::vector<double> {
+        if (step.decision != Decision::Hit) return {};
+        return {step.value, step.lambdaAfter};
+    };
+    onAwkwardFields([&](const HeightField& field, const RayBlock& rays) {
+        const auto near = [](const ViewRay& ray) { return std::max(std::abs(ray.s0), std::abs(ray.t0)) < 0x1p40; };
+        // Rays that are shifted out of the map are sampled as well, but the log has only their miss.
+        const auto staysInside = [&](const ViewRay& ray, double lambda) {
+            return SampledSurface(field, ray).inside(lambda);
+        };
+        const auto inLanes = [&](bool limited) {
+            std::vector<LaneSteps> all = stepsInLanes(OffsetSearch{field, limited}, rays);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                if (!all[i].empty() && !staysInside(rays[i], all[i].front().back())) all[i].clear();
+            }
+            return all;
+        };
+        steps += expectSameSteps(OffsetTracer(field), rays, numbers, near, [&] { return inLanes(false); });
+        steps += expectSameSteps(OffsetLimitedTracer(field), rays, numbers, near, [&] { return inLanes(true); });
+    });
+    std::printf("%zu steps\n", steps);
+    EXPECT_GT(steps, 5000U);
 }
 
 TEST(LaneSteps, searchesThroughLayers) {

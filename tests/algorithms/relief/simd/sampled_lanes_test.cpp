@@ -1,4 +1,5 @@
-// Layers and interpolated distances in SIMD against their references: the same bits, for every target.
+// Offset, layers, interpolated distances and cones of texels in SIMD against their references: the same bits, for every
+// target.
 #include <bit>
 #include <limits>
 
@@ -67,13 +68,27 @@ TEST(SampledLanes, HaveTheBitsOfTheScalarText) {
             for (const Address address : allAddresses()) {
                 const HeightField field(randomHeights(width, height, 12), surface, address, 0.3);
                 for (const MethodChoice& choice :
-                     {MethodChoice{"layers", {}}, MethodChoice{"layers", {{"layers", "1"}}},
+                     {MethodChoice{"layers", {}},
+                      MethodChoice{"layers", {{"layers", "1"}}},
                       MethodChoice{"layers-secant", {{"layers", "13"}}},
                       MethodChoice{"layers-bisection", {{"layers", "7"}, {"bisections", "11"}}},
                       MethodChoice{"distance", {{"layers", "9"}}},
                       MethodChoice{"distance", {{"layers", "1"}, {"footprint", "3"}, {"iterations", "5"}}},
                       MethodChoice{"distance", {{"precision", "u8"}}},
-                      MethodChoice{"distance-refined-sampled", {{"footprint", "2"}, {"layers", "5"}}}}) {
+                      MethodChoice{"distance-refined-sampled", {{"footprint", "2"}, {"layers", "5"}}},
+                      MethodChoice{"offset", {}},
+                      MethodChoice{"offset-limited", {}},
+                      MethodChoice{"cone", {{"layout", "texel"}}},
+                      MethodChoice{"cone", {{"sectors", "4"}}},
+                      MethodChoice{"cone", {{"precision", "u16"}}},
+                      MethodChoice{"cone-dummer", {}},
+                      MethodChoice{"cone-dummer", {{"iterations", "3"}, {"precision", "u8"}}},
+                      MethodChoice{"relaxed-cone", {{"radius", "9"}}},
+                      MethodChoice{"relaxed-cone", {{"radius", "9"}, {"iterations", "4"}, {"bisections", "0"}}},
+                      MethodChoice{"hybrid", {}},
+                      MethodChoice{"hybrid", {{"level", "1"}, {"inner", "cone-dummer"}}},
+                      MethodChoice{"hybrid", {{"level", "2"}, {"inner", "cone"}, {"inner.layout", "texel"}}},
+                      MethodChoice{"hybrid", {{"level", "0"}, {"inner", "relaxed-cone"}, {"inner.radius", "5"}}}}) {
                     SCOPED_TRACE(describe(field) + " " + describe(choice));
                     const auto tracer = makeTracer(choice, field, cache, work);
                     for (const std::size_t count : {3U, 4001U}) {
