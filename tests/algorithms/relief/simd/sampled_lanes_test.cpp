@@ -60,7 +60,7 @@ RayBlock hardRays(const HeightField& field, std::size_t count) {
     return rays;
 }
 
-TEST(SampledLanes, HaveTheBitsOfTheScalarText) {
+TEST(SampledLanes, HaveTheBitsOfTheReference) {
     MapCache cache;
     Work work(2);
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{{49, 19}, {1, 1}, {1, 8}, {64, 32}}) {
@@ -91,7 +91,9 @@ TEST(SampledLanes, HaveTheBitsOfTheScalarText) {
                       MethodChoice{"hybrid", {{"level", "0"}, {"inner", "relaxed-cone"}, {"inner.radius", "5"}}}}) {
                     SCOPED_TRACE(describe(field) + " " + describe(choice));
                     const auto tracer = makeTracer(choice, field, cache, work);
-                    for (const std::size_t count : {3U, 4001U}) {
+                    // Walks over cones take the longest, and their blocks are as those of the others.
+                    const bool cones = choice.name.find("cone") != std::string::npos || choice.name == "hybrid";
+                    for (const std::size_t count : {std::size_t{3}, std::size_t{cones ? 1003U : 4001U}}) {
                         const RayBlock rays = hardRays(field, count);
                         HitBlock scalar;
                         BlockCounts counts;
