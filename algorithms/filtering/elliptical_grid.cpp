@@ -55,11 +55,7 @@ std::vector<std::pair<std::size_t, float>> summedSlots(const PointLattice& latti
     return slots;
 }
 
-}  // namespace
-
-namespace {
-
-// Appends the pixels of the indices, in runs of consecutive cells.
+// Splits the pixels of the indices into runs of consecutive cells, each at most as long as a row of a tile.
 void findRuns(const FilterBlock& block, std::span<const std::size_t> indices, std::vector<PixelRun>& runs) {
     constexpr std::size_t kMostRun = std::size_t{1} << kTileAcross;
     runs.clear();

@@ -1,6 +1,5 @@
 // The points that edge pixels sum: which points, their hits, and their colours.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "filtering/grid_stages.h"

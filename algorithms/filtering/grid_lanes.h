@@ -155,8 +155,8 @@ struct FollowJob {
 void followPoints(const FollowJob& job, PointBlock& out, std::vector<std::uint32_t>& slots);
 
 // Of pixels [first, last) of a block: whether all have the same view and lie in one tile of 2^across x 2^down pixels;
-// if so, their bounding rectangle, and whether all hits are exact and all footprints' columns sum to less than
-// `largest`.
+// if so, their bounding rectangle, and whether all hits are exact and FilterBlock::sides() of all pixels is
+// below `largest`.
 struct TileScan {
     bool same = false;
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;

@@ -63,7 +63,7 @@ struct PixelRun {
 struct TilePixels {
     TileCells cells;
     std::vector<std::size_t> indices;  // in the block
-    std::vector<PixelRun> runs;        // the same
+    std::vector<PixelRun> runs;        // the same pixels, in runs
 };
 
 // Hits of the view's rays through cells' centres. s is NaN where there is no hit, or none is known yet.

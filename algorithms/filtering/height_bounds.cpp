@@ -17,7 +17,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Longest side, in texels, of maps that are bounded per texel. Larger maps are bounded over blocks.
 constexpr int kFinestSide = 4096;
-// The same for maps that are read by tiles: over blocks in any case, since others take a multiple of the map's memory.
+// The same for maps that are read by tiles. They get no bounds of the surface per texel, which take a multiple of the
+// map's memory.
 constexpr int kFinestTiledSide = 1024;
 
 // Texels from `first` to `last` along an axis after addressing: one interval, or two if they cross the seam.

@@ -38,7 +38,8 @@ struct HeightBounds {
 // From the cache, or built in parallel. The bounds are over texels, so they are valid for any surface and addressing.
 // Throws MemoryError, Cancelled.
 std::shared_ptr<const HeightBoundsMap> heightBoundsMap(const HeightField& field, MapCache& cache, Work& work);
-// Bounds over blocks of 2^shift texels, 0 <= shift < the pyramid's levels.
+// Bounds over blocks of 2^shift texels, shift >= 0; for a field that is read by tiles, below the number
+// of the file's levels.
 HeightBoundsMap coarseHeightBounds(const HeightField& field, int shift, Work& work);
 
 // Bounds of all heights of the surface over [s0, s1] x [t0, t1] (texels, unwrapped, any finite values), for bilinear

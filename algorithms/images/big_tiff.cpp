@@ -51,7 +51,7 @@ std::size_t aligned(std::size_t bytes) {
     return (bytes + 7) / 8 * 8;
 }
 
-// Sizes in bytes. number: of an offset, of a count, and of what stands in its entry.
+// Sizes in bytes. number: size of an offset, of a count and of the value field of an entry.
 struct FormSizes {
     std::size_t header, entries, entry, number;
 
@@ -60,7 +60,7 @@ struct FormSizes {
     std::size_t outside(std::size_t count, std::size_t size) const {
         return count * size <= number ? 0 : aligned(count * size);
     }
-    // What of a page stands behind the directories; the description stands behind its own.
+    // Bytes of the page's arrays that stand behind all directories (the description follows its own directory).
     std::size_t arrays(const TiffPage& page) const {
         const std::size_t count = page.offsets.size();
         return 2 * outside(static_cast<std::size_t>(page.channels), 2) + outside(count, number) +

@@ -10,6 +10,7 @@
 
 namespace relief {
 
+// A file descriptor that the destructor closes.
 class Descriptor {
   public:
     Descriptor() = default;

@@ -1,9 +1,9 @@
 #include "images/picture_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
-#include <limits>
 #include <numeric>
 #include <string_view>
 #include <utility>

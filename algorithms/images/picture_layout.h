@@ -50,7 +50,7 @@ class PictureLayout {
     std::uint64_t first_ = 0;  // byte of the first row
 };
 
-// The numbers of a picture's rows as writeColor() and writePlanes() write them.
+// Return the pixels as writeColor() and writePlanes() store them, row by row, channels interleaved.
 std::vector<std::byte> colorNumbers(const ColorImage& image, bool floats);
 std::vector<std::byte> planeNumbers(const std::vector<NamedPlane>& planes);
 

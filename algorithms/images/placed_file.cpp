@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <utility>
 
@@ -17,7 +18,6 @@ namespace relief {
 namespace {
 
 constexpr std::uint64_t kCopied = std::uint64_t{1} << 22;  // bytes at a time
-constexpr std::size_t kChunk = 32;                         // bytes, as tileChecksum() demands
 
 // Returns 0 or an errno.
 int writeAt(int descriptor, std::uint64_t at, std::span<const std::byte> bytes) {
@@ -32,8 +32,8 @@ int writeAt(int descriptor, std::uint64_t at, std::span<const std::byte> bytes) 
 }
 
 std::uint64_t checksumOf(std::span<const std::byte> bytes) {
-    const std::size_t whole = bytes.size() / kChunk * kChunk;
-    std::array<std::byte, kChunk> rest{};
+    const std::size_t whole = bytes.size() / kChecksumChunk * kChecksumChunk;
+    std::array<std::byte, kChecksumChunk> rest{};
     std::copy(bytes.begin() + static_cast<std::ptrdiff_t>(whole), bytes.end(), rest.begin());
     return tileChecksum(bytes.data(), whole) ^ tileChecksum(rest.data(), rest.size());
 }

@@ -12,8 +12,9 @@
 
 namespace relief {
 
-// Largest side of a relief in texels: the recipes number their squares with 32 bits.
-inline constexpr int kMostReliefSide = 1 << 18;
+// Largest side of a relief that is made row by row, texels (kMaxReliefSide: in memory); recipes number their squares
+// with 32 bits.
+inline constexpr int kMaxRecipeSide = 1 << 18;
 
 class RecipeRows {
   public:

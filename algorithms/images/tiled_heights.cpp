@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -165,7 +164,7 @@ void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page
     alignas(8) std::array<std::byte, kTileTexels * sizeof(float)> tile;
     // Reading the bytes before they are accessed in the mapping turns errors of the disk into exceptions.
     readFully(file->number(), at, tile.data(), page.tileBytes(), heights.path_);
-    if (tileChecksum(tile.data(), page.tileBytes()) != checksums[page.slot(at)]) {
+    if (tileChecksum(tile.data(), page.tileBytes()) != checksums[page.placeIndex(at)]) {
         const auto [x, y] = page.tileAt(at);
         throw InputError(heights.path_,
                          Message(MessageId::TiledTileDamaged,
@@ -186,6 +185,7 @@ TiledHeights::TiledHeights(std::string path, std::size_t residentBytes) : path_(
     const auto head = readTiledHead(file->number());
     if (!head) throw InputError(path_, Message(MessageId::TiledNot));
     layout_ = head->layout;
+    checksum_ = head->checksum;
     if (size < layout_.fileBytes)
         throw InputError(path_, Message(MessageId::TiledTruncated, {{"bytes", size}, {"whole", layout_.fileBytes}}));
     const std::size_t states = (layout_.fileBytes + kLeastTileBytes - 1) >> kStateShift;

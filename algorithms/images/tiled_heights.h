@@ -61,6 +61,8 @@ class TiledHeights {
     // Type of the stored heights, maxima and minima: UInt8, UInt16 or Float. Means are floats.
     NumberType type() const { return layout_.type; }
     const TiledLayout& layout() const { return layout_; }
+    // Checksum of the table of all tiles' checksums.
+    std::uint64_t checksum() const { return checksum_; }
 
     // 0 <= x < width(level), 0 <= y < height(level). Level 0 of each kind is the height.
     float height(int x, int y) const { return value(layout_.pages.front(), x, y); }
@@ -101,6 +103,7 @@ class TiledHeights {
 
     std::string path_;
     TiledLayout layout_;
+    std::uint64_t checksum_ = 0;
     std::size_t limit_ = 0;
     const std::byte* map_ = nullptr;
     std::unique_ptr<std::atomic<std::uint8_t>[]> states_;  // one for every kLeastTileBytes of the file

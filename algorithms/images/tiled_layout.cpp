@@ -41,7 +41,7 @@ TiledLayout TiledLayout::of(int width, int height, NumberType type, std::uint64_
         page.groupsAcross = ((page.tilesAcross() - 1) >> page.acrossShift) + 1;
         page.groupsDown = ((page.tilesDown() - 1) >> page.downShift) + 1;
         page.first = at;
-        page.firstSlot = layout.places;
+        page.firstPlace = layout.places;
         at += page.bytes();
         layout.places += page.places();
         layout.pages.push_back(page);

@@ -36,9 +36,9 @@ struct TilePage {
     TileKind kind = TileKind::Height;
     NumberType type = NumberType::Float;
     int level = 0;
-    int width = 0, height = 0;    // texels
-    std::uint64_t first = 0;      // byte in the file of tile (0, 0); a multiple of kGroupBytes
-    std::uint64_t firstSlot = 0;  // of the table of checksums, which has an entry for every place of a tile
+    int width = 0, height = 0;     // texels
+    std::uint64_t first = 0;       // byte in the file of tile (0, 0); a multiple of kGroupBytes
+    std::uint64_t firstPlace = 0;  // of the table of checksums, which has an entry for every place of a tile
     int groupsAcross = 0, groupsDown = 0;
     int tileBytesShift = 0;              // log2 of the bytes of a tile
     int acrossShift = 0, downShift = 0;  // log2 of the tiles of a group
@@ -61,7 +61,7 @@ struct TilePage {
     // Column and row of the tile at this byte.
     std::pair<int, int> tileAt(std::uint64_t offset) const;
     // Entry of the table of checksums for the tile at this byte.
-    std::uint64_t slot(std::uint64_t offset) const { return firstSlot + ((offset - first) >> tileBytesShift); }
+    std::uint64_t placeIndex(std::uint64_t offset) const { return firstPlace + ((offset - first) >> tileBytesShift); }
 };
 
 struct TiledLayout {
@@ -70,7 +70,7 @@ struct TiledLayout {
     NumberType type = NumberType::Float;  // of heights, maxima and minima: UInt8, UInt16 or Float
     std::vector<TilePage> pages;          // the heights, then levels 1 to levels - 1 of maxima, of minima, of means
     std::uint64_t firstTile = 0;          // byte; all before it is the TIFF's directories
-    std::uint64_t checksums = 0;          // byte of the table of checksums, 64 bits for each slot
+    std::uint64_t checksums = 0;          // byte of the table of checksums, 64 bits for each place of a tile
     std::uint64_t places = 0;
     std::uint64_t fileBytes = 0;
 
@@ -107,8 +107,9 @@ inline float tileValue(NumberType type, const std::byte* tile, std::size_t i) {
     return value;
 }
 
-// Checksum of a tile or of the table of checksums; words: 64-bit words, low byte first, bytes a multiple of 32. A
-// change of a single word is always noticed.
+// Checksum of a tile or of the table of checksums; words: 64-bit words, low byte first, bytes a multiple of
+// kChecksumChunk. A change of a single word is always noticed.
+inline constexpr std::size_t kChecksumChunk = 32;
 std::uint64_t tileChecksum(const std::byte* data, std::size_t bytes);
 
 }  // namespace relief

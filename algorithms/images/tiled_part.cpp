@@ -23,7 +23,7 @@ constexpr std::uint64_t kMostLearned = 4096;          // bytes
 constexpr std::uint64_t kBlock = 4096;                // bytes
 
 // What a state in the file begins with; then follow the work, what was learned, and the levels, filled up to a multiple
-// of kChunk bytes.
+// of kChecksumChunk bytes.
 struct StateHead {
     std::uint64_t magic = kMagic;
     std::uint64_t sequence = 0;
@@ -32,15 +32,14 @@ struct StateHead {
     std::uint64_t unused = 0;
     std::uint64_t checksum = 0;  // of all this with 0 for itself
 };
-constexpr std::size_t kChunk = 32;  // bytes, as tileChecksum() demands
-static_assert(sizeof(StateHead) % kChunk == 0);
+static_assert(sizeof(StateHead) % kChecksumChunk == 0);
 
 std::uint64_t roundedUp(std::uint64_t bytes, std::uint64_t unit) {
     return (bytes + unit - 1) / unit * unit;
 }
 
 std::uint64_t stateBytes(std::uint64_t work, std::uint64_t learned, std::uint64_t levels) {
-    return sizeof(StateHead) + roundedUp(work + learned + levels, kChunk);
+    return sizeof(StateHead) + roundedUp(work + learned + levels, kChecksumChunk);
 }
 
 }  // namespace
@@ -172,7 +171,7 @@ void TiledPart::write(std::uint64_t at, const void* bytes, std::size_t count) {
 void TiledPart::writeTiles(const TilePage& page, std::uint64_t offset, std::span<const std::byte> tiles) {
     write(offset, tiles.data(), tiles.size());
     for (std::size_t at = 0; at < tiles.size(); at += page.tileBytes())
-        checksums_[page.slot(offset + at)] = tileChecksum(tiles.data() + at, page.tileBytes());
+        checksums_[page.placeIndex(offset + at)] = tileChecksum(tiles.data() + at, page.tileBytes());
 }
 
 void TiledPart::keep(const State& state) {

@@ -170,7 +170,7 @@ void TiledWriter::writeBands(Work& work) {
 void TiledWriter::write(Work& work) {
     const auto kept = [&](const InputError& error) {
         const MessageValue why("why", error.message());
-        return Message(MessageId::TiledKept, {why, {"done", keptBands()}, {"total", bands()}, {"part", partPath()}});
+        return Message(MessageId::SweepFailed, {why, {"done", keptBands()}, {"total", bands()}, {"part", partPath()}});
     };
     // Keeps what is done; where that fails, too, what was kept before counts.
     const auto keepAfterFailure = [&] {

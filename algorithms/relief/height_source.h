@@ -2,6 +2,8 @@
 // read by tiles: a source is a FloatImage or TileSource.
 #pragma once
 
+#include <cstddef>
+
 #include "images/tiled_heights.h"
 #include "relief/height_field.h"
 
@@ -12,6 +14,11 @@ struct TileSource {
     const TiledHeights& tiles;
     float operator()(int i, int j) const { return tiles.height(i, j); }
 };
+
+// Returns true if SIMD can gather the heights: they are in memory, and their indices have 31 bits.
+inline bool gathersHeights(const HeightField& field) {
+    return field.tiles() == nullptr && field.texels() < std::size_t{1} << 31;
+}
 
 // Returns use(source) for the field's heights.
 template <class Use>

@@ -109,6 +109,11 @@ struct StageReport {
 // Rows [begin, end) of a picture.
 struct RowRange {
     int begin = 0, end = 0;
+
+    int count() const { return end - begin; }
+    bool empty() const { return begin == end; }
+    // Returns these rows, or all of `height` rows if there are none.
+    RowRange orAll(int height) const { return empty() ? RowRange{0, height} : *this; }
 };
 
 struct Frame {
@@ -140,7 +145,7 @@ struct Frame {
     std::map<MessageId, double> counters;  // by the messages Count...; only those that apply to this frame
     double seconds = 0;
     double countSeconds = 0;  // time taken by counting steps and reads
-    RowRange lit;             // rows that the light stage holds: all, but with PictureParts::onlyRows
+    RowRange lit;             // rows that the light stage holds: all, except with PictureParts::onlyRows
 
     // Index in the stages' buffers of a pixel of the rows `stored`.
     std::size_t index(int x, int y) const {

@@ -89,7 +89,7 @@ void shiftBand(FrameBuffers& band, const Frame& frame, int rows) {
 
 std::shared_ptr<LightStage> fitLight(std::shared_ptr<LightStage>& light, const Frame& frame) {
     light = taken(light, true);
-    fit(light->color, frame.width, frame.lit.end - frame.lit.begin);
+    fit(light->color, frame.width, frame.lit.count());
     return light;
 }
 

@@ -90,7 +90,7 @@ class BandMaker {
 
 // Returns the rows of the tiles that contain the wanted rows; tiles begin where they do in the whole picture.
 RowRange madeRows(const RowRange& wanted, int height) {
-    if (wanted.begin == wanted.end) return {0, height};
+    if (wanted.empty()) return {0, height};
     assert(wanted.begin >= 0 && wanted.begin < wanted.end && wanted.end <= height);
     return {wanted.begin / kTileHeight * kTileHeight, std::min(height, tilesDown(wanted.end) * kTileHeight)};
 }
@@ -98,10 +98,10 @@ RowRange madeRows(const RowRange& wanted, int height) {
 }  // namespace
 
 std::uint64_t pictureBytes(const FrameRequest& request, int threads, RowRange rows) {
-    const bool samples = request.filter.name == kSupersample, whole = rows.begin == rows.end;
+    const bool samples = request.filter.name == kSupersample;
     const int ring = samples ? kGaussianRing : 0;
-    const int lit = (whole ? request.height : rows.end - rows.begin) + 2 * ring;
-    const int made = std::min(request.height + 2 * ring, whole ? lit : lit + 2 * (kTileHeight - 1));
+    const int lit = rows.orAll(request.height).count() + 2 * ring;
+    const int made = std::min(request.height + 2 * ring, rows.empty() ? lit : lit + 2 * (kTileHeight - 1));
     // Sample passes use the bilinear filter, which needs no halo.
     const int halo = samples ? 0 : 2 * kHaloRows;
     const int stored =
@@ -131,10 +131,10 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     const bool mesh = setup->mesh != nullptr;
     assert(parts.rows % kTileHeight == 0);
     const RowRange made = madeRows(parts.onlyRows, frame.height);
-    const int rows = std::min(parts.rows > 0 ? parts.rows : bandRows(frame.width, threads), made.end - made.begin);
+    const int rows = std::min(parts.rows > 0 ? parts.rows : bandRows(frame.width, threads), made.count());
     fitBand(*band_, frame, std::min(frame.height, rows + 2 * halo), request, counts || mesh);
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
-    if (parts.onlyRows.begin != parts.onlyRows.end) frame.lit = parts.onlyRows;
+    frame.lit = parts.onlyRows.orAll(frame.height);
     frame.light = fitLight(band_->light, frame);
     if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.end - made.begin));
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);

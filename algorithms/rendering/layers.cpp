@@ -108,12 +108,9 @@ struct LayerPlanes::Tools : LayerTools {};
 
 LayerPlanes::LayerPlanes(const FrameRequest& request, const std::vector<std::string>& layers, MapCache& maps,
                          RowRange rows)
-    : layers_(layers),
-      maps_(maps),
-      tools_(std::make_unique<Tools>()),
-      rows_(rows.begin == rows.end ? RowRange{0, request.height} : rows) {
+    : layers_(layers), maps_(maps), tools_(std::make_unique<Tools>()), rows_(rows.orAll(request.height)) {
     for (const std::string& plane : layerPlaneNames(layers_)) {
-        planes_.push_back({plane, FloatImage(request.width, rows_.end - rows_.begin)});
+        planes_.push_back({plane, FloatImage(request.width, rows_.count())});
     }
 }
 

@@ -163,8 +163,7 @@ std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer&
 ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCache>& maps, Work& work,
                         const FrameRenderer::Snapshot& snapshot, std::map<MessageId, double>& counters, RowRange rows) {
     const int samples = request.filter.samples;
-    const bool whole = rows.begin == rows.end;
-    SampleSums sums(request.width, whole ? request.height : rows.end - rows.begin, request.filter.pixelModel);
+    SampleSums sums(request.width, rows.orAll(request.height).count(), request.filter.pixelModel);
     FrameRequest pass = withRing(request, sums.margin());
     pass.filter = {};
     const std::vector<glm::ivec2> order = sampleOrder(samples);
@@ -173,7 +172,7 @@ ColorImage supersampled(const FrameRequest& request, const std::shared_ptr<MapCa
     auto renderer = std::make_unique<FrameRenderer>(maps, true);
     PictureParts parts;
     // The pass begins `margin` rows higher, and every pixel needs the same number of rows above and below it.
-    if (!whole) parts.onlyRows = {rows.begin, rows.end + 2 * sums.margin()};
+    if (!rows.empty()) parts.onlyRows = {rows.begin, rows.end + 2 * sums.margin()};
     for (int done = 0; done < total; ++done) {
         pass.sample = samplePlace(order[static_cast<std::size_t>(done)], samples);
         const auto frame = renderer->picture(pass, work, parts);

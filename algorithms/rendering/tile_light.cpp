@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -42,7 +41,8 @@ AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, doub
     return ray;
 }
 
-// Sets what the horizon's bounds say about the tile's pixels in row y that face the light.
+// Sets the answers of the bounds of the horizon for the tile's pixels in row y. Undecided: without bounds, or where
+// facing is not positive.
 void TileWorker::boundRow(const PixelArea& tile, int y, std::span<const double> facing,
                           std::span<Horizon> answers) const {
     std::fill(answers.begin(), answers.end(), Horizon::Undecided);
@@ -137,7 +137,7 @@ void TileWorker::castShadows(const PixelArea& tile, const double* facing, Work& 
 // hit are unspecified.
 void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facing) const {
     const HitBlock& hits = frame_.hits->hits;
-    if (!slopes_) {
+    if (!sloped_) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             facing[static_cast<std::size_t>(x - tile.x0)] =
                 glm::dot(glm::dvec3(frame_.normal(x, y, request_)), toLight_);
@@ -146,7 +146,7 @@ void TileWorker::faceLight(const PixelArea& tile, int y, std::span<double> facin
     }
     const std::size_t row = frame_.index(tile.x0, y);
     overPolygons(tile, y, [&](std::uint8_t polygon, std::size_t begin, std::size_t end) {
-        facingLight(*slopes_, axes_[polygon], frame_.slabTexels, toLight_,
+        facingLight(scene_, axes_[polygon], frame_.slabTexels, toLight_,
                     std::span(hits.s).subspan(row + begin, end - begin),
                     std::span(hits.t).subspan(row + begin, end - begin), facing.subspan(begin, end - begin));
     });

@@ -48,7 +48,7 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
     polygons_.resize(frame.polygons.size(), nullptr);
     for (const VisiblePolygon& polygon : tools.visible.polygons) polygons_[polygon.number] = &polygon;
     scene_ = tools.coneHits != nullptr ? SlopeScene(request.field, tools.coneHits->cones()) : SlopeScene(request.field);
-    if (frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear) slopes_ = scene_;
+    sloped_ = frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear;
 }
 
 // Clears data of an earlier frame from the buffers; the light stage is not cleared, since every pixel of it is set.

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -149,9 +148,9 @@ class TileWorker {
     PictureHits picture_;
     std::vector<const VisiblePolygon*> polygons_;  // by polygon number; null: not visible
     std::vector<ReliefAxes> axes_;                 // by polygon number
-    SlopeScene scene_;
-    std::vector<std::uint8_t> faces_;   // by polygon number: whether its front faces the light
-    std::optional<SlopeScene> slopes_;  // set for bilinear relief that is shaded with its own normals
+    SlopeScene scene_;                             // the field, for slopes and for bounds of the horizon
+    std::vector<std::uint8_t> faces_;              // by polygon number: whether its front faces the light
+    bool sloped_ = false;                          // whether the relief is bilinear and shaded with its own normals
 };
 
 // Counts steps and reads of the tile's rays by tracing them again with the tracer that made the hits.

@@ -34,7 +34,7 @@ std::shared_ptr<const HeightImage> loadHeights(const Pictures& pictures, Work& w
     return made;
 }
 
-// Opens the height map by tiles. Three quarters of the memory are the tiles', the rest the top of the pyramid's
+// Opens the height map by tiles. Three quarters of the memory hold tiles, the rest the upper levels of the pyramid
 // (TiledPyramid::mostBytes()).
 void openTiles(const Pictures& pictures, Assets& assets) {
     const std::size_t bytes = static_cast<std::size_t>(pictures.memory) << 20;
@@ -67,14 +67,18 @@ HeightField Assets::field(const Scenario& scenario) const {
 
 Assets AssetStore::load(const Pictures& pictures, Work& work, bool byTiles) {
     Assets assets = assets_;
-    if (byTiles && pictures.memory > 0 && !pictures.height.empty() && TiledHeights::isTiled(pictures.height)) {
-        refuseReading(pictures.reading);
-        if (!assets.tiles || !sameHeights(pictures, last_)) openTiles(pictures, assets);
-    } else if (!assets.heights || !sameHeights(pictures, last_)) {
-        assets.tiles.reset();
-        assets.height = loadHeights(pictures, work);
-        // This pointer shares ownership with assets.height.
-        assets.heights = std::shared_ptr<const FloatImage>(assets.height, &assets.height->heights);
+    const bool tiled = byTiles && pictures.memory > 0 && !pictures.height.empty();
+    const bool loaded = assets.heights || (tiled && assets.tiles);
+    if (!loaded || !sameHeights(pictures, last_)) {
+        if (tiled && TiledHeights::isTiled(pictures.height)) {
+            refuseReading(pictures.reading);
+            openTiles(pictures, assets);
+        } else {
+            assets.tiles.reset();
+            assets.height = loadHeights(pictures, work);
+            // This pointer shares ownership with assets.height.
+            assets.heights = std::shared_ptr<const FloatImage>(assets.height, &assets.height->heights);
+        }
     }
     const std::int64_t cap = pictures.reading.maxPixels;
     if (pictures.color.empty()) {

@@ -112,7 +112,7 @@ Json pictureJson(const std::string& path, const PictureFacts& facts) {
 // A tiled pyramid is not read as a whole: its coarsest levels are the extremes and the mean of all heights.
 struct TiledFacts {
     std::shared_ptr<const TiledHeights> heights;
-    std::string type;
+    std::string type{};
     std::size_t pages = 0;
     double low = 0, high = 0, mean = 0;
 };

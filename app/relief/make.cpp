@@ -28,11 +28,11 @@ Pictures chosenRelief(const MakeOptions& options) {
     if (options.seed && parts > 2)
         throw InputError("--seed", Message(MessageId::ArgumentsExclude, {{"other", relief}}));
     Pictures pictures;
-    pictures.reading.maxPixels = std::int64_t{kMostReliefSide} * kMostReliefSide;
-    applyRecipe(pictures, relief, {}, kMostReliefSide);
+    pictures.reading.maxPixels = std::int64_t{kMaxRecipeSide} * kMaxRecipeSide;
+    applyRecipe(pictures, relief, {}, kMaxRecipeSide);
     if (options.seed) pictures.seed = parseSeed(*options.seed, "--seed");
     if (options.size) {
-        const SizeText size = parseSize(*options.size, "--size", kMostReliefSide);
+        const SizeText size = parseSize(*options.size, "--size", kMaxRecipeSide);
         pictures.recipeWidth = size.width;
         pictures.recipeHeight = size.height;
     }
@@ -87,13 +87,14 @@ void addMakeCommand(CLI::App& program, Commands& commands) {
     addArgument(*parser, "RELIEF", options->relief, "name of the relief; size and seed may follow, as in bricks:512:7");
     addOutput(*parser, options->output, "the height map: .png, .tif or .exr");
     addText(*parser, "--size", options->size, "WxH|N",
-            "size in texels, 1 to " + std::to_string(kMostReliefSide) +
+            "size in texels, 1 to " + std::to_string(kMaxRecipeSide) +
                 " per side; N: N x N; default: that of the relief, mostly 256",
             "Relief");
     addText(*parser, "--seed", options->seed, "S", "seed of the random numbers, a whole number from 0; default 1",
             "Relief");
     addFlag(*parser, "--tiled", options->tiled,
-            "write a tiled TIFF with its pyramid, as relief tile does, whatever the size; from 16-bit integers",
+            "write a tiled TIFF with its pyramid, as relief tile does, whatever the size; heights are 16-bit integers "
+            "(paper8x8: floats)",
             "Output");
     options->restart.add(*parser, "a tiled map that takes long", "Output");
     options->run.add(*parser);

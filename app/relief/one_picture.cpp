@@ -182,8 +182,9 @@ std::vector<std::string> OnePicture::channels() const {
 }
 
 void OnePicture::requireMemory(RowRange rows, bool tiled) const {
-    requirePictureMemory(*request_, layers_,
-                         {rows, tiled, tiled ? MemoryHint::SmallerSize : MemoryHint::SmallerOrTiled}, session_);
+    // Reports are of pictures in one piece.
+    const MemoryHint hint = tiled || reports_ ? MemoryHint::SmallerSize : MemoryHint::SmallerOrTiled;
+    requirePictureMemory(*request_, layers_, {rows, tiled, hint}, session_);
 }
 
 Json OnePicture::run() const {

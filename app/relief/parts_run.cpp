@@ -159,10 +159,10 @@ void reportStopped(const PartsRun& run, const Ledger& ledger, Session& session) 
 // Throws the error again; if the journal holds results, it says so and how to resume.
 [[noreturn]] void throwKept(const WorkError& error, const PartsRun& run, const Ledger& ledger) {
     if (ledger.journal() == nullptr || !ledger.journal()->hasResults()) throw error;
-    throw WorkError(error.subject(), Message(MessageId::TiledKept, {MessageValue("why", error.message()),
-                                                                    {"done", ledger.done()},
-                                                                    {"total", run.parts},
-                                                                    {"part", ledger.journal()->path()}}));
+    throw WorkError(error.subject(), Message(MessageId::SweepFailed, {MessageValue("why", error.message()),
+                                                                      {"done", ledger.done()},
+                                                                      {"total", run.parts},
+                                                                      {"part", ledger.journal()->path()}}));
 }
 
 PartsDone alone(const PartsRun& run, Session& session) {

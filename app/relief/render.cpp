@@ -23,8 +23,8 @@ namespace {
 
 // Largest .tif and .exr, in pixels, that is not written in tiles unless --tiled is given.
 constexpr std::int64_t kMostWholePixels = std::int64_t{1} << 26;
-// Largest side of a picture in the formats that have limits of their own.
-constexpr int kMostSide = 1 << 15;
+// Largest side of a .jpg, .bmp or .hdr, pixels.
+constexpr int kMaxOtherSide = 1 << 15;
 
 struct RenderOptions {
     ScenarioOptions scenario;
@@ -52,11 +52,12 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
 }
 
 // Returns the line that identifies the part and holds what `relief merge` needs.
-std::string partText(const PartNumber& number, const RowRange& rows, bool tiled, const OnePicture& picture) {
+// run: OnePicture::run().
+std::string partText(const PartNumber& number, const RowRange& rows, bool tiled, int height, Json run) {
     Part part;
     static_cast<PartNumber&>(part) = number;
-    part.run = picture.run();
-    part.more = {{"first", rows.begin}, {"end", rows.end}, {"height", picture.height()}};
+    part.run = std::move(run);
+    part.more = {{"first", rows.begin}, {"end", rows.end}, {"height", height}};
     if (tiled) part.more["tiled"] = true;
     return partLine(part);
 }
@@ -109,18 +110,19 @@ int blockRows(int width, int rows) {
 
 // Renders the picture, or a part of it, row of tiles by row of tiles into its file, alone or with the other ranks of an
 // MPI run.
-void renderTiled(OnePicture& picture, const RenderOptions& options, const std::string& output, Session& session) {
-    const PartNumber number = options.part ? parsePartNumber(*options.part) : PartNumber();
+void renderTiled(OnePicture& picture, const RenderOptions& options, const PartNumber& number, const std::string& output,
+                 Session& session) {
     const RowRange all = tiledPartRows(number, picture.height());
-    const int block = blockRows(picture.width(), all.end - all.begin);
+    const int block = blockRows(picture.width(), all.count());
     const auto rowsOf = [&](std::size_t part) {
         const int begin = all.begin + static_cast<int>(part) * block;
         return RowRange{begin, std::min(begin + block, all.end)};
     };
     picture.requireMemory(rowsOf(0), true);
     const bool exr = fileEnding(output) == "exr";
+    const Json what = picture.run();
     const PictureLayout layout({exr, picture.width(), picture.height(), all.begin, all.end, picture.channels(),
-                                options.part ? partText(number, all, true, picture) : std::string()});
+                                options.part ? partText(number, all, true, picture.height(), what) : std::string()});
     std::optional<PlacedFile> file;
     const bool leads = leadsRun(options.part.has_value());
     if (leads) file.emplace(output, layout);
@@ -129,9 +131,9 @@ void renderTiled(OnePicture& picture, const RenderOptions& options, const std::s
     };
     PartsRun run;
     run.bar = "render";
-    run.parts = static_cast<std::size_t>((all.end - all.begin + block - 1) / block);
+    run.parts = static_cast<std::size_t>((all.count() + block - 1) / block);
     run.output = output;
-    run.work = {{"run", picture.run()}, {"rows", {all.begin, all.end, block}}};
+    run.work = {{"run", what}, {"rows", {all.begin, all.end, block}}};
     run.earlier = options.many.restart.chosen();
     run.alone = options.part.has_value();
     run.started = [&](bool resumed) { file->open(resumed); };
@@ -140,11 +142,11 @@ void renderTiled(OnePicture& picture, const RenderOptions& options, const std::s
         if (part < 0 || static_cast<std::size_t>(part) >= run.parts) return false;
         const RowRange rows = rowsOf(static_cast<std::size_t>(part));
         const std::string checksum = textIn(result, "checksum");
-        return file->holds(rows.begin, rows.end - rows.begin, std::strtoull(checksum.c_str(), nullptr, 10));
+        return file->holds(rows.begin, rows.count(), std::strtoull(checksum.c_str(), nullptr, 10));
     };
     run.measure = [&](const Task& task, Work& work) -> Json {
         const RowRange rows = rowsOf(task.part);
-        const auto bytes = layout.encoded(rows.begin, rows.end - rows.begin, picture.numbers(rows, exr, work).data());
+        const auto bytes = layout.encoded(rows.begin, rows.count(), picture.numbers(rows, exr, work).data());
         if (leads) return put(task.part, bytes);
         const auto* const first = reinterpret_cast<const std::uint8_t*>(bytes.data());
         return Json::binary(std::vector<std::uint8_t>(first, first + bytes.size()));
@@ -162,10 +164,10 @@ void renderTiled(OnePicture& picture, const RenderOptions& options, const std::s
 void checkSides(const Scenario& scenario, const std::string& output) {
     const std::string ending = fileEnding(output);
     if (ending == "png" || ending == "tif" || ending == "tiff" || ending == "exr") return;
-    if (std::max(scenario.width, scenario.height) <= kMostSide) return;
+    if (std::max(scenario.width, scenario.height) <= kMaxOtherSide) return;
     throw InputError(output, Message(MessageId::PictureSidesOf, {{"width", scenario.width},
                                                                  {"height", scenario.height},
-                                                                 {"limit", kMostSide},
+                                                                 {"limit", kMaxOtherSide},
                                                                  {"known", ".png, .tif, .exr"}}));
 }
 
@@ -199,7 +201,7 @@ int runRender(const RenderOptions& options, Session& session) {
     const bool huge = std::int64_t{scenario.width} * scenario.height > kMostWholePixels;
     OnePicture picture(options.scenario, scenario, layers, options.report.has_value(), session);
     if (options.tiled || (huge && fileEnding(output) != "png" && !options.report)) {
-        renderTiled(picture, options, output, session);
+        renderTiled(picture, options, number, output, session);
         picture.noteTilesRead();
         return 0;
     }
@@ -213,7 +215,9 @@ int runRender(const RenderOptions& options, Session& session) {
         renderShared(picture, output, session);
         return 0;
     }
-    picture.write(output, rows, options.part ? partText(number, rows, false, picture) : std::string(), session.work());
+    picture.write(output, rows,
+                  options.part ? partText(number, rows, false, picture.height(), picture.run()) : std::string(),
+                  session.work());
     picture.noteTilesRead();
     if (options.report) picture.report(*options.report);
     return 0;

@@ -127,7 +127,7 @@ void makeFolder(const std::string& folder) {
 void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, const PictureMemory& how,
                           Session& session) {
     const int threads = session.work().threads().size();
-    const int rows = how.rows.begin == how.rows.end ? request.height : how.rows.end - how.rows.begin;
+    const int rows = how.rows.orAll(request.height).count();
     const auto width = static_cast<std::uint64_t>(request.width), height = static_cast<std::uint64_t>(rows);
     // 8-bit values of a written picture, or all of its layers; in tiles, the numbers and their order in the file.
     std::uint64_t written = byteProduct({width, height, how.tiled ? 2 * sizeof(Color) : 3});

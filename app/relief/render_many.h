@@ -9,13 +9,15 @@
 
 namespace relief::app {
 
-// What of a picture is held in memory: these rows (empty: all) and the buffers for writing them, in tiles or not.
+// Which rows of a picture are held in memory at once (empty: all), and whether they are written in tiles. hint: what a
+// refusal advises.
 struct PictureMemory {
     RowRange rows;
     bool tiled = false;
     MemoryHint hint = MemoryHint::SmallerSize;
 };
-// Throws MemoryError if that does not fit. layers: empty for the picture alone.
+// Throws MemoryError if these rows and the buffers for writing them do not fit into memory. layers: empty for the
+// picture alone.
 void requirePictureMemory(const FrameRequest& request, const std::vector<std::string>& layers, const PictureMemory& how,
                           Session& session);
 

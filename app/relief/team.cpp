@@ -1,6 +1,7 @@
 #include "team.h"
 
 #include <dlfcn.h>
+
 #include <charconv>
 #include <chrono>
 #include <cstdlib>

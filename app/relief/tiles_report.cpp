@@ -1,15 +1,11 @@
 #include "tiles_report.h"
 
-#include <fcntl.h>
-
 #include <algorithm>
 #include <array>
 #include <span>
 
 #include <nlohmann/json.hpp>
 
-#include "images/file_descriptor.h"
-#include "images/tiled_pages.h"
 #include "part.h"
 
 namespace relief::app {
@@ -23,12 +19,8 @@ double bytesEach(const TileStatistics& read, std::size_t rays) {
 }  // namespace
 
 std::string tilesHash(const TiledHeights& tiles) {
-    const Descriptor file(::open(tiles.path().c_str(), O_RDONLY | O_CLOEXEC));
-    const auto head = file.open() ? readTiledHead(file.number()) : std::nullopt;
-    if (!head) throw InputError(tiles.path(), Message(MessageId::TiledNot));
-    // The checksum is of the table of all tiles' checksums.
     const std::array facts{static_cast<std::uint64_t>(tiles.width()), static_cast<std::uint64_t>(tiles.height()),
-                           static_cast<std::uint64_t>(tiles.type()), head->checksum};
+                           static_cast<std::uint64_t>(tiles.type()), tiles.checksum()};
     return hashText(std::as_bytes(std::span(facts)));
 }
 
@@ -46,14 +38,17 @@ nlohmann::ordered_json tilesJson(const TiledHeights& tiles, std::size_t rays) {
 void noteTiles(Session& session, const TiledHeights& tiles, std::size_t rays) {
     if (!session.verbose()) return;
     constexpr double kMegabyte = 1 << 20;
+    constexpr int kDigits = 3;
+    const auto megabytes = [](std::size_t bytes) {
+        return numberText(static_cast<double>(bytes) / kMegabyte, kDigits);
+    };
     const TileStatistics read = tiles.statistics();
-    session.note(tiles.path(),
-                 Message(MessageId::TilesTaken, {{"read", read.tilesRead},
-                                                 {"megabytes", static_cast<double>(read.bytesRead) / kMegabyte},
-                                                 {"misses", read.misses},
-                                                 {"each", bytesEach(read, rays)},
-                                                 {"resident", static_cast<double>(tiles.residentBytes()) / kMegabyte},
-                                                 {"limit", static_cast<double>(tiles.residentLimit()) / kMegabyte}}));
+    session.note(tiles.path(), Message(MessageId::TilesTaken, {{"read", read.tilesRead},
+                                                               {"megabytes", megabytes(read.bytesRead)},
+                                                               {"misses", read.misses},
+                                                               {"each", numberText(bytesEach(read, rays), kDigits)},
+                                                               {"resident", megabytes(tiles.residentBytes())},
+                                                               {"limit", megabytes(tiles.residentLimit())}}));
 }
 
 }  // namespace relief::app

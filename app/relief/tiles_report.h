@@ -11,9 +11,9 @@
 
 namespace relief::app {
 
-// A hash that differs if any height does, for Json that says what a result depends on. Throws InputError, WorkError.
+// Returns a hash of the map's sizes, type and checksums, for identifying a run.
 std::string tilesHash(const TiledHeights& tiles);
-// rays: by which the bytes read are divided.
+// Returns what was read of the map. rays: number of rays by which the bytes are divided.
 nlohmann::ordered_json tilesJson(const TiledHeights& tiles, std::size_t rays);
 // Prints the same as a note, with --verbose.
 void noteTiles(Session& session, const TiledHeights& tiles, std::size_t rays);

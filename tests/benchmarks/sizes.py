@@ -5,8 +5,9 @@
 
 Prints the tables and the fitted laws as Markdown and draws the chart. A map is held in memory up to 16,384 texels a
 side, and read by tiles within 1,024 MB from 1,024 a side. Pictures are medians of three rounds, of a single one from
-8,192 a side. A warm frame is one of eight after the first two. Needs 21 GB below --work for a map of 65,536, and about
-an hour; nothing else should run meanwhile.
+8,192 a side. A warm frame is one of eight after the first two. Needs 21 GB of disk below --work for a map of 65,536,
+17 GB of memory for a picture of 32,768 (reports are of pictures in one piece), and about an hour; nothing else should
+run meanwhile.
 """
 import argparse
 import json

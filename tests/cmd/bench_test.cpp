@@ -96,12 +96,10 @@ TEST_P(MeasureTest, ScalarFormsAreMeasuredAlone) {
 }
 
 TEST_P(MeasureTest, BrokenOffRunsKeepTheirRows) {
-    RunSetup setup;
-    setup.interruptAfterMilliseconds = 60000;
-    setup.interruptWhen = [&] {  // after a result has been saved
+    const RunSetup setup = interruptedWhen([&] {  // after a result has been saved
         const std::string journal = read("b.csv.part");
         return std::count(journal.begin(), journal.end(), '\n') >= 2;
-    };
+    });
     const Result result = run({"bench", "tracers", "--relief", "hills:16x16", "--tracers", "offset,exact", "--rays",
                                "2000", "--rounds", "1000", "--elevations",
                                "80,60,50,40,30,25,20,19,18,17,16,15,14,13,12,11,10,9,8,7,6,5,4,3,2,1,0.9,0.8,0.7,0.6,"

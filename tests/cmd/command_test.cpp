@@ -160,6 +160,23 @@ std::string CommandTest::runFine(const std::vector<std::string>& arguments, cons
     return result.out;
 }
 
+RunSetup interruptedWhen(std::function<bool()> condition) {
+    RunSetup setup;
+    setup.interruptAfterMilliseconds = 60'000;
+    setup.interruptWhen = std::move(condition);
+    return setup;
+}
+
+void CommandTest::expectKept(const Result& stopped, const std::string& partFile, int parts) {
+    EXPECT_EQ(stopped.status, 130);
+    EXPECT_EQ(stopped.err.find("relief: " + partFile + ": stopped: "), 0U) << stopped.err;
+    EXPECT_NE(
+        stopped.err.find(" of " + std::to_string(parts) +
+                         " parts are done and kept in this file; run the same command with --resume to continue\n"),
+        std::string::npos)
+        << stopped.err;
+}
+
 void CommandTest::expectRefusal(const std::vector<std::string>& arguments, int status,
                                 const std::vector<std::string>& parts, const RunSetup& setup) const {
     const Result result = run(arguments, setup);

@@ -40,6 +40,9 @@ struct RunSetup {
     std::vector<std::pair<std::string, std::string>> variables;  // added to the environment
 };
 
+// Sends SIGINT as soon as the condition holds, or after a minute.
+RunSetup interruptedWhen(std::function<bool()> condition);
+
 class CommandTest : public testing::TestWithParam<Place> {
   protected:
     void SetUp() override;
@@ -52,6 +55,9 @@ class CommandTest : public testing::TestWithParam<Place> {
     // contains each of the parts.
     void expectRefusal(const std::vector<std::string>& arguments, int status, const std::vector<std::string>& parts,
                        const RunSetup& setup = {}) const;
+
+    // Expects that the run was interrupted, and that standard error says how many of the parts are kept in the file.
+    static void expectKept(const Result& stopped, const std::string& partFile, int parts);
 
     // Returns a path in the test's folder.
     std::string path(const std::string& name) const { return (folder_ / name).string(); }

@@ -107,9 +107,7 @@ TEST_P(RenderManyTest, APathOfTheCamera) {
 // Frames of two paths must not be mixed in one folder.
 TEST_P(RenderManyTest, AnotherPathIsNotResumed) {
     auto stopped = pathOf("path", "400");
-    RunSetup setup;
-    setup.interruptAfterMilliseconds = 60000;
-    setup.interruptWhen = [&] { return std::filesystem::exists(path("path/frame_00002.png")); };
+    const RunSetup setup = interruptedWhen([&] { return std::filesystem::exists(path("path/frame_00002.png")); });
     ASSERT_EQ(run(stopped, setup).status, 130);
     ASSERT_TRUE(std::filesystem::exists(path("path/pictures.part")));
     auto other = stopped;

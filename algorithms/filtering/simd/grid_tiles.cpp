@@ -1,8 +1,6 @@
 // The grid's work on all pixels and cells of a tile (grid_lanes.h).
 #include <algorithm>
 #include <bit>
-#include <cassert>
-#include <cmath>
 #include <limits>
 
 #include "filtering/grid_lanes.h"

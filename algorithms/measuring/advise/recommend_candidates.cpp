@@ -75,10 +75,10 @@ void addForms(const MeasuredMethod& method, double lowest, std::int64_t maxSteps
     for (OptionValues& values : all) forms.push_back({method.choice.name, std::move(values)});
 }
 
-// The statistics are taken from every n-th tile of ReliefFigures on both axes: from all of a map in memory, from about
-// kSampledTiles of one that is read by tiles.
+// Returns n: the statistics are taken from every n-th tile of ReliefFigures on both axes. 1 for a map in memory; for
+// one that is read by tiles such that about kSampledTiles are read.
 constexpr double kSampledTiles = 1 << 14;
-int sampledTiles(const HeightField& field) {
+int tileStride(const HeightField& field) {
     constexpr double kTile = ReliefFigures::kTile;
     if (field.tiles() == nullptr) return 1;
     return std::max(1,
@@ -133,7 +133,7 @@ ReliefFigures figuresOf(const Heights& heights, const HeightField& field) {
         sum += slope;
         if (slope > 1) ++steep;
     };
-    const int every = ReliefFigures::kTile * sampledTiles(field);
+    const int every = ReliefFigures::kTile * tileStride(field);
     for (int y0 = 0; y0 < height; y0 += every) {
         for (int x0 = 0; x0 < width; x0 += every) {
             float low = heights(x0, y0), high = low;

@@ -83,9 +83,10 @@ class RelaxedStrip {
         ProfileSample* sample = row_.samples.data();
         for (int n = 0; n < row_.azimuths; ++n) {
             const double angle = azimuth(n, row_.azimuths);
+            const double cosine = std::cos(angle), sine = std::sin(angle);
             for (int r = 0; r <= row_.reach; ++r, ++sample) {
-                sample->across = r * std::cos(angle);
-                double down = y + 0.5 + r * std::sin(angle);
+                sample->across = r * cosine;
+                double down = y + 0.5 + r * sine;
                 if (row_.bilinear) down -= 0.5;
                 if (field_.address() != Address::Repeat) down = std::clamp(down, -1.0, field_.height() + 1.0);
                 const double whole = std::floor(down);

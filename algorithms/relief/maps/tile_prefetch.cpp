@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "images/tiled_heights.h"
@@ -12,7 +13,7 @@ namespace relief {
 
 namespace {
 
-// Side, in texels, of the largest square that is asked for.
+// Side, in texels, of the largest square whose tiles are read in advance.
 constexpr double kMostTexels = 2048;
 
 // The texels between the ends of rays on one axis, for one period of the map or two.
@@ -30,12 +31,6 @@ struct Reach {
         return all;
     }
 };
-
-// Whether the pyramid reads this level of the file: the lowest level that it keeps would take less than it has.
-bool lookedUp(const TiledPyramid& pyramid, const TiledHeights& tiles, int level) {
-    const auto texels = static_cast<std::size_t>(tiles.width(level)) * static_cast<std::size_t>(tiles.height(level));
-    return level < tiles.levels() - 1 && texels * sizeof(std::uint16_t) > pyramid.bytes();
-}
 
 }  // namespace
 
@@ -55,7 +50,7 @@ void prefetchAlong(const HeightField& field, const TiledPyramid* pyramid, const 
     for (const auto& [left, right] : across.parts(field.width(), repeats)) {
         for (const auto& [up, bottom] : down.parts(field.height(), repeats)) {
             ranges.push_back({TileKind::Height, 0, left, up, right, bottom});
-            for (int l = 1; pyramid != nullptr && lookedUp(*pyramid, tiles, l); ++l) {
+            for (int l = 1; pyramid != nullptr && l < pyramid->firstKept(); ++l) {
                 ranges.push_back({TileKind::Max, l, left >> l, up >> l, right >> l, bottom >> l});
             }
         }

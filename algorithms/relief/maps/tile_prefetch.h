@@ -1,4 +1,4 @@
-// Asks for the tiles that coherent rays, such as those of a part of a frame, will read.
+// Prefetches the tiles that coherent rays, such as those of a part of a frame, will read.
 #pragma once
 
 #include "relief/height_field.h"

@@ -40,6 +40,8 @@ class TiledPyramid {
     }
 
     int top() const { return top_; }
+    // The lowest level that is kept in memory; those below are read from the file.
+    int firstKept() const { return firstKept_; }
     float highest() const { return highest_; }
     std::size_t bytes() const { return depths_.size() * sizeof(std::uint16_t); }
 

@@ -37,7 +37,7 @@ struct FloatScene {
         : heights(field.tiles() != nullptr ? nullptr : field.heights().data()),
           stride(field.width()),
           tiles(field.tiles()),
-          gathered(heights != nullptr && field.texels() < kGatheredTexels),
+          gathered(gathersHeights(field)),
           grid(field),
           surface(field.surface()),
           address(field.address()),
@@ -55,8 +55,6 @@ struct FloatScene {
         if (heights == nullptr) return tiles->height(i, j);
         return heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
     }
-
-    static constexpr std::size_t kGatheredTexels = std::size_t{1} << 31;
 };
 
 }  // namespace relief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace relief {
 
-// Returns true if SIMD can index the values: with 31 bits.
+// Returns true if SIMD can number the values with signed indices of 32 bits.
 inline bool fitsLanes(const StoredValues& values) {
     constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
     return values.bytes() / bytesEach(values.precision()) <= kMost;

@@ -56,11 +56,10 @@ class MaxPyramidTracer {
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const {
-        if (!depths_) return paper_.trace(viewRay, sink);
         if (!viewRay.finite()) return Hit::none(Outcome::Miss);
         return trace(viewRay, sink, sink);
     }
-    // Requires a finite ray and depths. inDouble: receives the steps of the fallback in double.
+    // Requires a finite ray. inDouble: receives the steps of the fallback in double.
     template <class Sink, class DoubleSink>
     Hit trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const;
     // The SIMD version, with the same results: sets hits for the rays [first, last) of the block.
@@ -76,21 +75,21 @@ class MaxPyramidTracer {
     }
 
     const HeightField& field() const { return paper_.field(); }
-    bool hasSimdMap() const { return depths_ != nullptr && pyramidWalk().baseLevel() == 0; }
-    std::size_t bytes() const { return paper_.bytes() + (depths_ ? depths_->bytes() : 0); }
+    bool hasSimdMap() const { return pyramidWalk().baseLevel() == 0; }
+    std::size_t bytes() const { return paper_.bytes() + depths_->bytes(); }
     // The walk in double starts anew, slightly before the place where float stops.
-    double stepBound(const ViewRay& ray) const { return (depths_ ? 2 : 1) * paper_.stepBound(ray); }
+    double stepBound(const ViewRay& ray) const { return 2 * paper_.stepBound(ray); }
     Guarantee guarantee() const { return paper_.guarantee(); }
     const PyramidWalk& pyramidWalk() const { return paper_.pyramidWalk(); }
 
   private:
     void useDepths(std::shared_ptr<const DepthPyramid> depths) {
         depths_ = std::move(depths);
-        if (depths_) walk_.emplace(pyramidWalk(), *depths_);
+        walk_.emplace(pyramidWalk(), *depths_);
     }
 
     MaxPyramidPaperTracer paper_;
-    std::shared_ptr<const DepthPyramid> depths_;  // null: only the paper's walk is used
+    std::shared_ptr<const DepthPyramid> depths_;
     std::optional<DepthWalk> walk_;
 };
 

@@ -23,7 +23,7 @@ struct SlopeScene {
     explicit SlopeScene(const HeightField& field)
         : heights(field.tiles() != nullptr ? nullptr : field.heights().data()),
           tiles(field.tiles()),
-          gathered(heights != nullptr && field.texels() < std::size_t{1} << 31),
+          gathered(gathersHeights(field)),
           width(field.width()),
           height(field.height()),
           repeat(field.address() == Address::Repeat) {}

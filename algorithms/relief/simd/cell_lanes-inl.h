@@ -1,4 +1,4 @@
-// What// SIMD walks from cell to cell in double have in common: the cells of the rays of a vector, the leaf and the
+// What SIMD walks from cell to cell in double have in common: the cells of the rays of a vector, the leaf and the
 // advance. One ray per lane. Compiled for each target.
 
 #if defined(RELIEF_CELL_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -7,6 +7,8 @@
 #else
 #define RELIEF_CELL_LANES_INL_H
 #endif
+
+#include <algorithm>
 #include <limits>
 
 #include "relief/cell_grid.h"
@@ -118,7 +120,6 @@ class CellWalk : public VectorOfRays<Walk, Search> {
 
     // Sets up a lane for ray `number` of the block, which may take `steps` steps. Returns false if the ray enters
     // outside; its hit is set.
-
     bool begin(std::size_t lane, std::size_t number, const GridRay& ray, double steps) {
         if (queue_.segments == nullptr && ray.entersOutside(grid_)) {
             queue_.hits.set(number, Hit::none(Outcome::Miss));

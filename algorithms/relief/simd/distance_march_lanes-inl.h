@@ -87,7 +87,6 @@ class DistanceSteps : public VectorOfRays<DistanceSteps<Visits>, MarchSearch> {
 
 template <class Visits>
 bool DistanceSteps<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
-    constexpr double kFar = 0x1p40;  // in texels: below this, products of periods are integers below 2^53
     const bool served = std::hypot(ray.a, ray.b) <= queue_.search.map.maxRun;
     if (!served || !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
         queue_.fallback.push_back(number);
@@ -129,9 +128,7 @@ void DistanceSteps<Visits>::step() {
     const V left = hn::Sub(load(left_), one);
     M inside = hn::Eq(zero, zero);
     if (field_.address() == Address::Border) {
-        const V nextS = hn::Add(s0, hn::Mul(after, a)), nextT = hn::Add(t0, hn::Mul(after, b));
-        inside = hn::And(hn::And(hn::Ge(nextS, zero), hn::Le(nextS, constant(field_.width()))),
-                         hn::And(hn::Ge(nextT, zero), hn::Le(nextT, constant(field_.height()))));
+        inside = surface_.inside(hn::Add(s0, hn::Mul(after, a)), hn::Add(t0, hn::Mul(after, b)));
     }
     const M more = hn::And(hn::Gt(left, zero), hn::Lt(after, one));
     const M goesOn = hn::AndNot(arrived, hn::And(inside, more));

@@ -1,8 +1,6 @@
 #include "relief/methods/distance_walk_lanes.h"
 
-#include <limits>
 #include "base/simd_targets.h"
-
 #include "relief/methods/lane_fallback.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relief/simd/distance_walk_lanes.cpp"
@@ -29,8 +27,7 @@ HWY_EXPORT(walkAll);
 
 std::vector<std::size_t> walkSimd(const DistanceWalk& walk, const RayBlock& rays, std::size_t first, std::size_t last,
                                   HitBlock& hits, const Segment* segments) {
-    constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (!fitsLanes(walk.distanceMap()->values) || walk.field().heights().size() > kMost) return allRays(first, last);
+    if (!fitsLanes(walk.distanceMap()->values) || !gathersHeights(walk.field())) return allRays(first, last);
     std::vector<std::size_t> left;
     HWY_DYNAMIC_DISPATCH(walkAll)(walk, rays, first, last, hits, left, segments);
     return left;

@@ -45,7 +45,6 @@ class LayerWalk : public VectorOfRays<LayerWalk<Visits>, LayerSearch> {
 
 template <class Visits>
 bool LayerWalk<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
-    constexpr double kFar = 0x1p40;  // in texels: below this, products of periods are integers below 2^53
     const bool repeats = field_.address() == Address::Repeat;
     if (repeats && !(std::max(std::abs(ray.a), std::abs(ray.b)) < kFar)) {
         queue_.fallback.push_back(number);
@@ -68,8 +67,7 @@ void LayerWalk<Visits>::step() {
     const V gap = hn::Sub(surface_.at(s, t), hn::Sub(one, lambda));
     M inside = hn::Eq(zero, zero);
     if (field_.address() == Address::Border) {
-        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
-                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
+        inside = surface_.inside(s, t);
     }
     const M ends = hn::Or(hn::Not(inside), hn::Or(hn::Ge(gap, zero), hn::Ge(lambda, one)));
     if constexpr (Visits::kRecords) Visits::visit(ray_, active_ & bitsOf(inside), layer, lambda, gap);

@@ -65,11 +65,6 @@ class OffsetLanes {
     HWY_INLINE void shift(std::size_t first, std::size_t count, const Rays& from, const Hits& to);
     // The share of the shift that the method takes.
     HWY_INLINE V share(const Rays& from) const;
-    HWY_INLINE M inside(V s, V t) const {
-        const V zero = hn::Zero(D());
-        return hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
-                       hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
-    }
 
     const HeightField& field_;
     bool limited_;
@@ -91,7 +86,6 @@ V OffsetLanes<Visits>::share(const Rays& from) const {
 
 template <class Visits>
 void OffsetLanes<Visits>::shift(std::size_t first, std::size_t count, const Rays& from, const Hits& to) {
-    constexpr double kFar = 0x1p40;  // in texels: below this, products of periods are integers below 2^53
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     const V s0 = hn::LoadU(D(), from.s0), t0 = hn::LoadU(D(), from.t0);
     const V a = hn::LoadU(D(), from.a), b = hn::LoadU(D(), from.b);
@@ -109,9 +103,10 @@ void OffsetLanes<Visits>::shift(std::size_t first, std::size_t count, const Rays
     M met = taken;
     std::uint32_t sampled = bitsOf(taken);
     if (field_.address() == Address::Border) {
-        const M enters = inside(s, t);
+        const M enters = surface_.inside(s, t);
         sampled &= bitsOf(enters);
-        met = hn::And(hn::And(met, enters), inside(hn::Add(s, hn::Mul(lambda, a)), hn::Add(t, hn::Mul(lambda, b))));
+        met = hn::And(hn::And(met, enters),
+                      surface_.inside(hn::Add(s, hn::Mul(lambda, a)), hn::Add(t, hn::Mul(lambda, b))));
     }
     const V none = constant(std::numeric_limits<double>::quiet_NaN());
     hn::StoreU(hn::IfThenElse(met, lambda, none), D(), to.lambda);

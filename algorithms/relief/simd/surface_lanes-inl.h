@@ -8,16 +8,20 @@
 #endif
 
 #include "relief/cell_grid.h"
+#include "relief/height_source.h"
 #include "relief/simd/double_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
+// In texels: below this, products of periods are integers below 2^53.
+constexpr double kFar = 0x1p40;
+
 class SurfaceLanes {
   public:
     explicit SurfaceLanes(const HeightField& field)
         : field_(field),
-          heights_(gathers(field) ? field.heights().data() : nullptr),
+          heights_(gathersHeights(field) ? field.heights().data() : nullptr),
           width_(field.width()),
           height_(field.height()),
           repeats_(field.address() == Address::Repeat),
@@ -39,6 +43,12 @@ class SurfaceLanes {
         return hn::Add(hn::Mul(hn::Sub(one, v), top), hn::Mul(v, bottom));
     }
 
+    // Whether the places are on the map, its rim included.
+    HWY_INLINE M inside(V s, V t) const {
+        const V zero = hn::Zero(D());
+        return hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(width_))),
+                       hn::And(hn::Ge(t, zero), hn::Le(t, constant(height_))));
+    }
     // relief::reduceToPeriod() under repeat, for coordinates below 2^40.
     HWY_INLINE V reduceToPeriod(V x, double size) const {
         const V n = constant(size), zero = hn::Zero(D()), rest = reduced(x, size);
@@ -71,10 +81,6 @@ class SurfaceLanes {
         return hn::PromoteTo(D(), hn::GatherIndex(hn::Rebind<float, D>(), heights_, at));
     }
 
-    // Indices into the heights have 32 bits.
-    static bool gathers(const HeightField& field) {
-        return field.tiles() == nullptr && field.texels() < std::size_t{1} << 31;
-    }
     HWY_NOINLINE V texelByLanes(V i, V j) const {
         HWY_ALIGN double x[hn::MaxLanes(D())], y[hn::MaxLanes(D())];
         hn::Store(i, D(), x), hn::Store(j, D(), y);

@@ -142,7 +142,6 @@ class ConeSteps : public VectorOfRays<ConeSteps<Visits>, ConeMarchSearch> {
 
 template <class Visits>
 bool ConeSteps<Visits>::take(std::size_t lane, const ViewRay& ray, std::size_t number) {
-    constexpr double kFar = 0x1p40;  // in texels: below this, products of periods are integers below 2^53
     const double farthest = std::max({std::abs(ray.s0), std::abs(ray.t0), std::abs(ray.a), std::abs(ray.b)});
     if (!(farthest < kFar)) {
         queue_.fallback.push_back(number);
@@ -170,8 +169,7 @@ void ConeSteps<Visits>::step() {
     const V after = hn::Min(hn::Sub(lambda, hn::Div(gap, closing)), end);
     M inside = hn::Eq(zero, zero);
     if (field_.address() == Address::Border) {
-        inside = hn::And(hn::And(hn::Ge(s, zero), hn::Le(s, constant(field_.width()))),
-                         hn::And(hn::Ge(t, zero), hn::Le(t, constant(field_.height()))));
+        inside = surface_.inside(s, t);
     }
     const M arrived = hn::Or(hn::Ge(gap, zero), hn::Or(hn::Ge(lambda, end), hn::Le(left, zero)));
     const std::uint32_t in = bitsOf(inside);

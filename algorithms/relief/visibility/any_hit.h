@@ -35,8 +35,8 @@ class AnyHitQuery {
 // The descriptions of all queries. Queries whose map is valid only for view rays do not compile.
 const std::vector<MethodDescription>& anyHitList();
 
-// The fastest query for many segments: packed cones with SIMD, or above kMaxPackedTexels texels the max pyramid, since
-// packed cones take 16 bytes per texel.
+// The fastest query for many segments: packed cones with SIMD, or the max pyramid for maps above kMaxPackedTexels
+// texels, since packed cones take 16 bytes per texel, and for maps that are read by tiles.
 inline constexpr std::size_t kMaxPackedTexels = std::size_t{1} << 22;
 MethodChoice visibilityChoice(const HeightField& field);
 

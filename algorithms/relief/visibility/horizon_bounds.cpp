@@ -60,15 +60,16 @@ HorizonBounds::HorizonBounds(const HeightField& field, glm::dvec2 run, Work& wor
 
     const auto heights = field.heights().pixels();
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    lowest_ = static_cast<double>(*low), highest_ = static_cast<double>(*high);
-    unit_ = (highest_ - lowest_) / kSteps;
+    lowest_ = static_cast<double>(*low);
+    const auto highest = static_cast<double>(*high);
+    unit_ = (highest - lowest_) / kSteps;
     if (f.wraps) {
         // After that many lines a bound of `highest` has sunk to `lowest`; a shorter lead only loosens the bounds.
-        leadIn_ = static_cast<int>(std::min(2.0 * f.nx, (highest_ - lowest_) / f.rise + 2));
-        outside_ = static_cast<float>(highest_);
+        leadIn_ = static_cast<int>(std::min(2.0 * f.nx, (highest - lowest_) / f.rise + 2));
+        outside_ = static_cast<float>(highest);
     } else {
         // Under clamp the outer texels go on for ever; under border nothing is there.
-        outside_ = field.address() == Address::Border ? kNone : static_cast<float>(highest_);
+        outside_ = field.address() == Address::Border ? kNone : static_cast<float>(highest);
     }
     // What the sweep does not reach is the last line of a map that does not wrap: nothing is known beyond it.
     entries_.resize(static_cast<std::size_t>(f.nx + 1) * f.stride,

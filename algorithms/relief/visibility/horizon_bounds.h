@@ -59,7 +59,6 @@ class HorizonBounds {
                 std::span<const double> lambda, std::span<const double> wanted, std::span<Horizon> answers) const;
     const HeightField& field() const { return field_; }
     glm::dvec2 run() const { return run_; }
-    std::size_t bytes() const { return entries_.size() * sizeof(std::uint32_t); }
 
     // How the map lies in the texture: x along the faster axis, y across, both in cells, mirrored where the light runs
     // backwards, so that it runs to +x and by `slope` in [0, 1] to +y.
@@ -100,7 +99,7 @@ class HorizonBounds {
     HeightField field_;
     glm::dvec2 run_;
     Frame frame_;
-    double lowest_ = 0, highest_ = 0, unit_ = 0;
+    double lowest_ = 0, unit_ = 0;
     float outside_ = 0;  // the highest that a ray may meet beyond the map
     int leadIn_ = 0;     // lines before the last one from which the sweep begins
     LargeVector<std::uint32_t> entries_;

@@ -40,6 +40,15 @@ std::string textOf(const std::vector<double>& numbers) {
     return text;
 }
 
+// The last number of each step, its lambda afterwards, no greater than 1: SIMD continues below the relief, the log does
+// not.
+std::vector<LaneSteps> endingAtOne(std::vector<LaneSteps> all) {
+    for (LaneSteps& ray : all) {
+        for (std::vector<double>& step : ray) step.back() = std::min(step.back(), 1.0);
+    }
+    return all;
+}
+
 // apt: returns true for rays that SIMD traces at all.
 template <class Tracer>
 std::size_t expectSameSteps(const Tracer& tracer, const RayBlock& rays, const Numbers& numbersOf,
@@ -107,13 +116,8 @@ TEST(LaneSteps, walksOverDistances) {
                         const GridRay on(walk.grid(), ray);
                         return on.inDomain() && walk.perLambda(on) > 0;
                     };
-                    steps += expectSameSteps(walk, rays, numbers, apt, [&] {
-                        std::vector<LaneSteps> all = stepsInLanes(walk, rays);
-                        for (LaneSteps& ray : all) {
-                            for (std::vector<double>& step : ray) step.back() = std::min(step.back(), 1.0);
-                        }
-                        return all;
-                    });
+                    steps += expectSameSteps(walk, rays, numbers, apt,
+                                             [&] { return endingAtOne(stepsInLanes(walk, rays)); });
                 }
             }
         }
@@ -172,11 +176,7 @@ TEST(LaneSteps, walksOverTexelCones) {
                 const auto map = coneMap(ConeKind::Conservative, parameters, field, cache, work);
                 const auto apt = [&](const ViewRay& ray) { return GridRay(grid, ray).inDomain(); };
                 steps += expectSameSteps(ConeTracer(field, map), rays, numbers, apt, [&] {
-                    std::vector<LaneSteps> all = stepsInLanes(ConeCellSearch{field, grid, *map}, rays);
-                    for (LaneSteps& ray : all) {
-                        for (std::vector<double>& step : ray) step.back() = std::min(step.back(), 1.0);
-                    }
-                    return all;
+                    return endingAtOne(stepsInLanes(ConeCellSearch{field, grid, *map}, rays));
                 });
             }
         }
