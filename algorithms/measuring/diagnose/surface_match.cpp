@@ -1,0 +1,352 @@
+#include "measuring/diagnose/surface_match.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "base/parallel.h"
+
+namespace relief {
+
+namespace {
+
+// Numbers of rays by which all combinations are compared, and the best of them again.
+constexpr std::size_t kFewRays = 96;
+constexpr std::size_t kMoreRays = 400;
+// Distances from the surface below this, heights, count little.
+constexpr double kSmallGap = 1.0 / 1024;
+// What one more fault must gain, in bits per ray.
+constexpr double kFaultBits = 0.15;
+// Combinations that are compared by more rays.
+constexpr std::size_t kFinalists = 160;
+
+// The parameters in which a convention may differ.
+struct Candidate {
+    TracerModel model;
+    double bits = 0;  // mean of log2(1 + gap / kSmallGap), and kFaultBits for each fault
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+struct Line {
+    double gain = 1;
+    double lift = 0;
+};
+
+class Match {
+  public:
+    Match(const AnsweredRays& given, ModelFields& fields) : given_(given), fields_(fields) {
+        for (std::size_t r = 0; r < given.size(); ++r) {
+            const Hit& hit = given.answers[r];
+            // At the ends of the ray, clamped heights say nothing.
+            constexpr double kEnd = 1e-6;
+            if (hit.outcome == Outcome::Hit && hit.lambda > kEnd && hit.lambda < 1 - kEnd) use_.push_back(r);
+        }
+    }
+
+    std::size_t rays() const { return use_.size(); }
+
+    // Returns the bits of the model with the best line from its heights to the answers', which it sets.
+    double bits(TracerModel& model, std::size_t rays) const {
+        rays = std::min(rays, use_.size());
+        TracerModel read = model;
+        read.gain = 1;
+        read.lift = 0;
+        const ModelFields::Placed& placed = fields_.of(read);
+        std::vector<double> z(rays), h(rays);
+        for (std::size_t n = 0; n < rays; ++n) {
+            const std::size_t r = use_[n * use_.size() / rays];
+            const double lambda = given_.answers[r].lambda + model.bias;
+            const ViewRay ray = modelRay(read, placed, given_.rays[r], fields_.given());
+            z[n] = 1 - lambda;
+            h[n] = placed.field.at(ray.s0 + lambda * ray.a, ray.t0 + lambda * ray.b);
+        }
+        double best = HUGE_VAL;
+        const auto offer = [&](const Line& line, double faults) {
+            double sum = 0;
+            for (std::size_t n = 0; n < rays; ++n) {
+                sum += std::log2(1 + std::abs(z[n] - line.gain * h[n] - line.lift) / kSmallGap);
+            }
+            const double value = sum / static_cast<double>(rays) + faults * kFaultBits;
+            if (value >= best) return;
+            best = value;
+            model.gain = line.gain;
+            model.lift = line.lift;
+        };
+        offer({1, 0}, 0);
+        offer({-1, 1}, 1);
+        std::vector<double> rest(rays);
+        for (const double gain : {1.0, -1.0}) {
+            for (std::size_t n = 0; n < rays; ++n) rest[n] = z[n] - gain * h[n];
+            offer({gain, median(rest)}, gain > 0 ? 1 : 2);
+        }
+        const Line fit = fitted(z, h);
+        offer(fit, fit.gain > 0 ? 1.5 : 2.5);
+        return best;
+    }
+
+  private:
+    // A line by least squares, of weights that fall with the distance.
+    static Line fitted(const std::vector<double>& z, const std::vector<double>& h) {
+        Line line{0, median(z)};
+        std::vector<double> weight(z.size(), 1);
+        double scale = 0.25;
+        for (int round = 0; round < 12; ++round) {
+            double w = 0, x = 0, y = 0, xx = 0, xy = 0;
+            for (std::size_t n = 0; n < z.size(); ++n) {
+                w += weight[n];
+                x += weight[n] * h[n];
+                y += weight[n] * z[n];
+                xx += weight[n] * h[n] * h[n];
+                xy += weight[n] * h[n] * z[n];
+            }
+            const double spread = w * xx - x * x;
+            if (!(spread > 1e-12)) return line;
+            line.gain = (w * xy - x * y) / spread;
+            line.lift = (y - line.gain * x) / w;
+            scale = std::max(scale * 0.5, 1e-4);
+            for (std::size_t n = 0; n < z.size(); ++n) {
+                const double off = (z[n] - line.gain * h[n] - line.lift) / scale;
+                weight[n] = 1 / (1 + off * off);
+            }
+        }
+        return line;
+    }
+
+    const AnsweredRays& given_;
+    ModelFields& fields_;
+    std::vector<std::size_t> use_;
+};
+
+// Directions that differ from the ray's; each with one fault or two.
+std::vector<TracerModel> directions(const TracerModel& begin) {
+    std::vector<TracerModel> all;
+    constexpr std::array<std::array<double, 3>, 5> kBases{{{0, 1, 1}, {1, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}}};
+    for (const auto& [swapped, signA, signB] : kBases) {
+        TracerModel base = begin;
+        base.swapped = begin.swapped != (swapped > 0);
+        base.signA *= signA;
+        base.signB *= signB;
+        all.push_back(base);
+        TracerModel limited = base;
+        limited.limited = true;
+        all.push_back(limited);
+        constexpr int kScales = 16;
+        for (int n = -kScales; n <= kScales; ++n) {
+            if (n == 0) continue;
+            TracerModel scaled = base;
+            scaled.runScale *= std::exp2(n / 8.0);
+            all.push_back(scaled);
+        }
+    }
+    constexpr int kTurn = 3;  // degrees
+    for (int degrees = kTurn - 180; degrees < 180; degrees += kTurn) {
+        if (degrees == 0) continue;
+        TracerModel turned = begin;
+        turned.turn += degrees * std::numbers::pi / 180;
+        all.push_back(turned);
+    }
+    return all;
+}
+
+// Ways to read the heights that differ by at most one fault.
+std::vector<TracerModel> readings(const HeightField& field) {
+    std::vector<TracerModel> all(1);
+    for (const double s : {-0.5, 0.0, 0.5}) {
+        for (const double t : {-0.5, 0.0, 0.5}) {
+            TracerModel shifted;
+            shifted.shiftS = s;
+            shifted.shiftT = t;
+            if (s != 0 || t != 0) all.push_back(shifted);
+        }
+    }
+    TracerModel other;
+    other.flipped = true;
+    all.push_back(other);
+    other.flipped = false;
+    other.transposed = true;
+    all.push_back(other);
+    constexpr int kMips = 6;
+    for (int mip = 1; mip <= kMips && (std::min(field.width(), field.height()) >> mip) >= 2; ++mip) {
+        TracerModel level;
+        level.mip = mip;
+        all.push_back(level);
+    }
+    return all;
+}
+
+TracerModel joined(TracerModel direction, const TracerModel& reading) {
+    if (reading.shiftS != 0 || reading.shiftT != 0) {
+        direction.shiftS = reading.shiftS;
+        direction.shiftT = reading.shiftT;
+    }
+    direction.flipped = direction.flipped != reading.flipped;
+    direction.transposed = direction.transposed != reading.transposed;
+    if (reading.mip > 0) direction.mip = reading.mip;
+    return direction;
+}
+
+// Returns the directions that the reported places s, t follow: the ray's, turned and scaled; none if they lie on the
+// ray or were not reported.
+std::vector<TracerModel> reportedDirections(const AnsweredRays& given, const TracerModel& begin,
+                                            const HeightField& field) {
+    std::vector<TracerModel> found;
+    using Complex = std::complex<double>;
+    for (const bool limited : {false, true}) {
+        for (const int mirror : {0, 1, 2, 3}) {
+            Complex product = 0;
+            double length = 0, error = 0, off = 0;
+            std::vector<std::pair<Complex, Complex>> pairs;
+            for (std::size_t r = 0; r < given.size(); ++r) {
+                const Hit& hit = given.answers[r];
+                if (hit.outcome != Outcome::Hit || !std::isfinite(hit.s) || !std::isfinite(hit.t)) continue;
+                const double slab = field.slabTexels();
+                const double scale = limited ? slab / std::hypot(given.rays.a[r], given.rays.b[r], slab) : 1;
+                const Complex run(given.rays.a[r], given.rays.b[r]);
+                const std::array<Complex, 4> mirrored{run, Complex(run.imag(), run.real()), -std::conj(run),
+                                                      std::conj(run)};
+                const Complex expected = mirrored[static_cast<std::size_t>(mirror)] * (scale * hit.lambda);
+                const Complex moved(hit.s - given.rays.s0[r], hit.t - given.rays.t0[r]);
+                pairs.emplace_back(expected, moved);
+                product += moved * std::conj(expected);
+                length += std::norm(expected);
+                off += std::norm(moved - run * hit.lambda);
+            }
+            constexpr double kSame = 1e-4;
+            if (pairs.size() < 8 || !(length > 0) || off <= kSame * length) continue;
+            const Complex ratio = product / length;
+            for (const auto& [expected, moved] : pairs) error += std::norm(moved - ratio * expected);
+            if (error > kSame * length) continue;
+            TracerModel model = begin;
+            model.limited = limited;
+            model.swapped = mirror == 1;
+            if (mirror == 2) model.signA = -1;
+            if (mirror == 3) model.signB = -1;
+            model.turn = std::arg(ratio);
+            model.runScale = std::abs(ratio);
+            constexpr double kSmall = 1e-4;
+            if (std::abs(model.turn) < kSmall) model.turn = 0;
+            if (std::abs(std::abs(model.turn) - std::numbers::pi) < kSmall) {
+                model.turn = 0;
+                model.signA = -model.signA;
+                model.signB = -model.signB;
+            }
+            if (std::abs(model.runScale - 1) < kSmall) model.runScale = 1;
+            found.push_back(model);
+        }
+    }
+    return found;
+}
+
+// Improves a number of the model by a search of the golden section within `reach` on both sides.
+template <class Number>
+void refine(Candidate& candidate, Number TracerModel::*number, double reach, const Match& match, double penalty) {
+    constexpr double kGolden = 0.6180339887498949;
+    double low = candidate.model.*number - reach;
+    double high = candidate.model.*number + reach;
+    const auto bitsAt = [&](double value) {
+        TracerModel model = candidate.model;
+        model.*number = value;
+        return match.bits(model, kMoreRays);
+    };
+    double x = high - kGolden * (high - low), y = low + kGolden * (high - low);
+    double atX = bitsAt(x), atY = bitsAt(y);
+    for (int round = 0; round < 32; ++round) {
+        if (atX < atY) {
+            high = y;
+            y = x;
+            atY = atX;
+            x = high - kGolden * (high - low);
+            atX = bitsAt(x);
+        } else {
+            low = x;
+            x = y;
+            atX = atY;
+            y = low + kGolden * (high - low);
+            atY = bitsAt(y);
+        }
+    }
+    TracerModel model = candidate.model;
+    model.*number = 0.5 * (low + high);
+    const double bits = match.bits(model, kMoreRays) + penalty;
+    if (bits < candidate.bits) candidate = {model, bits};
+}
+
+double conventionFaults(const TracerModel& model) {
+    TracerModel plain = model;
+    plain.gain = 1;
+    plain.lift = 0;  // counted by Match::bits()
+    return static_cast<double>(modelFaults(plain, plain.address.value_or(Address::Repeat)).size());
+}
+
+void sortCandidates(std::vector<Candidate>& candidates, std::size_t most) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& x, const Candidate& y) { return x.bits < y.bits; });
+    if (candidates.size() > most) candidates.resize(most);
+}
+
+// Appends the model with its numbers rounded to such as people write.
+void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
+    const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
+    constexpr double kDegrees = std::numbers::pi / 180;
+    for (const double step : {0.25, 0.05}) {
+        TracerModel other = model;
+        if (model.runScale != 1) other.runScale = rounded(model.runScale, step);
+        if (model.turn != 0) other.turn = rounded(model.turn, (step > 0.1 ? 15 : 1) * kDegrees);
+        other.gain = rounded(model.gain, step);
+        other.lift = rounded(model.lift, step);
+        if (other.runScale > 0 && other.gain != 0 && !(other == model)) models.push_back(other);
+    }
+}
+
+}  // namespace
+
+std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerModel& begin, ModelFields& fields,
+                                        std::size_t most, Work& work) {
+    const Match match(given, fields);
+    if (match.rays() < 8) return {};
+    std::vector<TracerModel> heads = directions(begin);
+    for (const TracerModel& model : reportedDirections(given, begin, fields.given())) heads.push_back(model);
+    std::vector<Candidate> candidates;
+    const double before = conventionFaults(begin);
+    for (const TracerModel& direction : heads) {
+        work.throwIfStopped();
+        for (const TracerModel& reading : readings(fields.given())) {
+            TracerModel model = joined(direction, reading);
+            const double faults = conventionFaults(model) - before;
+            constexpr double kMostFaults = 2;
+            if (faults > kMostFaults) continue;
+            const double bits = match.bits(model, kFewRays) + faults * kFaultBits;
+            candidates.push_back({model, bits});
+        }
+    }
+    sortCandidates(candidates, kFinalists);
+    for (Candidate& candidate : candidates) {
+        candidate.bits = match.bits(candidate.model, kMoreRays) + conventionFaults(candidate.model) * kFaultBits;
+    }
+    sortCandidates(candidates, most);
+    for (Candidate& candidate : candidates) {
+        work.throwIfStopped();
+        const double penalty = conventionFaults(candidate.model) * kFaultBits;
+        constexpr double kScaleReach = 0.09, kTurnReach = 0.06;
+        if (candidate.model.runScale != begin.runScale) {
+            refine(candidate, &TracerModel::runScale, candidate.model.runScale * kScaleReach, match, penalty);
+        }
+        if (candidate.model.turn != begin.turn) refine(candidate, &TracerModel::turn, kTurnReach, match, penalty);
+    }
+    sortCandidates(candidates, most);
+    std::vector<TracerModel> models;
+    for (const Candidate& candidate : candidates) {
+        models.push_back(candidate.model);
+        appendRounded(models, candidate.model);
+    }
+    return models;
+}
+
+}  // namespace relief
