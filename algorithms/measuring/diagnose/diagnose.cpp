@@ -21,6 +21,9 @@ constexpr double kShareWrong = 2e-4;
 // Sizes of the sample of wrong and of right rays.
 constexpr std::size_t kWrongSample = 420;
 constexpr std::size_t kRightSample = 280;
+// Sizes of the pool from which they are taken.
+constexpr std::size_t kWrongPool = 6000;
+constexpr std::size_t kRightPool = 2000;
 // Rays over which the share of a convention's fault is counted; wrong rays that are looked at for barely touching.
 constexpr std::size_t kCounted = 20000;
 // A further fault must explain this share of the rays that are unexplained; one that is known by the kind of errors
@@ -30,6 +33,10 @@ constexpr double kLooselyExplains = 0.6;
 // What a fault costs, as a share of the unexplained rays; and being loose.
 constexpr double kFaultCost = 0.02;
 constexpr double kLooseCost = 0.05;
+// By how much an explanation that predicts sharply may cost more than another; what a convention must add to an
+// explanation that does not predict.
+constexpr double kSharpLead = 0.7;
+constexpr double kFounded = 0.4;
 constexpr int kRounds = 4;
 constexpr std::size_t kMatches = 24;
 constexpr std::uint64_t kSeed = 7;
@@ -68,7 +75,6 @@ class Doctor {
     Diagnosis diagnosis() {
         compare();
         if (out_.healthy()) return out_;
-        takeSample();
         explain();
         count();
         return out_;
@@ -111,51 +117,88 @@ class Doctor {
         wrong_ = rest;
     }
 
+    // The rays that are looked at in all rounds: wrong ones first.
+    void takePool() {
+        pool_.ids = sampleOf(wrong_, kWrongPool);
+        wrongPool_ = pool_.ids.size();
+        for (const std::size_t r : sampleOf(right_, kRightPool)) pool_.ids.push_back(r);
+        pool_.given = answered(pool_.ids);
+        pool_.evidence = evidenceOf(pool_.ids);
+        pool_.explained.assign(pool_.ids.size(), false);
+        std::fill(pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), pool_.explained.end(), true);
+    }
+    // The sample of a round: rays of the pool that are not explained, and some that are.
     void takeSample() {
-        chosen_ = sampleOf(wrong_, kWrongSample);
-        wrongSample_ = chosen_.size();
-        for (const std::size_t r : sampleOf(right_, kRightSample)) chosen_.push_back(r);
-        sample_.rays.resize(chosen_.size());
+        std::vector<std::size_t> open, done;
+        for (std::size_t n = 0; n < pool_.ids.size(); ++n) (pool_.explained[n] ? done : open).push_back(n);
+        sample_ = {};
+        const auto add = [&](const std::vector<std::size_t>& places, std::size_t most) {
+            for (const std::size_t n : sampleOf(places, most)) {
+                sample_.ids.push_back(pool_.ids[n]);
+                sample_.explained.push_back(pool_.explained[n]);
+            }
+        };
+        add(open, kWrongSample);
+        add(done, kRightSample);
+        sample_.given = answered(sample_.ids);
+        sample_.evidence = evidenceOf(sample_.ids);
+    }
+    AnsweredRays answered(const std::vector<std::size_t>& ids) const {
+        AnsweredRays out;
+        out.rays.resize(ids.size());
+        for (std::size_t n = 0; n < ids.size(); ++n) {
+            out.rays.set(n, record_.rays[ids[n]]);
+            out.answers.push_back(record_.hits[ids[n]]);
+        }
+        return out;
+    }
+    SearchEvidence evidenceOf(const std::vector<std::size_t>& ids) const {
+        SearchEvidence out;
         bool counted = false;
-        for (std::size_t n = 0; n < chosen_.size(); ++n) {
-            const std::size_t r = chosen_[n];
-            sample_.rays.set(n, record_.rays[r]);
-            sample_.answers.push_back(record_.hits[r]);
-            evidence_.counts.push_back(record_.hits.steps[r]);
+        for (const std::size_t r : ids) {
+            out.counts.push_back(record_.hits.steps[r]);
             counted = counted || record_.hits.steps[r] > 0;
         }
-        if (!counted) evidence_.counts.clear();
-        if (record_.steps) readSteps();
+        if (!counted) out.counts.clear();
+        if (record_.steps) out.kinds = kindsOf(ids);
+        return out;
     }
 
-    // What the recorded steps of the wrong rays show.
-    void readSteps() {
+    // What the recorded steps of the rays show.
+    std::vector<std::optional<Fault>> kindsOf(const std::vector<std::size_t>& ids) const {
+        std::vector<std::optional<Fault>> kinds(ids.size());
         const StepLog& log = *record_.steps;
-        for (const std::size_t r : chosen_) {
-            evidence_.kinds.emplace_back();
+        for (std::size_t n = 0; n < ids.size(); ++n) {
+            const std::size_t r = ids[n];
             if (r >= log.rays() || log.begin[r] == log.begin[r + 1]) continue;
             DuelRun run;
             run.hit = record_.hits[r];
             run.steps.assign(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r]),
                              log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r + 1]));
             const Departure kind = judge(run, exact_[r], record_.rays[r], field_).kind;
-            if (kind == Departure::UnsafeMap) evidence_.kinds.back() = Fault::UnsafeMap;
-            if (kind == Departure::MissedSpike) evidence_.kinds.back() = Fault::MissedSpike;
+            if (kind == Departure::UnsafeMap) kinds[n] = Fault::UnsafeMap;
+            if (kind == Departure::MissedSpike) kinds[n] = Fault::MissedSpike;
         }
+        return kinds;
     }
 
     // The extensions of the model found so far that are tried.
     std::vector<TracerModel> candidates(const TracerModel& begin) {
         std::vector<TracerModel> all;
         AnsweredRays rest;
-        for (std::size_t n = 0; n < chosen_.size(); ++n) {
-            if (best_ ? best_->rays[n].explained : n >= wrongSample_) continue;
-            rest.rays.push(sample_.rays[n]);
-            rest.answers.push_back(sample_.answers[n]);
+        for (std::size_t n = 0; n < sample_.ids.size(); ++n) {
+            if (sample_.explained[n]) continue;
+            rest.rays.push(sample_.given.rays[n]);
+            rest.answers.push_back(sample_.given.answers[n]);
         }
-        for (const TracerModel& model : surfaceMatches(rest, begin, fields_, kMatches, work_)) all.push_back(model);
+        // Answers at layers lie half a layer behind the surface, on average.
+        const Lattice lattice = latticeOf(rest);
+        const double late = lattice.layers > 0 ? 0.5 / lattice.layers : 0;
+        for (const TracerModel& model : surfaceMatches(rest, begin, fields_, kMatches, late, work_)) {
+            all.push_back(model);
+        }
         std::vector<TracerModel> heads{begin};
-        heads.insert(heads.end(), all.begin(), all.begin() + std::min<std::ptrdiff_t>(2, std::ssize(all)));
+        heads.insert(heads.end(), all.begin(), all.begin() + std::min<std::ptrdiff_t>(6, std::ssize(all)));
         std::vector<TracerModel> further;
         for (const TracerModel& head : heads) {
             for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
@@ -173,16 +216,24 @@ class Doctor {
         return all;
     }
 
-    // The share of the unexplained rays that an explanation adds, less those that it loses.
-    double gain(const Explanation& one) const {
-        double gained = 0, lost = 0, open = 0;
-        for (std::size_t n = 0; n < chosen_.size(); ++n) {
-            const bool before = best_ ? best_->rays[n].explained : n >= wrongSample_;
+    // What an explanation adds. share: of the rays that are not explained, less those that it loses; sharp: of those
+    // that it gains, the share that is predicted to the rounding of float.
+    struct Gain {
+        double share = 0;
+        double sharp = 0;
+    };
+    Gain gain(const Explanation& one) const {
+        double gained = 0, lost = 0, open = 0, sharp = 0;
+        for (std::size_t n = 0; n < sample_.ids.size(); ++n) {
+            const bool before = sample_.explained[n];
+            const bool now = one.rays[n].explained;
             open += before ? 0 : 1;
-            gained += !before && one.rays[n].explained ? 1 : 0;
-            lost += before && !one.rays[n].explained ? 1 : 0;
+            gained += !before && now ? 1 : 0;
+            sharp += !before && now && one.rays[n].sharp ? 1 : 0;
+            lost += before && !now ? 1 : 0;
         }
-        return open > 0 ? (gained - lost) / open : 0;
+        if (!(open > 0)) return {};
+        return {(gained - lost) / open, gained > 0 ? sharp / gained : 0};
     }
 
     // The best explanation of a round.
@@ -191,19 +242,43 @@ class Doctor {
         double cost = HUGE_VAL;
         double share = 0;
     };
+    // The best of a round that predict the answers sharply, and of the others.
+    struct Round {
+        Found sharp, other;
+        double looseBefore = 0;  // the share that the model found so far explains by the kind of errors
 
-    void offer(const TracerModel& model, const TracerModel& begin, bool byShape, Found& found) {
+        // Sharp explanations are preferred: each that explains enough is a fault, further ones are found in the next
+        // round.
+        const Found& best() const {
+            return sharp.one && sharp.share >= kExplains && sharp.cost <= other.cost + kSharpLead ? sharp : other;
+        }
+    };
+
+    void offer(const TracerModel& model, const TracerModel& begin, bool byShape, Round& round) const {
         work_.throwIfStopped();
-        const std::size_t had = modelFaults(begin, field_.address()).size();
-        for (Explanation& one : explanations(sample_, evidence_, model, byShape, fields_, work_)) {
-            const double share = gain(one);
-            const double faults = static_cast<double>(modelFaults(one.model, field_.address()).size()) -
-                                  static_cast<double>(had) + static_cast<double>(one.searchFaults.size());
-            double cost = 1 - share + kFaultCost * faults;
-            // Numbers can be chosen such that a loose explanation fits.
-            if (one.loose) cost += kLooseCost * (1 + fittedNumbers(one.model));
-            if (cost >= found.cost) continue;
-            found = {std::move(one), cost, share};
+        const auto conventions = [&](const TracerModel& one) {
+            return static_cast<double>(modelFaults(one, field_.address()).size());
+        };
+        const double had = conventions(begin);
+        double exactShare = 0;
+        bool first = true;
+        for (Explanation& one : explanations(sample_.given, sample_.evidence, model, byShape, fields_, work_)) {
+            const Gain gained = gain(one);
+            if (first) exactShare = gained.share;
+            first = false;
+            const double added = conventions(one.model) - had;
+            double cost = 1 - gained.share + kFaultCost * (added + static_cast<double>(one.searchFaults.size()));
+            if (one.loose) {
+                if (added <= 0) round.looseBefore = std::max(round.looseBefore, gained.share);
+                // Conventions can be chosen such that a loose explanation fits: they must explain much by themselves.
+                const bool founded = exactShare >= kExplains || gained.share - round.looseBefore >= kFounded;
+                if (added > 0 && !founded) continue;
+                // Numbers can be fitted even more easily.
+                cost += kLooseCost * (1 + fittedNumbers(one.model));
+            }
+            const bool sharp = !one.loose && gained.sharp >= 0.5;
+            Found& found = sharp ? round.sharp : round.other;
+            if (cost < found.cost) found = {std::move(one), cost, gained.share};
         }
     }
     static double fittedNumbers(const TracerModel& model) {
@@ -223,45 +298,63 @@ class Doctor {
     }
 
     void explain() {
+        takePool();
         TracerModel begin;
-        for (int round = 0; round < kRounds; ++round) {
-            if (best_ && unexplainedOf(*best_) <= 0.02 * static_cast<double>(wrongSample_)) return;
-            Found found;
-            offer(begin, begin, true, found);
-            if (!enough(found)) {
+        for (int n = 0; n < kRounds; ++n) {
+            if (open() <= allowed()) return;
+            takeSample();
+            Round round;
+            offer(begin, begin, true, round);
+            if (!enough(round.best())) {
                 constexpr int kByShape = 12;
                 int tried = 0;
                 for (const TracerModel& model : candidates(begin)) {
-                    offer(model, begin, tried++ < kByShape, found);
-                    if (enough(found)) break;
+                    offer(model, begin, tried++ < kByShape, round);
+                    if (enough(round.best())) break;
                 }
             }
+            const Found& found = round.best();
             if (!found.one || found.share < (found.one->loose ? kLooselyExplains : kExplains)) return;
-            best_ = std::move(found.one);
+            if (!extend(*found.one)) return;
             begin = best_->model;
         }
     }
 
-    double unexplainedOf(const Explanation& one) const {
-        double open = 0;
-        for (std::size_t n = 0; n < wrongSample_; ++n) open += one.rays[n].explained ? 0 : 1;
-        return open;
+    // Applies what the sample has shown to the whole pool; returns false if it explains nothing more.
+    bool extend(const Explanation& found) {
+        const std::size_t before = open();
+        TracerModel conventions = found.model;
+        if (!found.loose) conventions.search = ModelSearch::Exact;
+        for (Explanation& one :
+             explanations(pool_.given, pool_.evidence, conventions, found.loose, fields_, work_)) {
+            if (one.loose != found.loose || !(one.model == found.model)) continue;
+            for (std::size_t n = 0; n < pool_.ids.size(); ++n) pool_.explained[n] = one.rays[n].explained;
+            best_ = std::move(one);
+            return open() < before;
+        }
+        return false;
+    }
+    // Number of wrong rays of the pool that are not explained; and up to which there is no further fault.
+    std::size_t open() const {
+        return static_cast<std::size_t>(std::count(pool_.explained.begin(), pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), false));
+    }
+    std::size_t allowed() const {
+        return std::max(kFewWrong, static_cast<std::size_t>(kShareWrong * static_cast<double>(pool_.ids.size())));
     }
 
     // The share of the faults in all rays.
     void count() {
-        const double weight = static_cast<double>(wrong_.size()) / static_cast<double>(wrongSample_);
-        const double open = best_ ? unexplainedOf(*best_) : static_cast<double>(wrongSample_);
-        out_.unexplained = static_cast<std::size_t>(std::llround(open * weight));
+        const double weight = static_cast<double>(wrong_.size()) / static_cast<double>(wrongPool_);
+        out_.unexplained = static_cast<std::size_t>(std::llround(static_cast<double>(open()) * weight));
         if (!best_) return;
         countConventions();
         for (const ModelFault& fault : best_->searchFaults) {
             Finding finding{fault, 0, 0, -1};
             double rays = 0;
-            for (std::size_t n = 0; n < wrongSample_; ++n) {
+            for (std::size_t n = 0; n < wrongPool_; ++n) {
                 if (best_->rays[n].cause != fault.fault) continue;
                 rays += weight;
-                worsen(finding, chosen_[n]);
+                worsen(finding, pool_.ids[n]);
             }
             finding.rays = static_cast<std::size_t>(std::llround(rays));
             if (finding.rays > 0) out_.findings.push_back(finding);
@@ -294,21 +387,26 @@ class Doctor {
                 worsen(finding, counted[n]);
             }
             finding.rays = static_cast<std::size_t>(std::llround(sum));
-            if (finding.rays > 0) out_.findings.push_back(finding);
+            // So few rays may be chance.
+            constexpr double kLeastShare = 0.004;
+            if (sum > kLeastShare * static_cast<double>(wrong_.size())) out_.findings.push_back(finding);
         }
     }
 
     const TracerRecord& record_;
     HeightField field_;
     Work& work_;
-    ModelFields fields_;
+    mutable ModelFields fields_;
     HitBlock exact_;
     std::vector<std::size_t> wrong_, right_;
-    // Indices of the rays of the sample, the wrong ones first.
-    std::vector<std::size_t> chosen_;
-    std::size_t wrongSample_ = 0;
-    AnsweredRays sample_;
-    SearchEvidence evidence_;
+    struct Rays {
+        std::vector<std::size_t> ids;
+        AnsweredRays given;
+        SearchEvidence evidence;
+        std::vector<bool> explained;
+    };
+    Rays pool_, sample_;
+    std::size_t wrongPool_ = 0;  // the pool's first rays, which are wrong
     std::optional<Explanation> best_;
     Diagnosis out_;
 };

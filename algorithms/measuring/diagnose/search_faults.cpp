@@ -25,6 +25,7 @@ constexpr std::array kUsualLayers{4,  5,  6,  8,  10, 12, 15, 16,  20,  24,  25,
 constexpr double kDeepest = 0.13;
 // Error of lambda by sums in float, per step.
 constexpr double kFloatError = 2e-6;
+constexpr double kMostFloatError = 0.03;  // layers
 constexpr double kEnd = 1e-6;
 // An error of lambda that is not rounding.
 constexpr double kInexact = 2e-5;
@@ -50,8 +51,8 @@ class Search {
             one.limited = limited;
             found.push_back(predicted(one));
         }
-        if (const int layers = latticeOf(); layers > 0) {
-            offerLayers(found, ModelSearch::Layers, layers);
+        if (const Lattice lattice = latticeOf(given_); lattice.layers > 0) {
+            offerLattice(found, lattice);
         } else if (const int few = secantLayers(); few > 0) {
             offerLayers(found, ModelSearch::Secant, few);
         }
@@ -62,6 +63,12 @@ class Search {
   private:
     double gap(std::size_t r, const Hit& predicted) const {
         return answerError(given_.answers[r], predicted, given_.rays[r]);
+    }
+    // Returns true if an answer, within the ray, is predicted to the rounding of float.
+    bool isSharp(std::size_t r, const Hit& predicted) const {
+        const Hit& answer = given_.answers[r];
+        if (answer.outcome != Outcome::Hit || predicted.outcome != Outcome::Hit) return answer.outcome == predicted.outcome;
+        return std::abs(answer.lambda - predicted.lambda) <= kInexact;
     }
     bool isHit(std::size_t r) const { return given_.answers[r].outcome == Outcome::Hit; }
     // The place on the ray at which the tracer stopped, without the bias of its answer.
@@ -92,6 +99,7 @@ class Search {
         Explanation out{model, std::vector<RayVerdict>(given_.size()), {}, false};
         for (std::size_t r = 0; r < given_.size(); ++r) {
             out.rays[r].explained = gap(r, answers[r]) <= kRightTexels || (exact && touches(r));
+            out.rays[r].sharp = isSharp(r, answers[r]);
         }
         return out;
     }
@@ -117,23 +125,17 @@ class Search {
         }
     }
 
-    // Returns the number of layers of which nearly all answers are multiples; 0 if there is none.
-    int latticeOf() const {
-        // The ends of the ray are multiples of every layer.
-        const auto within = [&](std::size_t r) { return isHit(r) && lambda(r) > kEnd && lambda(r) < 1 - kEnd; };
-        std::size_t hits = 0;
-        for (std::size_t r = 0; r < given_.size(); ++r) hits += within(r) ? 1 : 0;
-        if (hits < 8) return 0;
-        for (int n = 2; n <= kMostLayers; ++n) {
-            std::size_t on = 0;
-            for (std::size_t r = 0; r < given_.size(); ++r) {
-                if (!within(r)) continue;
-                const double at = lambda(r) * n;
-                if (std::abs(at - std::round(at)) <= kFloatError * n * n + 1e-9) ++on;
-            }
-            if (static_cast<double>(on) >= 0.97 * static_cast<double>(hits)) return n;
+    // Layers whose answers are moved by a bias, which is known but for multiples of a layer.
+    void offerLattice(std::vector<Explanation>& found, const Lattice& lattice) {
+        const double layer = 1.0 / lattice.layers;
+        const double shift = std::abs(lattice.phase) < 1e-5 ? 0 : lattice.phase;
+        offerLayers(found, ModelSearch::Layers, lattice.layers);
+        if (shift == 0 || model_.bias != 0) return;
+        for (const double more : {0.0, 1.0, 2.0, 3.0}) {
+            TracerModel model = model_;
+            model.bias = more * layer - shift;
+            Search(given_, evidence_, model, fields_, work_).offerLayers(found, ModelSearch::Layers, lattice.layers);
         }
-        return 0;
     }
 
     // Returns the number of layers between which a line gives nearly all answers; 0 if there is none.
@@ -182,6 +184,7 @@ class Search {
             const double rounding = kFloatError * layers * runs_[r];
             if (!next && gap(r, answers[r]) > kRightTexels + rounding) continue;
             out.rays[r].explained = true;
+            out.rays[r].sharp = isSharp(r, answers[r]);
             out.rays[r].cause = passed(r)                         ? Fault::MissedSpike
                                 : search == ModelSearch::Secant ? Fault::StairSteps
                                                                  : lateFault(r, layers);
@@ -247,7 +250,9 @@ class Search {
         const std::size_t passes = of(Shape::Later) + of(Shape::LaterIn) + of(Shape::Through);
         if (passes > 0) layers = refinedLayers();
         explainLimit(out);
-        if (overshoots()) {
+        const bool exact = exactElsewhere();
+        if (exact) explainEnded(out);
+        if (exact && of(Shape::Late) + of(Shape::LaterIn) > 0) {
             explainOvershoots(out);
         } else {
             explainPasses(out, layers);
@@ -259,7 +264,7 @@ class Search {
 
     void cause(Explanation& out, std::size_t r, Fault fault) const {
         if (out.rays[r].explained) return;
-        out.rays[r] = {true, fault};
+        out.rays[r] = {true, fault, false};
     }
 
     // Returns the largest number of equal layers of which a search with refinement gives these answers: the surface is
@@ -330,19 +335,16 @@ class Search {
         }
     }
 
-    // Returns true if the wrong answers are behind the surface while the others are exactly on it: a search that refines
-    // its answers, but whose steps lead through the surface here and there.
-    bool overshoots() {
-        std::size_t late = 0, early = 0, right = 0, inexact = 0;
+    // Returns true if the wrong answers are not on the surface while most others are exactly on it: a search that refines
+    // its answers, but whose steps lead through the surface, or end before it, here and there.
+    bool exactElsewhere() const {
+        std::size_t right = 0, exact = 0;
         for (std::size_t r = 0; r < given_.size(); ++r) {
-            const Shape one = shapes_[r];
-            late += one == Shape::Late || one == Shape::LaterIn ? 1 : 0;
-            early += one == Shape::Early || one == Shape::Other ? 1 : 0;
-            if (one != Shape::Right || !isHit(r) || exact_[r].outcome != Outcome::Hit) continue;
+            if (shapes_[r] != Shape::Right || !isHit(r) || exact_[r].outcome != Outcome::Hit) continue;
             ++right;
-            inexact += std::abs(given_.answers[r].lambda - exact_[r].lambda) > kInexact ? 1 : 0;
+            exact += std::abs(given_.answers[r].lambda - exact_[r].lambda) <= kInexact ? 1 : 0;
         }
-        return late > 0 && right >= 8 && inexact * 5 <= right && early * 20 <= late;
+        return right >= 8 && exact * 2 >= right;
     }
     void explainOvershoots(Explanation& out) {
         for (std::size_t r = 0; r < given_.size(); ++r) {
@@ -351,6 +353,25 @@ class Search {
             Fault here = Fault::UnsafeMap;
             if (!evidence_.kinds.empty() && evidence_.kinds[r]) here = *evidence_.kinds[r];
             cause(out, r, here);
+        }
+    }
+    // Long rays that end in the air, while the others end on the surface.
+    void explainEnded(Explanation& out) {
+        std::vector<double> ended, right;
+        for (std::size_t r = 0; r < given_.size(); ++r) {
+            if (shapes_[r] == Shape::Right) right.push_back(runs_[r]);
+            if (shapes_[r] == Shape::Early) ended.push_back(runs_[r]);
+        }
+        if (ended.size() < 3 || right.empty()) return;
+        const auto median = [](std::vector<double>& values) {
+            const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+            std::nth_element(values.begin(), middle, values.end());
+            return *middle;
+        };
+        constexpr double kLonger = 1.2;
+        if (median(ended) < kLonger * median(right)) return;
+        for (std::size_t r = 0; r < given_.size(); ++r) {
+            if (shapes_[r] == Shape::Early) cause(out, r, Fault::StepLimit);
         }
     }
 
@@ -431,6 +452,28 @@ class Search {
 };
 
 }  // namespace
+
+Lattice latticeOf(const AnsweredRays& given) {
+    std::vector<double> places;
+    for (const Hit& hit : given.answers) {
+        // The ends of the ray are multiples of every layer.
+        if (hit.outcome == Outcome::Hit && hit.lambda > kEnd && hit.lambda < 1 - kEnd) places.push_back(hit.lambda);
+    }
+    if (places.size() < 8) return {};
+    for (int n = 2; n <= kMostLayers; ++n) {
+        // The phase of most of the answers: that of one of some, which nearly all others share.
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double phase = k == 0 ? 0 : places[places.size() * k / 3] * n;
+            std::size_t on = 0;
+            for (const double place : places) {
+                const double at = place * n - phase;
+                if (std::abs(at - std::round(at)) <= std::min(kFloatError * n * n, kMostFloatError)) ++on;
+            }
+            if (on * 100 >= places.size() * 97) return {n, (phase - std::floor(phase)) / n};
+        }
+    }
+    return {};
+}
 
 bool barelyTouches(const HeightField& field, const ViewRay& ray, const std::vector<Chord>& chords, const Hit& answer,
                    double run) {

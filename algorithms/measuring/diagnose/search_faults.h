@@ -13,9 +13,11 @@ namespace relief {
 
 // What a ray shows. Right: the model predicts its answer, or the answers differ only because the ray barely touches the
 // surface. Else the fault of the search that explains the answer; nothing: none does.
+// sharp: the answer is predicted to the rounding of float.
 struct RayVerdict {
     bool explained = false;
     std::optional<Fault> cause{};
+    bool sharp = false;
 };
 
 // An explanation of all answers: the model, with its search, and the verdict on each ray. layers: of StairSteps and
@@ -37,6 +39,14 @@ inline constexpr double kTouchDepth = 2e-4;
 // leaves it nearly parallel. chords: solidChords() of the ray; run: by which errors are measured, texels.
 bool barelyTouches(const HeightField& field, const ViewRay& ray, const std::vector<Chord>& chords, const Hit& answer,
                    double run);
+
+// Returns the number of equal layers at which the answers lie, and by how much they lie behind them, lambda: the answers
+// of a search without refinement. layers: 0 if they lie at none.
+struct Lattice {
+    int layers = 0;
+    double phase = 0;
+};
+Lattice latticeOf(const AnsweredRays& given);
 
 // counts: steps of each ray, empty if they were not recorded. kinds: of each ray, the fault that its recorded steps
 // show; empty if there are none.

@@ -41,7 +41,7 @@ struct Line {
 
 class Match {
   public:
-    Match(const AnsweredRays& given, ModelFields& fields) : given_(given), fields_(fields) {
+    Match(const AnsweredRays& given, double late, ModelFields& fields) : given_(given), late_(late), fields_(fields) {
         for (std::size_t r = 0; r < given.size(); ++r) {
             const Hit& hit = given.answers[r];
             // At the ends of the ray, clamped heights say nothing.
@@ -62,10 +62,15 @@ class Match {
         std::vector<double> z(rays), h(rays);
         for (std::size_t n = 0; n < rays; ++n) {
             const std::size_t r = use_[n * use_.size() / rays];
-            const double lambda = given_.answers[r].lambda + model.bias;
+            double lambda = given_.answers[r].lambda + lambdaBias(model, given_.rays[r], fields_.given()) - late_;
             const ViewRay ray = modelRay(read, placed, given_.rays[r], fields_.given());
+            double place = lambda;
+            if (model.search == ModelSearch::OneSample) {
+                place = 0;
+                lambda /= oneSampleShare(model, given_.rays[r], fields_.given());
+            }
             z[n] = 1 - lambda;
-            h[n] = placed.field.at(ray.s0 + lambda * ray.a, ray.t0 + lambda * ray.b);
+            h[n] = placed.field.at(ray.s0 + place * ray.a, ray.t0 + place * ray.b);
         }
         double best = HUGE_VAL;
         const auto offer = [&](const Line& line, double faults) {
@@ -87,7 +92,8 @@ class Match {
             offer({gain, median(rest)}, gain > 0 ? 1 : 2);
         }
         const Line fit = fitted(z, h);
-        offer(fit, fit.gain > 0 ? 1.5 : 2.5);
+        constexpr double kLeastGain = 0.1;
+        if (std::abs(fit.gain) >= kLeastGain) offer(fit, fit.gain > 0 ? 1.5 : 2.5);
         return best;
     }
 
@@ -120,6 +126,7 @@ class Match {
     }
 
     const AnsweredRays& given_;
+    double late_;
     ModelFields& fields_;
     std::vector<std::size_t> use_;
 };
@@ -145,38 +152,48 @@ std::vector<TracerModel> directions(const TracerModel& begin) {
             all.push_back(scaled);
         }
     }
+    for (const bool limited : {false, true}) {
+        TracerModel one = begin;
+        one.search = ModelSearch::OneSample;
+        one.limited = limited;
+        all.push_back(one);
+    }
     constexpr int kTurn = 3;  // degrees
     for (int degrees = kTurn - 180; degrees < 180; degrees += kTurn) {
         if (degrees == 0) continue;
         TracerModel turned = begin;
         turned.turn += degrees * std::numbers::pi / 180;
         all.push_back(turned);
+        TracerModel mirrored = turned;
+        mirrored.signB = -mirrored.signB;
+        all.push_back(mirrored);
+        for (int n = -8; n <= 8; ++n) {
+            TracerModel scaled = turned;
+            scaled.runScale *= std::exp2(n / 8.0);
+            if (n != 0) all.push_back(scaled);
+        }
     }
     return all;
 }
 
-// Ways to read the heights that differ by at most one fault.
+// Ways to read the heights that differ by at most two faults.
 std::vector<TracerModel> readings(const HeightField& field) {
-    std::vector<TracerModel> all(1);
-    for (const double s : {-0.5, 0.0, 0.5}) {
-        for (const double t : {-0.5, 0.0, 0.5}) {
-            TracerModel shifted;
-            shifted.shiftS = s;
-            shifted.shiftT = t;
-            if (s != 0 || t != 0) all.push_back(shifted);
-        }
-    }
-    TracerModel other;
-    other.flipped = true;
-    all.push_back(other);
-    other.flipped = false;
-    other.transposed = true;
-    all.push_back(other);
+    std::vector<TracerModel> all;
     constexpr int kMips = 6;
-    for (int mip = 1; mip <= kMips && (std::min(field.width(), field.height()) >> mip) >= 2; ++mip) {
-        TracerModel level;
-        level.mip = mip;
-        all.push_back(level);
+    for (int mip = 0; mip <= kMips && (std::min(field.width(), field.height()) >> mip) >= 2; ++mip) {
+        for (const int turned : {0, 1, 2}) {
+            for (int shift = 0; shift < 9; ++shift) {
+                TracerModel reading;
+                reading.mip = mip;
+                reading.flipped = turned == 1;
+                reading.transposed = turned == 2;
+                // 0: none.
+                reading.shiftS = 0.5 * ((shift + 1) % 3 - 1);
+                reading.shiftT = 0.5 * ((shift / 3 + 1) % 3 - 1);
+                const int faults = (mip > 0 ? 1 : 0) + (turned > 0 ? 1 : 0) + (shift > 0 ? 1 : 0);
+                if (faults <= 2) all.push_back(reading);
+            }
+        }
     }
     return all;
 }
@@ -301,6 +318,7 @@ void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
         if (model.turn != 0) other.turn = rounded(model.turn, (step > 0.1 ? 15 : 1) * kDegrees);
         other.gain = rounded(model.gain, step);
         other.lift = rounded(model.lift, step);
+        if (model.bias != 0) other.bias = rounded(model.bias, step / 50);
         if (other.runScale > 0 && other.gain != 0 && !(other == model)) models.push_back(other);
     }
 }
@@ -308,19 +326,22 @@ void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
 }  // namespace
 
 std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerModel& begin, ModelFields& fields,
-                                        std::size_t most, Work& work) {
-    const Match match(given, fields);
+                                        std::size_t most, double late, Work& work) {
+    const Match match(given, late, fields);
     if (match.rays() < 8) return {};
     std::vector<TracerModel> heads = directions(begin);
     for (const TracerModel& model : reportedDirections(given, begin, fields.given())) heads.push_back(model);
     std::vector<Candidate> candidates;
     const double before = conventionFaults(begin);
+    const std::vector<TracerModel> ways = readings(fields.given());
     for (const TracerModel& direction : heads) {
         work.throwIfStopped();
-        for (const TracerModel& reading : readings(fields.given())) {
+        constexpr double kMostFaults = 2;
+        const double turned = conventionFaults(direction) - before;
+        for (const TracerModel& reading : ways) {
             TracerModel model = joined(direction, reading);
+            if (turned >= kMostFaults && !(model == direction)) continue;
             const double faults = conventionFaults(model) - before;
-            constexpr double kMostFaults = 2;
             if (faults > kMostFaults) continue;
             const double bits = match.bits(model, kFewRays) + faults * kFaultBits;
             candidates.push_back({model, bits});
@@ -331,14 +352,34 @@ std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerM
         candidate.bits = match.bits(candidate.model, kMoreRays) + conventionFaults(candidate.model) * kFaultBits;
     }
     sortCandidates(candidates, most);
+    const auto penalty = [&](const Candidate& one) { return conventionFaults(one.model) * kFaultBits; };
+    const auto refineNumbers = [&](Candidate& one) {
+        constexpr double kScaleReach = 0.09, kTurnReach = 0.06;
+        for (int round = 0; round < 2; ++round) {
+            const bool scaled = one.model.runScale != begin.runScale, turned = one.model.turn != begin.turn;
+            if (scaled) refine(one, &TracerModel::runScale, one.model.runScale * kScaleReach, match, penalty(one));
+            if (turned) refine(one, &TracerModel::turn, kTurnReach, match, penalty(one));
+            if (!(scaled && turned)) break;
+        }
+    };
     for (Candidate& candidate : candidates) {
         work.throwIfStopped();
-        const double penalty = conventionFaults(candidate.model) * kFaultBits;
-        constexpr double kScaleReach = 0.09, kTurnReach = 0.06;
-        if (candidate.model.runScale != begin.runScale) {
-            refine(candidate, &TracerModel::runScale, candidate.model.runScale * kScaleReach, match, penalty);
+        refineNumbers(candidate);
+    }
+    sortCandidates(candidates, most);
+    // A bias of the answers hides the other numbers: the best are tried with one.
+    const std::size_t biased = begin.bias == 0 ? std::min<std::size_t>(candidates.size(), 6) : 0;
+    for (std::size_t n = 0; n < biased; ++n) {
+        Candidate one = candidates[n];
+        one.model.bias = 1e-6;
+        one.bits = HUGE_VAL;
+        for (int round = 0; round < 2; ++round) {
+            constexpr double kBiasReach = 0.04;
+            refine(one, &TracerModel::bias, round == 0 ? kBiasReach : kBiasReach / 8, match, penalty(one));
+            one.bits += 1e-9;
+            refineNumbers(one);
         }
-        if (candidate.model.turn != begin.turn) refine(candidate, &TracerModel::turn, kTurnReach, match, penalty);
+        if (one.bits < candidates[n].bits) candidates.push_back(one);
     }
     sortCandidates(candidates, most);
     std::vector<TracerModel> models;

@@ -18,8 +18,9 @@ struct AnsweredRays {
 };
 
 // Returns at most `most` models of conventions, the likeliest first: those on whose surface the answers lie best, fewer
-// faults preferred. begin: the model that they all extend. Throws Cancelled.
+// faults preferred. begin: the model that they all extend. late: how far behind the surface the answers lie on average,
+// lambda. Throws Cancelled.
 std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerModel& begin, ModelFields& fields,
-                                        std::size_t most, Work& work);
+                                        std::size_t most, double late, Work& work);
 
 }  // namespace relief

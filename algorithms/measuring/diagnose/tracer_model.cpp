@@ -191,6 +191,10 @@ double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightFiel
     return model.bias + model.biasTexels / std::hypot(ray.a, ray.b, given.slabTexels());
 }
 
+double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given) {
+    return model.limited ? given.slabTexels() / std::hypot(ray.a, ray.b, given.slabTexels()) : 1;
+}
+
 std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFields& fields, Work& work) {
     const ModelFields::Placed& placed = fields.of(model);
     RayBlock traced(rays.size());
@@ -210,11 +214,8 @@ std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFi
         out[r] = hits[r];
         // An answer by one sample is shortened, not its direction: both arrive at the same place, and what is reported
         // is the lambda of the given ray.
-        double share = 1;
-        if (model.search == ModelSearch::OneSample && model.limited) {
-            const double slab = fields.given().slabTexels();
-            share = slab / std::hypot(rays.a[r], rays.b[r], slab);
-        }
+        const double share =
+            model.search == ModelSearch::OneSample ? oneSampleShare(model, rays[r], fields.given()) : 1;
         out[r].lambda = std::max(0.0, out[r].lambda * share - lambdaBias(model, rays[r], fields.given()));
     }
     return out;

@@ -92,6 +92,9 @@ ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, co
 // Returns how far the model's answer on the ray lies in front of its hit, lambda.
 double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightField& given);
 
+// Returns by how much an answer from one sample is shortened by offset limiting.
+double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given);
+
 // Returns the model's answers. s and t are left out: lambda alone is compared.
 std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFields& fields, Work& work);
 

@@ -37,6 +37,14 @@ void coarsen(Patient& patient, int level) {
     }
 }
 
+// Adds a change of the answers after those that there are.
+void afterwards(Patient& patient, std::function<void(HitBlock&, const RayBlock&)> change) {
+    patient.answer = [before = patient.answer, change = std::move(change)](HitBlock& hits, const RayBlock& rays) {
+        if (before) before(hits, rays);
+        change(hits, rays);
+    };
+}
+
 void layers(Patient& patient, const std::string& name, int count) {
     patient.method = {name, {{"layers", std::to_string(count)}}};
 }
@@ -77,7 +85,7 @@ std::vector<Specimen> made() {
     add("offset-limiting", [](Patient& p) { p.method = {"offset-limited", {}}; });
     add("tangent-frame", [](Patient& p) { turn(p, 30); });
     add("step-limit", [](Patient& p) {
-        p.answer = [](HitBlock& hits, const RayBlock& rays) {
+        afterwards(p, [](HitBlock& hits, const RayBlock& rays) {
             // A loop of 40 steps of half a texel.
             for (std::size_t r = 0; r < hits.size(); ++r) {
                 const double run = std::hypot(rays.a[r], rays.b[r]);
@@ -85,14 +93,14 @@ std::vector<Specimen> made() {
                 hits.steps[r] = static_cast<std::uint32_t>(std::min(40.0, std::ceil(hits.lambda[r] * run * 2)));
                 if (hits.lambda[r] > reach) hits.set(r, Hit::at(rays[r], reach));
             }
-        };
+        });
     });
     add("self-shadow-bias", [](Patient& p) {
-        p.answer = [](HitBlock& hits, const RayBlock& rays) {
+        afterwards(p, [](HitBlock& hits, const RayBlock& rays) {
             for (std::size_t r = 0; r < hits.size(); ++r) {
                 if (hits.outcome[r] == Outcome::Hit) hits.set(r, Hit::at(rays[r], std::max(0.0, hits.lambda[r] - 0.01)));
             }
-        };
+        });
     });
     add("no-search", [](Patient& p) { p.method = {"offset", {}}; });
     return all;
