@@ -136,6 +136,7 @@ void buildParser(CLI::App& program, Commands& commands) {
     addListCommand(program, commands);
     addMapCommand(program, commands);
     addTileCommand(program, commands);
+    addExportCommand(program, commands);
     addRenderCommand(program, commands);
     addTraceCommand(program, commands);
     addCompareCommand(program, commands);
