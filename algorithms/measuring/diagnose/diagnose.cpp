@@ -37,6 +37,8 @@ constexpr double kLooseCost = 0.05;
 // explanation that does not predict.
 constexpr double kSharpLead = 0.7;
 constexpr double kFounded = 0.4;
+// Faults of a smaller share of the wrong rays may be chance.
+constexpr double kLeastShare = 0.004;
 constexpr int kRounds = 4;
 constexpr std::size_t kMatches = 24;
 constexpr std::uint64_t kSeed = 7;
@@ -197,23 +199,24 @@ class Doctor {
         for (const TracerModel& model : surfaceMatches(rest, begin, fields_, kMatches, late, work_)) {
             all.push_back(model);
         }
-        std::vector<TracerModel> heads{begin};
-        heads.insert(heads.end(), all.begin(), all.begin() + std::min<std::ptrdiff_t>(6, std::ssize(all)));
-        std::vector<TracerModel> further;
-        for (const TracerModel& head : heads) {
+        const auto addReadings = [&](const TracerModel& head, std::vector<TracerModel>& to) {
             for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
                 TracerModel model = head;
                 model.address = address;
-                if (address != field_.address()) further.push_back(model);
+                if (address != field_.address()) to.push_back(model);
             }
             for (const int bits : {8, -8}) {
                 TracerModel model = head;
                 model.bits = bits;
-                further.push_back(model);
+                to.push_back(model);
             }
-        }
-        all.insert(all.begin(), further.begin(), further.end());
-        return all;
+        };
+        std::vector<TracerModel> ordered;
+        addReadings(begin, ordered);
+        ordered.insert(ordered.end(), all.begin(), all.end());
+        constexpr std::size_t kHeads = 8;
+        for (std::size_t n = 0; n < std::min(kHeads, all.size()); ++n) addReadings(all[n], ordered);
+        return ordered;
     }
 
     // What an explanation adds. share: of the rays that are not explained, less those that it loses; sharp: of those
@@ -323,14 +326,21 @@ class Doctor {
     // Applies what the sample has shown to the whole pool; returns false if it explains nothing more.
     bool extend(const Explanation& found) {
         const std::size_t before = open();
+        // So few rays may be chance.
+        const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(wrongPool_));
         TracerModel conventions = found.model;
         if (!found.loose) conventions.search = ModelSearch::Exact;
         for (Explanation& one :
              explanations(pool_.given, pool_.evidence, conventions, found.loose, fields_, work_)) {
             if (one.loose != found.loose || !(one.model == found.model)) continue;
+            const std::vector<bool> earlier = pool_.explained;
             for (std::size_t n = 0; n < pool_.ids.size(); ++n) pool_.explained[n] = one.rays[n].explained;
-            best_ = std::move(one);
-            return open() < before;
+            if (open() + least < before) {
+                best_ = std::move(one);
+                return true;
+            }
+            pool_.explained = earlier;
+            return false;
         }
         return false;
     }
@@ -378,6 +388,9 @@ class Doctor {
         const std::vector<Hit> with = predict(best_->model, rays, fields_, work_);
         const double weight = static_cast<double>(wrong_.size()) / static_cast<double>(counted.size());
         for (const ModelFault& fault : modelFaults(best_->model, field_.address())) {
+            const bool known = std::any_of(out_.findings.begin(), out_.findings.end(),
+                                              [&](const Finding& one) { return one.fault.fault == fault.fault; });
+            if (known) continue;
             const std::vector<Hit> without = predict(withoutFault(best_->model, fault.fault), rays, fields_, work_);
             Finding finding{fault, 0, 0, -1};
             double sum = 0;
@@ -387,8 +400,6 @@ class Doctor {
                 worsen(finding, counted[n]);
             }
             finding.rays = static_cast<std::size_t>(std::llround(sum));
-            // So few rays may be chance.
-            constexpr double kLeastShare = 0.004;
             if (sum > kLeastShare * static_cast<double>(wrong_.size())) out_.findings.push_back(finding);
         }
     }

@@ -8,9 +8,8 @@
 // Frame and units: ray.h. Cost: two exact traces of all rays, and some hundred of 700 of them.
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "measuring/diagnose/search_faults.h"
@@ -56,7 +55,8 @@ struct Diagnosis {
 Diagnosis diagnose(const TracerRecord& record, const HeightField& field, Work& work);
 
 // Returns the lines that `relief diagnose` prints: one for each finding, which begins with the fault's name, and one for
-// what is unknown; or one that says that there is no fault. worst: for each finding, the name of its worst ray.
-std::string diagnosisText(const Diagnosis& diagnosis, const std::vector<std::string>& worst, Language language);
+// what is unknown; or one that says that there is no fault. names: returns the name of a ray.
+using RayNames = std::function<Message(std::size_t)>;
+std::vector<Message> diagnosisLines(const Diagnosis& diagnosis, const RayNames& names);
 
 }  // namespace relief

@@ -176,11 +176,13 @@ class Search {
                 out.rays[r].explained = true;
                 continue;
             }
-            // Sums in float may put the first layer behind the surface in front of it.
+            // Rounding decides whether a layer at the surface is behind it.
             const double layer = 1.0 / layers;
+            constexpr double kAtSurface = 1e-4;
+            const double off = given_.answers[r].lambda - answers[r].lambda;
             const bool next = isHit(r) && answers[r].outcome == Outcome::Hit && search == ModelSearch::Layers &&
-                              std::abs(given_.answers[r].lambda - answers[r].lambda - layer) < 1e-5 &&
-                              surfaceGap(r, lambda(r) - layer) < 1e-4;
+                              std::abs(std::abs(off) - layer) < kInexact &&
+                              std::abs(surfaceGap(r, off > 0 ? lambda(r) - layer : lambda(r))) < kAtSurface;
             const double rounding = kFloatError * layers * runs_[r];
             if (!next && gap(r, answers[r]) > kRightTexels + rounding) continue;
             out.rays[r].explained = true;

@@ -308,18 +308,43 @@ void sortCandidates(std::vector<Candidate>& candidates, std::size_t most) {
     if (candidates.size() > most) candidates.resize(most);
 }
 
-// Appends the model with its numbers rounded to such as people write.
+double rounded(double value, double step) {
+    return std::round(value / step) * step;
+}
+
+// Appends the model with its numbers rounded to such as people write: where answers are not refined, fits are rough.
 void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
-    const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
+    const auto add = [&](const TracerModel& other) {
+        if (other.runScale > 0 && std::find(models.begin(), models.end(), other) == models.end()) {
+            models.push_back(other);
+        }
+    };
     constexpr double kDegrees = std::numbers::pi / 180;
-    for (const double step : {0.25, 0.05}) {
-        TracerModel other = model;
-        if (model.runScale != 1) other.runScale = rounded(model.runScale, step);
-        if (model.turn != 0) other.turn = rounded(model.turn, (step > 0.1 ? 15 : 1) * kDegrees);
-        other.gain = rounded(model.gain, step);
-        other.lift = rounded(model.lift, step);
-        if (model.bias != 0) other.bias = rounded(model.bias, step / 50);
-        if (other.runScale > 0 && other.gain != 0 && !(other == model)) models.push_back(other);
+    std::vector<TracerModel> lines{model};
+    TracerModel line = model;
+    line.gain = model.gain > 0 ? 1 : -1;
+    const double plain = model.gain > 0 ? 0 : 1;
+    // The lift at which both lines meet in the middle of the slab.
+    const double lift = model.lift + (model.gain - line.gain) * 0.5;
+    for (const double other : {plain, rounded(lift - plain, 0.05) + plain, rounded(lift - plain, 0.01) + plain}) {
+        line.lift = other;
+        lines.push_back(line);
+    }
+    for (const TracerModel& one : lines) {
+        add(one);
+        for (const double step : {0.25, 0.1, 0.05}) {
+            TracerModel other = one;
+            if (model.runScale != 1) other.runScale = rounded(model.runScale, step);
+            if (model.turn != 0) other.turn = rounded(model.turn, (step > 0.06 ? 15 : 1) * kDegrees);
+            if (model.bias != 0) other.bias = rounded(model.bias, step / 50);
+            add(other);
+        }
+        if (model.runScale == 1) continue;
+        for (const double off : {-0.05, 0.05}) {
+            TracerModel other = one;
+            other.runScale = rounded(model.runScale, 0.05) + off;
+            add(other);
+        }
     }
 }
 
@@ -382,10 +407,12 @@ std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerM
         if (one.bits < candidates[n].bits) candidates.push_back(one);
     }
     sortCandidates(candidates, most);
+    // The likeliest also with rounded numbers.
+    constexpr std::size_t kRounded = 5;
     std::vector<TracerModel> models;
-    for (const Candidate& candidate : candidates) {
-        models.push_back(candidate.model);
-        appendRounded(models, candidate.model);
+    for (std::size_t n = 0; n < candidates.size(); ++n) {
+        if (n < kRounded) appendRounded(models, candidates[n].model);
+        if (n >= kRounded) models.push_back(candidates[n].model);
     }
     return models;
 }
