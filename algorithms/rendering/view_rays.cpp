@@ -6,9 +6,9 @@ namespace relief {
 
 ViewRays viewRays(const FrameRequest& request) {
     constexpr std::uint64_t kBytes = RayBlock::kBytes + 2 * sizeof(std::int32_t) + 1;
-    requireMemory(byteProduct({static_cast<std::uint64_t>(request.width), static_cast<std::uint64_t>(request.height),
-                               kBytes}),
-                  "--size");
+    requireMemory(
+        byteProduct({static_cast<std::uint64_t>(request.width), static_cast<std::uint64_t>(request.height), kBytes}),
+        "--size");
     const VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
                         request.width, request.height, request.field.reliefDepth(), request.mapping);

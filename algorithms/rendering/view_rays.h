@@ -8,8 +8,8 @@
 
 namespace relief {
 
-// rays: of the pixels that see a polygon, row by row from the top. x, y: their pixels; polygon: the index of the polygon
-// that each sees, in `polygons`.
+// rays: of the pixels that see a polygon, row by row from the top. x, y: their pixels; polygon: the index of the
+// polygon that each sees, in `polygons`.
 struct ViewRays {
     RayBlock rays;
     std::vector<std::int32_t> x, y;

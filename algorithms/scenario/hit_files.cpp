@@ -56,8 +56,8 @@ void parseHit(std::string_view row, const std::vector<HitColumn>& columns, std::
     if (hit) {
         const double value = finiteNumber(lambda, fileName, line);
         if (!(value >= -kBeyond && value <= 1 + kBeyond)) {
-            throw InputError(fileName, Message(MessageId::StepOutsideSlab,
-                                               {{"line", line}, {"what", "lambda"}, {"value", value}}));
+            throw InputError(
+                fileName, Message(MessageId::StepOutsideSlab, {{"line", line}, {"what", "lambda"}, {"value", value}}));
         }
         hits.lambda[h] = std::clamp(value, 0.0, 1.0);
     }

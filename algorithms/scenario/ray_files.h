@@ -34,10 +34,10 @@ inline constexpr std::string_view kStepsHeader =
 // Parses a header and one ray per line. fileName: for messages. Throws InputError with the line's number for another
 // header, a line that is not four numbers, or a number that is not finite. Blank lines are accepted only at the end.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
-// Parses a hit of each ray. The header begins with outcome,lambda; further columns may be s, t (texels) and steps (a whole
-// number), which may be empty, and others, which are ignored. Without s and t they are NaN, without steps 0. Throws
-// InputError with the line for another header, wrong columns, an unknown outcome, a number that is not finite, and a hit
-// whose lambda is outside [0, 1].
+// Parses a hit of each ray. The header begins with outcome,lambda; further columns may be s, t (texels) and steps (a
+// whole number), which may be empty, and others, which are ignored. Without s and t they are NaN, without steps 0.
+// Throws InputError with the line for another header, wrong columns, an unknown outcome, a number that is not finite,
+// and a hit whose lambda is outside [0, 1].
 HitBlock parseHits(std::string_view text, const std::string& fileName);
 // Parses steps of `rays` rays, numbered from 0, in the formats written below: CSV, or JSON if the text begins with "[".
 // The rays may be in any order and some may be missing; the steps of one ray must be consecutive and numbered from 1.

@@ -47,13 +47,14 @@ TracerRecord recordOf(const DiagnoseOptions& options, const HeightField& field) 
     if (options.hits) {
         record.hits = parseHits(readTextFile(*options.hits), *options.hits);
         if (record.hits.size() != rays) {
-            throw InputError(*options.hits, Message(MessageId::HitsCount, {{"count", record.hits.size()},
-                                                                           {"file", raysFile},
-                                                                           {"rays", rays}}));
+            throw InputError(
+                *options.hits,
+                Message(MessageId::HitsCount, {{"count", record.hits.size()}, {"file", raysFile}, {"rays", rays}}));
         }
         return record;
     }
-    if (!record.steps) throw InputError("", Message(MessageId::NeedsEither, {{"other", "--hits"}, {"another", "--steps"}}));
+    if (!record.steps)
+        throw InputError("", Message(MessageId::NeedsEither, {{"other", "--hits"}, {"another", "--steps"}}));
     // The answers with which the logs end.
     const StepLog& log = *record.steps;
     record.hits.resize(rays);
@@ -86,8 +87,7 @@ struct Report {
             x.push_back(pixel.x);
             y.push_back(pixel.y);
         }
-        writeColor(*options.picture,
-                   errorPicture(view->scenario.width, view->scenario.height, x, y, diagnosis.errors));
+        writeColor(*options.picture, errorPicture(view->scenario.width, view->scenario.height, x, y, diagnosis.errors));
     }
 
     // Returns the scenario with the ray as its chosen pixel.
@@ -123,7 +123,9 @@ struct Report {
             return json;
         };
         const bool known = diagnosis.healthy() || !diagnosis.findings.empty();
-        Json json{{"verdict", diagnosis.healthy() ? "no fault" : known ? "faults" : "unknown"},
+        Json json{{"verdict", diagnosis.healthy() ? "no fault"
+                              : known             ? "faults"
+                                                  : "unknown"},
                   {"rays", diagnosis.rays},
                   {"wrong", diagnosis.wrong},
                   {"barely_touching", diagnosis.touching},
@@ -151,7 +153,8 @@ int runDiagnose(const DiagnoseOptions& options, Session& session) {
     if (options.output) checkOutput(*options.output, {"json"});
     const std::string& raysFile = needed(options.rays, "--rays", "diagnose");
     // Without a height map, that of the view by which the rays were exported.
-    const OptionText file = options.scenario.heightsGiven() ? options.scenario.file() : OptionText(raysViewPath(raysFile));
+    const OptionText file =
+        options.scenario.heightsGiven() ? options.scenario.file() : OptionText(raysViewPath(raysFile));
     Scenario scenario = options.scenario.scenario(file);
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
@@ -194,7 +197,8 @@ void addDiagnoseCommand(CLI::App& program, Commands& commands) {
     for (const std::string_view name : kFaultNames) names += (names.empty() ? "" : ", ") + std::string(name);
     CLI::App* parser = addCommand(
         program, "diagnose", "name what is wrong with somebody's tracer",
-        "Compares the answers of any tracer, such as a shader, with exact, and names its faults: one line for each, the "
+        "Compares the answers of any tracer, such as a shader, with exact, and names its faults: one line for each, "
+        "the "
         "one that makes most rays wrong first. A line begins with the name of the fault and holds the share of rays, "
         "the likely cause, the cure, and the worst ray. Faults: " +
             names +

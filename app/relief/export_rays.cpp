@@ -36,14 +36,15 @@ int runRays(const ExportOptions& given, Session& session) {
 }  // namespace
 
 ExportKind addRaysExport(CLI::App&) {
-    return {"rays",
-            "rays: writes the view ray of every pixel that sees the relief into FILE.csv, row by row from the top, with "
-            "the header s0,t0,a,b (texels), as relief trace --rays and relief diagnose read them. FILE.json holds the "
-            "view as a scenario, the matrices of camera and polygons, and the pixel and the polygon of each ray.",
-            "  relief export rays heights.png --scene wall --size 400x300 -o rays.csv",
-            {"FILE", "--height", "--relief", "--channel", "--invert", "--range", "--max-pixels", "--relief-depth",
-             "--address", "--surface", "--scene", "--camera", "--eye", "--target", "--fov", "--size", "--mapping"},
-            [](const ExportOptions& given, Session& session) { return runRays(given, session); }};
+    return {
+        "rays",
+        "rays: writes the view ray of every pixel that sees the relief into FILE.csv, row by row from the top, with "
+        "the header s0,t0,a,b (texels), as relief trace --rays and relief diagnose read them. FILE.json holds the "
+        "view as a scenario, the matrices of camera and polygons, and the pixel and the polygon of each ray.",
+        "  relief export rays heights.png --scene wall --size 400x300 -o rays.csv",
+        {"FILE", "--height", "--relief", "--channel", "--invert", "--range", "--max-pixels", "--relief-depth",
+         "--address", "--surface", "--scene", "--camera", "--eye", "--target", "--fov", "--size", "--mapping"},
+        [](const ExportOptions& given, Session& session) { return runRays(given, session); }};
 }
 
 }  // namespace relief::app

@@ -85,12 +85,13 @@ std::optional<RaysView> readRaysView(const std::string& raysPath, std::size_t ra
     const Json* const list = member(json, "rays");
     RaysView view{loadScenario(path), {}};
     const auto refuse = [&](std::size_t count) {
-        throw InputError(path, Message(MessageId::RaysViewCount, {{"count", count}, {"file", raysPath}, {"rays", rays}}));
+        throw InputError(path,
+                         Message(MessageId::RaysViewCount, {{"count", count}, {"file", raysPath}, {"rays", rays}}));
     };
     if (list == nullptr || !list->is_array() || list->size() != rays) refuse(list == nullptr ? 0 : list->size());
     for (const Json& pixel : *list) {
-        const bool good = pixel.is_array() && pixel.size() == 3 && pixel[0].is_number_integer() &&
-                          pixel[1].is_number_integer();
+        const bool good =
+            pixel.is_array() && pixel.size() == 3 && pixel[0].is_number_integer() && pixel[1].is_number_integer();
         if (!good) refuse(view.pixels.size());
         const PixelChoice place{pixel[0].get<int>(), pixel[1].get<int>()};
         if (place.x < 0 || place.x >= view.scenario.width || place.y < 0 || place.y >= view.scenario.height) {

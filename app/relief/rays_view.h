@@ -1,5 +1,5 @@
-// FILE.json beside a file of rays, FILE.csv, that `relief export rays` has written: the view, its matrices, and the pixel
-// of each ray.
+// FILE.json beside a file of rays, FILE.csv, that `relief export rays` has written: the view, its matrices, and the
+// pixel of each ray.
 #pragma once
 
 #include <optional>

@@ -184,9 +184,29 @@ class Doctor {
         return kinds;
     }
 
-    // The extensions of the model found so far that are tried.
-    std::vector<TracerModel> candidates(const TracerModel& begin) {
-        std::vector<TracerModel> all;
+    // Appends the model with another addressing, and with other values of the heights.
+    void addReadings(const TracerModel& head, std::vector<TracerModel>& to) const {
+        const auto add = [&](auto member, auto value) {
+            TracerModel model = head;
+            model.*member = value;
+            to.push_back(model);
+        };
+        for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
+            if (address != field_.address()) add(&TracerModel::address, address);
+        }
+        for (const int bits : {8, -8}) add(&TracerModel::bits, bits);
+        for (const int curve : {1, -1}) add(&TracerModel::curve, curve);
+    }
+
+    // The extensions of the model found so far by one fault without a number.
+    std::vector<TracerModel> simpleCandidates(const TracerModel& begin) const {
+        std::vector<TracerModel> models;
+        addReadings(begin, models);
+        for (const TracerModel& model : singleFaults(begin, field_)) models.push_back(model);
+        return models;
+    }
+    // Further extensions: those on whose surface the unexplained answers lie.
+    std::vector<TracerModel> matchedCandidates(const TracerModel& begin) {
         AnsweredRays rest;
         for (std::size_t n = 0; n < sample_.ids.size(); ++n) {
             if (sample_.explained[n]) continue;
@@ -196,27 +216,12 @@ class Doctor {
         // Answers at layers lie half a layer behind the surface, on average.
         const Lattice lattice = latticeOf(rest);
         const double late = lattice.layers > 0 ? 0.5 / lattice.layers : 0;
-        for (const TracerModel& model : surfaceMatches(rest, begin, fields_, kMatches, late, work_)) {
-            all.push_back(model);
-        }
-        const auto addReadings = [&](const TracerModel& head, std::vector<TracerModel>& to) {
-            for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
-                TracerModel model = head;
-                model.address = address;
-                if (address != field_.address()) to.push_back(model);
-            }
-            for (const int bits : {8, -8}) {
-                TracerModel model = head;
-                model.bits = bits;
-                to.push_back(model);
-            }
-        };
-        std::vector<TracerModel> ordered;
-        addReadings(begin, ordered);
-        ordered.insert(ordered.end(), all.begin(), all.end());
+        std::vector<TracerModel> models = surfaceMatches(rest, begin, fields_, kMatches, late, work_);
         constexpr std::size_t kHeads = 8;
-        for (std::size_t n = 0; n < std::min(kHeads, all.size()); ++n) addReadings(all[n], ordered);
-        return ordered;
+        const std::vector<TracerModel> heads(models.begin(),
+                                             models.begin() + std::min<std::ptrdiff_t>(kHeads, std::ssize(models)));
+        for (const TracerModel& head : heads) addReadings(head, models);
+        return models;
     }
 
     // What an explanation adds. share: of the rays that are not explained, less those that it loses; sharp: of those
@@ -243,7 +248,7 @@ class Doctor {
     struct Found {
         std::optional<Explanation> one;
         double cost = HUGE_VAL;
-        double share = 0;
+        Gain gain;
     };
     // The best of a round that predict the answers sharply, and of the others.
     struct Round {
@@ -253,7 +258,7 @@ class Doctor {
         // Sharp explanations are preferred: each that explains enough is a fault, further ones are found in the next
         // round.
         const Found& best() const {
-            return sharp.one && sharp.share >= kExplains && sharp.cost <= other.cost + kSharpLead ? sharp : other;
+            return sharp.one && sharp.gain.share >= kExplains && sharp.cost <= other.cost + kSharpLead ? sharp : other;
         }
     };
 
@@ -281,7 +286,7 @@ class Doctor {
             }
             const bool sharp = !one.loose && gained.sharp >= 0.5;
             Found& found = sharp ? round.sharp : round.other;
-            if (cost < found.cost) found = {std::move(one), cost, gained.share};
+            if (cost < found.cost) found = {std::move(one), cost, gained};
         }
     }
     static double fittedNumbers(const TracerModel& model) {
@@ -293,9 +298,10 @@ class Doctor {
     }
     // Whether no better explanation can be expected, with one fault or two.
     static bool enough(const Found& found) {
-        if (!found.one || found.share < 0.98) return false;
+        if (!found.one || found.gain.share < 0.98) return false;
         const auto& faults = found.one->searchFaults;
-        return !found.one->loose || std::all_of(faults.begin(), faults.end(), [](const ModelFault& fault) {
+        if (!found.one->loose) return found.gain.sharp >= 0.8;
+        return std::all_of(faults.begin(), faults.end(), [](const ModelFault& fault) {
             return fault.fault == Fault::MissedSpike || fault.fault == Fault::StepLimit;
         });
     }
@@ -308,16 +314,24 @@ class Doctor {
             takeSample();
             Round round;
             offer(begin, begin, true, round);
-            if (!enough(round.best())) {
-                constexpr int kByShape = 12;
-                int tried = 0;
-                for (const TracerModel& model : candidates(begin)) {
-                    offer(model, begin, tried++ < kByShape, round);
-                    if (enough(round.best())) break;
+            std::vector<TracerModel> tried;
+            const auto offerAll = [&](const std::vector<TracerModel>& models, bool byShape) {
+                for (const TracerModel& model : models) {
+                    if (enough(round.best())) return;
+                    offer(model, begin, byShape, round);
                 }
+            };
+            for (const bool matched : {false, true}) {
+                if (enough(round.best())) break;
+                const auto models = matched ? matchedCandidates(begin) : simpleCandidates(begin);
+                offerAll(models, false);
+                constexpr std::ptrdiff_t kByShape = 40;
+                tried.insert(tried.end(), models.begin(), models.begin() + std::min(kByShape, std::ssize(models)));
             }
+            // The kind of the errors is asked only where no model predicts the answers.
+            if (&round.best() == &round.other) offerAll(tried, true);
             const Found& found = round.best();
-            if (!found.one || found.share < (found.one->loose ? kLooselyExplains : kExplains)) return;
+            if (!found.one || found.gain.share < (found.one->loose ? kLooselyExplains : kExplains)) return;
             if (!extend(*found.one)) return;
             begin = best_->model;
         }
@@ -330,8 +344,7 @@ class Doctor {
         const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(wrongPool_));
         TracerModel conventions = found.model;
         if (!found.loose) conventions.search = ModelSearch::Exact;
-        for (Explanation& one :
-             explanations(pool_.given, pool_.evidence, conventions, found.loose, fields_, work_)) {
+        for (Explanation& one : explanations(pool_.given, pool_.evidence, conventions, found.loose, fields_, work_)) {
             if (one.loose != found.loose || !(one.model == found.model)) continue;
             const std::vector<bool> earlier = pool_.explained;
             for (std::size_t n = 0; n < pool_.ids.size(); ++n) pool_.explained[n] = one.rays[n].explained;
@@ -346,7 +359,8 @@ class Doctor {
     }
     // Number of wrong rays of the pool that are not explained; and up to which there is no further fault.
     std::size_t open() const {
-        return static_cast<std::size_t>(std::count(pool_.explained.begin(), pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), false));
+        return static_cast<std::size_t>(std::count(
+            pool_.explained.begin(), pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), false));
     }
     std::size_t allowed() const {
         return std::max(kFewWrong, static_cast<std::size_t>(kShareWrong * static_cast<double>(pool_.ids.size())));
@@ -389,7 +403,7 @@ class Doctor {
         const double weight = static_cast<double>(wrong_.size()) / static_cast<double>(counted.size());
         for (const ModelFault& fault : modelFaults(best_->model, field_.address())) {
             const bool known = std::any_of(out_.findings.begin(), out_.findings.end(),
-                                              [&](const Finding& one) { return one.fault.fault == fault.fault; });
+                                           [&](const Finding& one) { return one.fault.fault == fault.fault; });
             if (known) continue;
             const std::vector<Hit> without = predict(withoutFault(best_->model, fault.fault), rays, fields_, work_);
             Finding finding{fault, 0, 0, -1};
@@ -425,7 +439,8 @@ class Doctor {
 }  // namespace
 
 bool Diagnosis::healthy() const {
-    return static_cast<double>(wrong) <= std::max(static_cast<double>(kFewWrong), kShareWrong * static_cast<double>(rays));
+    return static_cast<double>(wrong) <=
+           std::max(static_cast<double>(kFewWrong), kShareWrong * static_cast<double>(rays));
 }
 
 bool Diagnosis::unknown() const {

@@ -1,9 +1,9 @@
 // The doctor: compares the answers of anybody's tracer with those of `exact`, and names what is wrong with it.
 //
-// A fault is named if a model of a tracer with that fault predicts the answers, or if the kind of their errors shows it.
-// Conventions are found by the surface on which the answers lie (surface_match.h), faults of the search by where they
-// lie on the ray (search_faults.h). After the best explanation, what it does not explain is looked at again, so that
-// several faults are found.
+// A fault is named if a model of a tracer with that fault predicts the answers, or if the kind of their errors shows
+// it. Conventions are found by the surface on which the answers lie (surface_match.h), faults of the search by where
+// they lie on the ray (search_faults.h). After the best explanation, what it does not explain is looked at again, so
+// that several faults are found.
 //
 // Frame and units: ray.h. Cost: two exact traces of all rays, and some hundred of 700 of them.
 #pragma once
@@ -16,8 +16,8 @@
 
 namespace relief {
 
-// What is known of a tracer. hits: one per ray, in the order of the rays; lambda of a hit in [0, 1], s and t may be NaN;
-// steps: 0 if they were not counted. steps: the records of the rays, if there are any.
+// What is known of a tracer. hits: one per ray, in the order of the rays; lambda of a hit in [0, 1], s and t may be
+// NaN; steps: 0 if they were not counted. steps: the records of the rays, if there are any.
 struct TracerRecord {
     RayBlock rays;
     HitBlock hits;
@@ -34,8 +34,8 @@ struct Finding {
 };
 
 // findings: largest number of rays first. wrong: rays whose answer differs from `exact` by more than kRightTexels;
-// touching: among the others, those that differ only because they barely touch the surface. unexplained: wrong rays that
-// no finding explains (an estimate from a sample). errors: of each ray, texels.
+// touching: among the others, those that differ only because they barely touch the surface. unexplained: wrong rays
+// that no finding explains (an estimate from a sample). errors: of each ray, texels.
 struct Diagnosis {
     std::vector<Finding> findings;
     std::size_t rays = 0;
@@ -54,8 +54,8 @@ struct Diagnosis {
 // Throws InputError if the field is read by tiles, MemoryError, Cancelled.
 Diagnosis diagnose(const TracerRecord& record, const HeightField& field, Work& work);
 
-// Returns the lines that `relief diagnose` prints: one for each finding, which begins with the fault's name, and one for
-// what is unknown; or one that says that there is no fault. names: returns the name of a ray.
+// Returns the lines that `relief diagnose` prints: one for each finding, which begins with the fault's name, and one
+// for what is unknown; or one that says that there is no fault. names: returns the name of a ray.
 using RayNames = std::function<Message(std::size_t)>;
 std::vector<Message> diagnosisLines(const Diagnosis& diagnosis, const RayNames& names);
 

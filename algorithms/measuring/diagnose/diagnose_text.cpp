@@ -51,6 +51,8 @@ FaultText textOf(Fault fault) {
             return {CauseStepLimit, CureStepLimit, DetailNone};
         case Fault::SelfShadowBias:
             return {CauseSelfShadowBias, CureSelfShadowBias, DetailNone};
+        case Fault::HeightCurve:
+            return {CauseHeightCurve, CureHeightCurve, DetailNone};
         case Fault::NoSearch:
             break;
     }
@@ -90,21 +92,20 @@ std::vector<Message> diagnosisLines(const Diagnosis& diagnosis, const RayNames& 
     for (const Finding& finding : diagnosis.findings) {
         const Fault fault = finding.fault.fault;
         const MessageId detail = finding.fault.value == 0 ? MessageId::DetailNone : textOf(fault).detail;
-        lines.push_back(
-            Message(MessageId::DiagnosisLine,
-                    {{"name", std::string(faultName(fault))},
-                     {"percent", percentText(finding.rays, diagnosis.rays)},
-                     {"detail", Message(detail, {{"value", numberText(finding.fault.value, kDigits)}})},
-                     {"cause", faultCause(fault)},
-                     {"cure", faultCure(fault)},
-                     {"worst", names(finding.worst)},
-                     {"error", errorText(finding.texels)}}));
+        lines.push_back(Message(MessageId::DiagnosisLine,
+                                {{"name", std::string(faultName(fault))},
+                                 {"percent", percentText(finding.rays, diagnosis.rays)},
+                                 {"detail", Message(detail, {{"value", numberText(finding.fault.value, kDigits)}})},
+                                 {"cause", faultCause(fault)},
+                                 {"cure", faultCure(fault)},
+                                 {"worst", names(finding.worst)},
+                                 {"error", errorText(finding.texels)}}));
     }
     if (diagnosis.unknown()) {
-        lines.push_back(Message(MessageId::DiagnosisUnknown,
-                                {{"percent", percentText(diagnosis.unexplained, diagnosis.rays)},
-                                 {"worst", names(diagnosis.worst)},
-                                 {"error", errorText(diagnosis.errors[diagnosis.worst])}}));
+        lines.push_back(
+            Message(MessageId::DiagnosisUnknown, {{"percent", percentText(diagnosis.unexplained, diagnosis.rays)},
+                                                  {"worst", names(diagnosis.worst)},
+                                                  {"error", errorText(diagnosis.errors[diagnosis.worst])}}));
     }
     return lines;
 }

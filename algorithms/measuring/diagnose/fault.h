@@ -20,7 +20,7 @@ namespace relief {
 // - SelfShadowBias: the answers lie in front of the surface by a constant.
 // Of conventions: the ray's direction (SwappedAxes, DirectionSign, TangentFrame, ReliefDepth), the place at which
 // heights are read (HalfTexelShift, YFlipped, WrapAgainstClamp), or the heights (InvertedHeights, ZeroLevel, Terraces,
-// MipLevel).
+// MipLevel, HeightCurve: the values of an sRGB picture were converted, or not).
 enum class Fault : std::uint8_t {
     MissedSpike,
     StairSteps,
@@ -40,13 +40,14 @@ enum class Fault : std::uint8_t {
     TangentFrame,
     StepLimit,
     SelfShadowBias,
-    NoSearch
+    NoSearch,
+    HeightCurve
 };
-inline constexpr std::array<std::string_view, 19> kFaultNames{
-    "missed-spike",     "stair-steps",      "no-refinement", "unsafe-map",     "swapped-axes",
-    "direction-sign",   "inverted-heights", "zero-level",    "relief-depth",   "half-texel-shift",
-    "y-flipped",        "wrap-against-clamp", "8-bit-terraces", "mip-level",   "offset-limiting",
-    "tangent-frame",    "step-limit",       "self-shadow-bias", "no-search"};
+inline constexpr std::array<std::string_view, 20> kFaultNames{
+    "missed-spike",   "stair-steps",        "no-refinement",    "unsafe-map",   "swapped-axes",
+    "direction-sign", "inverted-heights",   "zero-level",       "relief-depth", "half-texel-shift",
+    "y-flipped",      "wrap-against-clamp", "8-bit-terraces",   "mip-level",    "offset-limiting",
+    "tangent-frame",  "step-limit",         "self-shadow-bias", "no-search",    "height-curve"};
 constexpr std::string_view faultName(Fault fault) {
     return kFaultNames[static_cast<std::size_t>(fault)];
 }

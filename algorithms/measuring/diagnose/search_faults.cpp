@@ -12,15 +12,15 @@ namespace relief {
 
 namespace {
 
-// Fewer layers than the first number are coarse: their steps are seen everywhere. More than the second are fine: what is
-// seen is that the answer is not refined. Between them the error decides, texels.
+// Fewer layers than the first number are coarse: their steps are seen everywhere. More than the second are fine: what
+// is seen is that the answer is not refined. Between them the error decides, texels.
 constexpr int kCoarseLayers = 24;
 constexpr int kFineLayers = 64;
 constexpr double kStairTexels = 1;
 constexpr int kMostLayers = 512;
 // Numbers of layers that people write.
-constexpr std::array kUsualLayers{4,  5,  6,  8,  10, 12, 15, 16,  20,  24,  25,  30,  32,  40,  48,
-                                  50, 60, 64, 75, 80, 96, 100, 120, 128, 150, 192, 200, 256};
+constexpr std::array kUsualLayers{4,  5,  6,  8,  10, 12, 15, 16,  20,  24,  25,  30,  32,  40,
+                                  48, 50, 60, 64, 75, 80, 96, 100, 120, 128, 150, 192, 200, 256};
 // Deepest answer within the surface, lambda, of a search that stops behind it.
 constexpr double kDeepest = 0.13;
 // Error of lambda by sums in float, per step.
@@ -38,7 +38,8 @@ class Search {
         model_.search = ModelSearch::Exact;
         exact_ = predict(model_, given_.rays, fields_, work_);
         chords_.resize(given_.size());
-        for (std::size_t r = 0; r < given_.size(); ++r) runs_.push_back(std::max(1.0, std::hypot(given.rays.a[r], given.rays.b[r])));
+        for (std::size_t r = 0; r < given_.size(); ++r)
+            runs_.push_back(std::max(1.0, std::hypot(given.rays.a[r], given.rays.b[r])));
     }
 
     std::vector<Explanation> all(bool byShape) {
@@ -67,7 +68,8 @@ class Search {
     // Returns true if an answer, within the ray, is predicted to the rounding of float.
     bool isSharp(std::size_t r, const Hit& predicted) const {
         const Hit& answer = given_.answers[r];
-        if (answer.outcome != Outcome::Hit || predicted.outcome != Outcome::Hit) return answer.outcome == predicted.outcome;
+        if (answer.outcome != Outcome::Hit || predicted.outcome != Outcome::Hit)
+            return answer.outcome == predicted.outcome;
         return std::abs(answer.lambda - predicted.lambda) <= kInexact;
     }
     bool isHit(std::size_t r) const { return given_.answers[r].outcome == Outcome::Hit; }
@@ -187,9 +189,9 @@ class Search {
             if (!next && gap(r, answers[r]) > kRightTexels + rounding) continue;
             out.rays[r].explained = true;
             out.rays[r].sharp = isSharp(r, answers[r]);
-            out.rays[r].cause = passed(r)                         ? Fault::MissedSpike
+            out.rays[r].cause = passed(r)                       ? Fault::MissedSpike
                                 : search == ModelSearch::Secant ? Fault::StairSteps
-                                                                 : lateFault(r, layers);
+                                                                : lateFault(r, layers);
         }
         nameCauses(out, layers);
         found.push_back(std::move(out));
@@ -225,7 +227,7 @@ class Search {
             if (at > chord.out + same) continue;
             if (&chord == &chords(r).front()) return Shape::Late;
             return std::abs(at - chord.in) <= same || std::abs(surfaceGap(r, at)) <= kTouchDepth ? Shape::Later
-                                                                                                : Shape::LaterIn;
+                                                                                                 : Shape::LaterIn;
         }
         return Shape::Early;
     }
@@ -283,7 +285,8 @@ class Search {
             for (const std::size_t r : use) {
                 const int found = layerThatFinds(r, n);
                 const double same = kRightTexels / runs_[r];
-                const bool in = found > 0 && lambda(r) >= (found - 1.0) / n - same && lambda(r) <= found * 1.0 / n + same;
+                const bool in =
+                    found > 0 && lambda(r) >= (found - 1.0) / n - same && lambda(r) <= found * 1.0 / n + same;
                 if (!in && !touches(r) && ++wrong > allowed) break;
             }
             if (wrong <= allowed) return n;
@@ -337,8 +340,8 @@ class Search {
         }
     }
 
-    // Returns true if the wrong answers are not on the surface while most others are exactly on it: a search that refines
-    // its answers, but whose steps lead through the surface, or end before it, here and there.
+    // Returns true if the wrong answers are not on the surface while most others are exactly on it: a search that
+    // refines its answers, but whose steps lead through the surface, or end before it, here and there.
     bool exactElsewhere() const {
         std::size_t right = 0, exact = 0;
         for (std::size_t r = 0; r < given_.size(); ++r) {
@@ -391,7 +394,7 @@ class Search {
             thin.push_back(chords(r).front().out - chords(r).front().in);
         }
         // Answers deep within the surface are not those of a search that passed a feature.
-        if (thin.empty() || deep * 10 > within) return;
+        if (thin.empty() || deep * 10 > within || (within > 0 && followsHeight())) return;
         Fault fault = Fault::MissedSpike;
         if (layers == 0) {
             const auto middle = thin.begin() + static_cast<std::ptrdiff_t>(thin.size() / 2);
@@ -421,7 +424,7 @@ class Search {
         for (std::size_t r = 0; r < given_.size(); ++r) {
             if (shapes_[r] == Shape::Late) late.push_back(lambda(r) - chords(r).front().in);
         }
-        if (late.empty()) return;
+        if (late.empty() || followsHeight()) return;
         std::sort(late.begin(), late.end());
         const double most = late[late.size() * 95 / 100];
         if (most > kDeepest) return;
@@ -430,6 +433,28 @@ class Search {
             if (shapes_[r] != Shape::Late || lambda(r) - chords(r).front().in > 2 * most) continue;
             cause(out, r, lateFault(r, layers));
         }
+    }
+
+    // Returns true if the depth of the answers below the surface follows from the height there: the tracer reads other
+    // heights. Where a search stops does not depend on the height.
+    bool followsHeight() {
+        std::vector<std::pair<double, double>> depths;  // height, depth
+        for (std::size_t r = 0; r < given_.size(); ++r) {
+            const Shape one = shapes_[r];
+            if (one != Shape::Late && one != Shape::LaterIn && one != Shape::Early) continue;
+            const double depth = surfaceGap(r, lambda(r));
+            depths.emplace_back(depth + 1 - lambda(r), depth);
+        }
+        constexpr std::size_t kLeast = 32;
+        if (depths.size() < kLeast) return false;
+        std::sort(depths.begin(), depths.end());
+        // The mean step between neighbours in height, against that between any two.
+        double near = 0, far = 0;
+        const std::size_t n = depths.size();
+        for (std::size_t k = 0; k + 1 < n; ++k) near += std::abs(depths[k + 1].second - depths[k].second);
+        for (std::size_t k = 0; k + 1 < n; ++k) far += std::abs(depths[(k + n / 2) % n].second - depths[k].second);
+        constexpr double kFollows = 0.35;
+        return near < kFollows * far;
     }
 
     // Lists the faults of the search that explain any ray.

@@ -32,16 +32,16 @@ struct Explanation {
 
 // Largest error of a right answer, texels, and what barely touching means: the ray is nowhere deeper in the surface,
 // heights.
-inline constexpr double kRightTexels = 1.0 / 64;
+inline constexpr double kRightTexels = 1.0 / 32;
 inline constexpr double kTouchDepth = 2e-4;
 
-// Returns true if an answer differs from the first hit only because the ray barely touches the surface that it passed, or
-// leaves it nearly parallel. chords: solidChords() of the ray; run: by which errors are measured, texels.
+// Returns true if an answer differs from the first hit only because the ray barely touches the surface that it passed,
+// or leaves it nearly parallel. chords: solidChords() of the ray; run: by which errors are measured, texels.
 bool barelyTouches(const HeightField& field, const ViewRay& ray, const std::vector<Chord>& chords, const Hit& answer,
                    double run);
 
-// Returns the number of equal layers at which the answers lie, and by how much they lie behind them, lambda: the answers
-// of a search without refinement. layers: 0 if they lie at none.
+// Returns the number of equal layers at which the answers lie, and by how much they lie behind them, lambda: the
+// answers of a search without refinement. layers: 0 if they lie at none.
 struct Lattice {
     int layers = 0;
     double phase = 0;
@@ -55,8 +55,8 @@ struct SearchEvidence {
     std::vector<std::optional<Fault>> kinds;
 };
 
-// Returns the possible explanations for the model's conventions; the first is that of an exact search. byShape: also the
-// one by the kind of the errors, which takes longer. Throws Cancelled.
+// Returns the possible explanations for the model's conventions; the first is that of an exact search. byShape: also
+// the one by the kind of the errors, which takes longer. Throws Cancelled.
 std::vector<Explanation> explanations(const AnsweredRays& given, const SearchEvidence& evidence,
                                       const TracerModel& model, bool byShape, ModelFields& fields, Work& work);
 

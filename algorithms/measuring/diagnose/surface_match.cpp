@@ -55,23 +55,8 @@ class Match {
     // Returns the bits of the model with the best line from its heights to the answers', which it sets.
     double bits(TracerModel& model, std::size_t rays) const {
         rays = std::min(rays, use_.size());
-        TracerModel read = model;
-        read.gain = 1;
-        read.lift = 0;
-        const ModelFields::Placed& placed = fields_.of(read);
-        std::vector<double> z(rays), h(rays);
-        for (std::size_t n = 0; n < rays; ++n) {
-            const std::size_t r = use_[n * use_.size() / rays];
-            double lambda = given_.answers[r].lambda + lambdaBias(model, given_.rays[r], fields_.given()) - late_;
-            const ViewRay ray = modelRay(read, placed, given_.rays[r], fields_.given());
-            double place = lambda;
-            if (model.search == ModelSearch::OneSample) {
-                place = 0;
-                lambda /= oneSampleShare(model, given_.rays[r], fields_.given());
-            }
-            z[n] = 1 - lambda;
-            h[n] = placed.field.at(ray.s0 + place * ray.a, ray.t0 + place * ray.b);
-        }
+        std::vector<double> z, h;
+        readHeights(model, rays, z, h);
         double best = HUGE_VAL;
         const auto offer = [&](const Line& line, double faults) {
             double sum = 0;
@@ -97,7 +82,46 @@ class Match {
         return best;
     }
 
+    // Returns the lift at which most answers lie on the surface of heights with this gain, 1 or -1.
+    double densestLift(const TracerModel& model, double gain) const {
+        std::vector<double> z, h;
+        readHeights(model, use_.size(), z, h);
+        for (std::size_t n = 0; n < z.size(); ++n) z[n] -= gain * h[n];
+        std::sort(z.begin(), z.end());
+        constexpr double kWidth = 1.0 / 512;
+        std::size_t best = 0, most = 0;
+        for (std::size_t first = 0, last = 0; first < z.size(); ++first) {
+            while (last < z.size() && z[last] <= z[first] + kWidth) ++last;
+            if (last - first <= most) continue;
+            most = last - first;
+            best = first + most / 2;
+        }
+        return z[best];
+    }
+
   private:
+    // Sets the answers' heights, and those that the model reads there, without gain and lift.
+    void readHeights(const TracerModel& model, std::size_t rays, std::vector<double>& z, std::vector<double>& h) const {
+        TracerModel read = model;
+        read.gain = 1;
+        read.lift = 0;
+        const ModelFields::Placed& placed = fields_.of(read);
+        z.resize(rays);
+        h.resize(rays);
+        for (std::size_t n = 0; n < rays; ++n) {
+            const std::size_t r = use_[n * use_.size() / rays];
+            double lambda = given_.answers[r].lambda + lambdaBias(model, given_.rays[r], fields_.given()) - late_;
+            const ViewRay ray = modelRay(read, placed, given_.rays[r], fields_.given());
+            double place = lambda;
+            if (model.search == ModelSearch::OneSample) {
+                place = 0;
+                lambda /= oneSampleShare(model, given_.rays[r], fields_.given());
+            }
+            z[n] = 1 - lambda;
+            h[n] = placed.field.at(ray.s0 + place * ray.a, ray.t0 + place * ray.b);
+        }
+    }
+
     // A line by least squares, of weights that fall with the distance.
     static Line fitted(const std::vector<double>& z, const std::vector<double>& h) {
         Line line{0, median(z)};
@@ -313,7 +337,7 @@ double rounded(double value, double step) {
 }
 
 // Appends the model with its numbers rounded to such as people write: where answers are not refined, fits are rough.
-void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
+void appendRounded(std::vector<TracerModel>& models, const TracerModel& model, const Match& match) {
     const auto add = [&](const TracerModel& other) {
         if (other.runScale > 0 && std::find(models.begin(), models.end(), other) == models.end()) {
             models.push_back(other);
@@ -324,9 +348,8 @@ void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
     TracerModel line = model;
     line.gain = model.gain > 0 ? 1 : -1;
     const double plain = model.gain > 0 ? 0 : 1;
-    // The lift at which both lines meet in the middle of the slab.
-    const double lift = model.lift + (model.gain - line.gain) * 0.5;
-    for (const double other : {plain, rounded(lift - plain, 0.05) + plain, rounded(lift - plain, 0.01) + plain}) {
+    const double lift = match.densestLift(line, line.gain);
+    for (const double other : {plain, lift, rounded(lift, 0.05), rounded(lift, 0.01)}) {
         line.lift = other;
         lines.push_back(line);
     }
@@ -349,6 +372,28 @@ void appendRounded(std::vector<TracerModel>& models, const TracerModel& model) {
 }
 
 }  // namespace
+
+std::vector<TracerModel> singleFaults(const TracerModel& begin, const HeightField& field) {
+    std::vector<TracerModel> models;
+    const auto add = [&](TracerModel model) {
+        models.push_back(model);
+        model.lift += model.gain;
+        model.gain = -model.gain;
+        models.push_back(model);
+    };
+    add(begin);
+    for (const TracerModel& direction : directions(begin)) {
+        if (direction.runScale == begin.runScale && direction.turn == begin.turn && !(direction == begin)) {
+            add(direction);
+        }
+    }
+    for (const TracerModel& reading : readings(field)) {
+        const TracerModel model = joined(begin, reading);
+        if (conventionFaults(model) == conventionFaults(begin) + 1) add(model);
+    }
+    models.erase(models.begin());  // begin itself
+    return models;
+}
 
 std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerModel& begin, ModelFields& fields,
                                         std::size_t most, double late, Work& work) {
@@ -392,8 +437,17 @@ std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerM
         refineNumbers(candidate);
     }
     sortCandidates(candidates, most);
+    // Heights as they are or inverted, without a bias: what most tracers have.
+    std::vector<TracerModel> models;
+    constexpr std::size_t kPlain = 10;
+    for (std::size_t n = 0; n < std::min(candidates.size(), kPlain); ++n) {
+        TracerModel plain = candidates[n].model;
+        plain.lift = plain.gain > 0 ? 0 : 1;
+        plain.gain = plain.gain > 0 ? 1 : -1;
+        if (std::find(models.begin(), models.end(), plain) == models.end()) models.push_back(plain);
+    }
     // A bias of the answers hides the other numbers: the best are tried with one.
-    const std::size_t biased = begin.bias == 0 ? std::min<std::size_t>(candidates.size(), 6) : 0;
+    const std::size_t biased = begin.bias == 0 && late == 0 ? std::min<std::size_t>(candidates.size(), 6) : 0;
     for (std::size_t n = 0; n < biased; ++n) {
         Candidate one = candidates[n];
         one.model.bias = 1e-6;
@@ -409,9 +463,8 @@ std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerM
     sortCandidates(candidates, most);
     // The likeliest also with rounded numbers.
     constexpr std::size_t kRounded = 5;
-    std::vector<TracerModel> models;
     for (std::size_t n = 0; n < candidates.size(); ++n) {
-        if (n < kRounded) appendRounded(models, candidates[n].model);
+        if (n < kRounded) appendRounded(models, candidates[n].model, match);
         if (n >= kRounded) models.push_back(candidates[n].model);
     }
     return models;

@@ -17,6 +17,9 @@ struct AnsweredRays {
     std::size_t size() const { return answers.size(); }
 };
 
+// Returns the models that extend `begin` by one fault that has no number, also with inverted heights.
+std::vector<TracerModel> singleFaults(const TracerModel& begin, const HeightField& field);
+
 // Returns at most `most` models of conventions, the likeliest first: those on whose surface the answers lie best, fewer
 // faults preferred. begin: the model that they all extend. late: how far behind the surface the answers lie on average,
 // lambda. Throws Cancelled.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "images/pyramid.h"
+#include "relief/files.h"
 #include "relief/tracers.h"
 
 namespace relief {
@@ -58,6 +59,7 @@ std::vector<ModelFault> modelFaults(const TracerModel& model, Address address) {
     if (model.flipped) faults.push_back({Fault::YFlipped});
     if (model.mip > 0) faults.push_back({Fault::MipLevel, static_cast<double>(model.mip)});
     if (model.bits != 0) faults.push_back({Fault::Terraces});
+    if (model.curve != 0) faults.push_back({Fault::HeightCurve});
     heightFaults(model, faults);
     if (model.address && *model.address != address) faults.push_back({Fault::WrapAgainstClamp});
     if (model.bias != 0) faults.push_back({Fault::SelfShadowBias, model.bias});
@@ -99,6 +101,9 @@ TracerModel withoutFault(TracerModel model, Fault fault) {
         case Fault::Terraces:
             model.bits = 0;
             break;
+        case Fault::HeightCurve:
+            model.curve = 0;
+            break;
         case Fault::InvertedHeights:
             model.lift += model.gain;
             model.gain = -model.gain;
@@ -132,17 +137,18 @@ std::shared_ptr<const FloatImage> ModelFields::level(int mip) {
 
 const ModelFields::Placed& ModelFields::of(const TracerModel& model) {
     const Address address = model.address.value_or(field_.address());
-    const Key key{model.mip, model.bits, model.gain, model.lift, address};
+    const Key key{model.mip, model.bits, model.curve, model.gain, model.lift, address};
     const auto found = fields_.find(key);
     if (found != fields_.end()) return found->second;
     std::shared_ptr<const FloatImage> heights = model.mip > 0 ? level(model.mip) : field_.sharedHeights();
-    if (model.bits != 0 || model.gain != 1 || model.lift != 0) {
+    if (model.bits != 0 || model.curve != 0 || model.gain != 1 || model.lift != 0) {
         auto changed = std::make_shared<FloatImage>(*heights);
         for (float& height : changed->pixels()) {
             if (model.bits != 0) {
                 const float codes = height * 255.0F;
                 height = (model.bits > 0 ? std::round(codes) : std::floor(codes)) / 255.0F;
             }
+            if (model.curve != 0) height = model.curve > 0 ? linearFromSrgb(height) : srgbFromLinear(height);
             const double read = model.gain * static_cast<double>(height) + model.lift;
             if (model.gain != 1 || model.lift != 0) height = static_cast<float>(std::clamp(read, 0.0, 1.0));
         }

@@ -22,8 +22,8 @@ namespace relief {
 enum class ModelSearch : std::uint8_t { Exact, Layers, Secant, OneSample };
 
 struct TracerModel {
-    // The direction: axes swapped, then multiplied by the signs, then turned by `turn` radians, then scaled by runScale;
-    // limited: and by slab / |(a, b, slab)|, as if the direction were not divided by its height.
+    // The direction: axes swapped, then multiplied by the signs, then turned by `turn` radians, then scaled by
+    // runScale; limited: and by slab / |(a, b, slab)|, as if the direction were not divided by its height.
     bool swapped = false;
     double signA = 1;
     double signB = 1;
@@ -35,10 +35,11 @@ struct TracerModel {
     double shiftT = 0;
     bool transposed = false;
     bool flipped = false;
-    // The heights: of this level of the mean pyramid; rounded (8) or cut off (-8) to 8 bits; then gain * h + lift,
-    // clamped to [0, 1].
+    // The heights: of this level of the mean pyramid; rounded (8) or cut off (-8) to 8 bits; decoded as sRGB values (1)
+    // or encoded (-1); then gain * h + lift, clamped to [0, 1].
     int mip = 0;
     int bits = 0;
+    int curve = 0;
     double gain = 1;
     double lift = 0;
     std::optional<Address> address;
@@ -75,8 +76,9 @@ class ModelFields {
         double scaleT = 1;
     };
     const Placed& of(const TracerModel& model);
+
   private:
-    using Key = std::tuple<int, int, double, double, Address>;
+    using Key = std::tuple<int, int, int, double, double, Address>;
     std::shared_ptr<const FloatImage> level(int mip);
 
     HeightField field_;

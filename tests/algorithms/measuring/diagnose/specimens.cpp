@@ -6,6 +6,7 @@
 
 #include "images/pyramid.h"
 #include "measuring/random_rays.h"
+#include "relief/files.h"
 #include "relief/reliefs.h"
 #include "relief/tracers.h"
 
@@ -54,10 +55,10 @@ std::vector<Specimen> made() {
     const auto add = [&](std::string name, std::function<void(Patient&)> infect, std::set<std::string> company = {}) {
         all.push_back({std::move(name), std::move(infect), std::move(company)});
     };
-    add("missed-spike", [](Patient& p) { layers(p, "layers-bisection", 24); });
-    add("stair-steps", [](Patient& p) { layers(p, "layers", 12); }, {"missed-spike", "no-refinement"});
+    add("missed-spike", [](Patient& p) { p.method = {"layers-bisection", {{"layers", "10"}, {"bisections", "20"}}}; });
+    add("stair-steps", [](Patient& p) { layers(p, "layers", 12); }, {"missed-spike"});
     add("no-refinement", [](Patient& p) { layers(p, "layers", 200); }, {"missed-spike"});
-    add("unsafe-map", [](Patient& p) { p.method = {"cone-dummer", {}}; });
+    add("unsafe-map", [](Patient& p) { p.method = {"cone-dummer", {}}; }, {"step-limit", "missed-spike"});
     add("swapped-axes", [](Patient& p) { std::swap(p.rays.a, p.rays.b); });
     add("direction-sign", [](Patient& p) {
         for (double& a : p.rays.a) a = -a;
@@ -98,10 +99,12 @@ std::vector<Specimen> made() {
     add("self-shadow-bias", [](Patient& p) {
         afterwards(p, [](HitBlock& hits, const RayBlock& rays) {
             for (std::size_t r = 0; r < hits.size(); ++r) {
-                if (hits.outcome[r] == Outcome::Hit) hits.set(r, Hit::at(rays[r], std::max(0.0, hits.lambda[r] - 0.01)));
+                if (hits.outcome[r] == Outcome::Hit)
+                    hits.set(r, Hit::at(rays[r], std::max(0.0, hits.lambda[r] - 0.01)));
             }
         });
     });
+    add("height-curve", [](Patient& p) { overHeights(p, [](float h) { return linearFromSrgb(h); }); });
     add("no-search", [](Patient& p) { p.method = {"offset", {}}; });
     return all;
 }
@@ -125,7 +128,9 @@ HeightField specimenField(const std::string& relief) {
             0.15};
 }
 
-RayBlock specimenRays(const HeightField& field, std::size_t count) { return randomRays(11, field, count, 20); }
+RayBlock specimenRays(const HeightField& field, std::size_t count) {
+    return randomRays(11, field, count, 12);
+}
 
 TracerRecord record(const std::vector<Specimen>& faults, const HeightField& field, const RayBlock& rays) {
     Patient patient{field.heights(), rays, field.address(), {"exact", {}}, field.slabTexels(), {}};

@@ -18,7 +18,7 @@ struct Patient {
     RayBlock rays;
     Address address = Address::Repeat;
     MethodChoice method{"exact", {}};
-    double slab = 0;  // thickness of the slab, texels
+    double slab = 0;                                         // thickness of the slab, texels
     std::function<void(HitBlock&, const RayBlock&)> answer;  // changes the answers
 };
 
@@ -32,7 +32,7 @@ struct Specimen {
 const std::vector<Specimen>& specimens();
 const Specimen& specimen(const std::string& name);
 
-// The map on which specimens are tried: "bricks" or "fractal", and "spikes" for those that need thin features.
+// The map on which specimens are tried: "bricks" or "fractal".
 HeightField specimenField(const std::string& relief);
 RayBlock specimenRays(const HeightField& field, std::size_t count);
 
