@@ -202,7 +202,7 @@ void addDiagnoseCommand(CLI::App& program, Commands& commands) {
         "one that makes most rays wrong first. A line begins with the name of the fault and holds the share of rays, "
         "the likely cause, the cure, and the worst ray. Faults: " +
             names +
-            ". A line that begins with unknown says how many rays are wrong for another reason. Answers up to 1/64 "
+            ". A line that begins with unknown says how many rays are wrong for another reason. Answers up to 1/32 "
             "texel off are right, and so are those that differ because the ray barely touches the surface.\n"
             "relief export rays writes rays of a view; the tracer writes its hits, in the order of the rays, with a "
             "header that begins with outcome,lambda (see relief trace).\n"
@@ -221,7 +221,7 @@ void addDiagnoseCommand(CLI::App& program, Commands& commands) {
     addText(*parser, "--steps", options->steps, "FILE.csv|json",
             "steps of some or all rays, as relief trace --steps writes them; without --hits, of all rays", "Tracer");
     addText(*parser, "--picture", options->picture, "FILE",
-            "picture of the errors: .png, .tif, .bmp or .exr. Grey: right; blue (1/64 texel) to red (64 texels and "
+            "picture of the errors: .png, .tif, .bmp or .exr. Grey: right; blue (1/32 texel) to red (64 texels and "
             "more): the error on a logarithmic scale; magenta: another outcome. Of the view, or, if it is not known, "
             "over the map, where the rays enter",
             "Output");
