@@ -44,4 +44,20 @@ std::vector<Chord> solidChords(const HeightField& field, const ViewRay& ray, dou
     return chords;
 }
 
+bool barelyTouches(const HeightField& field, const ViewRay& ray, const std::vector<Chord>& chords, const Hit& answer,
+                   double run) {
+    if (answer.outcome != Outcome::Hit && answer.outcome != Outcome::Miss) return false;
+    const double to = answer.outcome == Outcome::Hit ? answer.lambda : 1.0;
+    for (const Chord& chord : chords) {
+        if (std::abs(chord.in - to) * run <= kRightTexels) return true;
+        if (chord.in > to) return false;
+        if (chord.depth <= kTouchDepth) continue;
+        // Behind the way in, where the ray is nearly parallel to the surface.
+        constexpr double kNear = 0.125;  // texels
+        return answer.outcome == Outcome::Hit && to <= chord.out && (to - chord.in) * run <= kNear &&
+               SampledSurface(field, ray).gapAt(to) <= kTouchDepth / 4;
+    }
+    return false;
+}
+
 }  // namespace relief

@@ -7,6 +7,8 @@
 
 #include "base/parallel.h"
 #include "measuring/compare/duel.h"
+#include "measuring/diagnose/conventions.h"
+#include "measuring/diagnose/surface_match.h"
 #include "measuring/random_rays.h"
 #include "relief/tracers.h"
 #include "scenario/step_sentence.h"

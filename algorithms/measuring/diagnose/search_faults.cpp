@@ -23,10 +23,6 @@ constexpr std::array kUsualLayers{4,  5,  6,  8,  10, 12, 15, 16,  20,  24,  25,
                                   48, 50, 60, 64, 75, 80, 96, 100, 120, 128, 150, 192, 200, 256};
 // Deepest answer within the surface, lambda, of a search that stops behind it.
 constexpr double kDeepest = 0.13;
-// Error of lambda by sums in float, per step.
-constexpr double kFloatError = 2e-6;
-constexpr double kMostFloatError = 0.03;  // layers
-constexpr double kEnd = 1e-6;
 // An error of lambda that is not rounding.
 constexpr double kInexact = 2e-5;
 
@@ -479,44 +475,6 @@ class Search {
 };
 
 }  // namespace
-
-Lattice latticeOf(const AnsweredRays& given) {
-    std::vector<double> places;
-    for (const Hit& hit : given.answers) {
-        // The ends of the ray are multiples of every layer.
-        if (hit.outcome == Outcome::Hit && hit.lambda > kEnd && hit.lambda < 1 - kEnd) places.push_back(hit.lambda);
-    }
-    if (places.size() < 8) return {};
-    for (int n = 2; n <= kMostLayers; ++n) {
-        // The phase of most of the answers: that of one of some, which nearly all others share.
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double phase = k == 0 ? 0 : places[places.size() * k / 3] * n;
-            std::size_t on = 0;
-            for (const double place : places) {
-                const double at = place * n - phase;
-                if (std::abs(at - std::round(at)) <= std::min(kFloatError * n * n, kMostFloatError)) ++on;
-            }
-            if (on * 100 >= places.size() * 97) return {n, (phase - std::floor(phase)) / n};
-        }
-    }
-    return {};
-}
-
-bool barelyTouches(const HeightField& field, const ViewRay& ray, const std::vector<Chord>& chords, const Hit& answer,
-                   double run) {
-    if (answer.outcome != Outcome::Hit && answer.outcome != Outcome::Miss) return false;
-    const double to = answer.outcome == Outcome::Hit ? answer.lambda : 1.0;
-    for (const Chord& chord : chords) {
-        if (std::abs(chord.in - to) * run <= kRightTexels) return true;
-        if (chord.in > to) return false;
-        if (chord.depth <= kTouchDepth) continue;
-        // Behind the way in, where the ray is nearly parallel to the surface.
-        constexpr double kNear = 0.125;  // texels
-        return answer.outcome == Outcome::Hit && to <= chord.out && (to - chord.in) * run <= kNear &&
-               SampledSurface(field, ray).gapAt(to) <= kTouchDepth / 4;
-    }
-    return false;
-}
 
 std::vector<Explanation> explanations(const AnsweredRays& given, const SearchEvidence& evidence,
                                       const TracerModel& model, bool byShape, ModelFields& fields, Work& work) {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "measuring/diagnose/chords.h"
-#include "measuring/diagnose/surface_match.h"
+#include "measuring/diagnose/lattice.h"
+#include "measuring/diagnose/tracer_model.h"
 #include "relief/tracer.h"
 
 namespace relief {
@@ -29,24 +30,6 @@ struct Explanation {
     std::vector<ModelFault> searchFaults;
     bool loose = false;
 };
-
-// Largest error of a right answer, texels, and what barely touching means: the ray is nowhere deeper in the surface,
-// heights.
-inline constexpr double kRightTexels = 1.0 / 32;
-inline constexpr double kTouchDepth = 2e-4;
-
-// Returns true if an answer differs from the first hit only because the ray barely touches the surface that it passed,
-// or leaves it nearly parallel. chords: solidChords() of the ray; run: by which errors are measured, texels.
-bool barelyTouches(const HeightField& field, const ViewRay& ray, const std::vector<Chord>& chords, const Hit& answer,
-                   double run);
-
-// Returns the number of equal layers at which the answers lie, and by how much they lie behind them, lambda: the
-// answers of a search without refinement. layers: 0 if they lie at none.
-struct Lattice {
-    int layers = 0;
-    double phase = 0;
-};
-Lattice latticeOf(const AnsweredRays& given);
 
 // counts: steps of each ray, empty if they were not recorded. kinds: of each ray, the fault that its recorded steps
 // show; empty if there are none.

@@ -5,20 +5,10 @@
 
 #include <vector>
 
+#include "measuring/diagnose/answered_rays.h"
 #include "measuring/diagnose/tracer_model.h"
 
 namespace relief {
-
-// Rays with the answers of the tracer; at[r]: hits as given, with s and t if the file has them.
-struct AnsweredRays {
-    RayBlock rays;
-    std::vector<Hit> answers;
-
-    std::size_t size() const { return answers.size(); }
-};
-
-// Returns the models that extend `begin` by one fault that has no number, also with inverted heights.
-std::vector<TracerModel> singleFaults(const TracerModel& begin, const HeightField& field);
 
 // Returns at most `most` models of conventions, the likeliest first: those on whose surface the answers lie best, fewer
 // faults preferred. begin: the model that they all extend. late: how far behind the surface the answers lie on average,
