@@ -231,7 +231,7 @@ void addDiagnoseCommand(CLI::App& program, Commands& commands) {
             "Output");
     addFlag(*parser, "--json", options->json, "JSON instead of text", "Output");
     options->run.add(*parser);
-    commands.push_back({parser, [options](Session& session) { return runDiagnose(*options, session); }});
+    commands.push_back({parser, [options](Session& session) { return runDiagnose(*options, session); }, kUndecided});
 }
 
 }  // namespace relief::app
