@@ -32,8 +32,9 @@ struct Explanation {
 };
 
 // counts: steps of each ray, empty if they were not recorded. kinds: of each ray, the fault that its recorded steps
-// show; empty if there are none.
+// show; empty if there are none. lattice: latticeOf() the rays.
 struct SearchEvidence {
+    Lattice lattice;
     std::vector<std::uint32_t> counts;
     std::vector<std::optional<Fault>> kinds;
 };
