@@ -1,0 +1,45 @@
+// Tracers as shaders: a whole fragment shader in GLSL 4.5, or pixel shader in HLSL (shader model 5), with the options
+// of the tracer as constants.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "relief/describe.h"
+
+namespace relief {
+
+enum class ShaderLanguage : std::uint8_t { Glsl, Hlsl };
+// Throws InputError naming the option.
+ShaderLanguage parseShaderLanguage(std::string_view text, const std::string& option);
+std::string_view shaderLanguageName(ShaderLanguage language);
+
+// The numbers by which a map stores its cones: slope, in heights per texel; ratio, of the radius in texture widths to
+// the height; sqrt, the root of the ratio, which gives narrow cones more of 8 bits.
+enum class ConeUnits : std::uint8_t { Slope, Ratio, Sqrt };
+// Throws InputError naming the option.
+ConeUnits parseConeUnits(std::string_view text, const std::string& option);
+
+struct ShaderChoice {
+    MethodChoice method;
+    Address address = Address::Repeat;
+    ConeUnits coneUnits = ConeUnits::Slope;
+    ShaderLanguage language = ShaderLanguage::Glsl;
+};
+
+// The tracers that have a shader, and those of them that read a cone map.
+std::vector<std::string> shaderTracers();
+bool readsCones(const std::string& tracer);
+
+// Returns the shader. `made`: the program and its version, for the opening comment. The method must have been checked.
+// Throws InputError if the tracer has no shader, or not with these options, or if the language is missing in this
+// build.
+std::string shaderText(const ShaderChoice& choice, const std::string& made);
+
+// The line at which the shader's functions end and its inputs, outputs and main() begin: a test or another pass may put
+// its own in their place.
+inline constexpr std::string_view kShaderPixelPart = "// --- The pixel";
+
+}  // namespace relief
