@@ -63,6 +63,7 @@ struct Gl::Handles {
     EGLContext context = EGL_NO_CONTEXT;
     std::map<unsigned, GLuint> textures;
     GLuint uniforms = 0;
+    std::map<std::string, GLuint> passes;  // compute programs by their texts
 };
 
 std::unique_ptr<Gl> Gl::open(std::string& why) {
@@ -141,7 +142,9 @@ void Gl::setUniforms(const std::vector<float>& numbers) {
 }
 
 std::vector<float> Gl::compute(const std::string& text, const std::vector<float>& rays) {
-    const GLuint program = linked({compiled(GL_COMPUTE_SHADER, text)});
+    // Compiling takes longer than most passes.
+    GLuint& program = handles_->passes[text];
+    if (program == 0) program = linked({compiled(GL_COMPUTE_SHADER, text)});
     call<PFNGLUSEPROGRAMPROC>("glUseProgram")(program);
     std::array<GLuint, 2> buffers{buffer(GL_SHADER_STORAGE_BUFFER, 0, rays.size(), rays.data()),
                                   buffer(GL_SHADER_STORAGE_BUFFER, 1, rays.size(), nullptr)};
@@ -154,7 +157,6 @@ std::vector<float> Gl::compute(const std::string& text, const std::vector<float>
     call<PFNGLGETBUFFERSUBDATAPROC>("glGetBufferSubData")(
         GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(out.size() * sizeof(float)), out.data());
     call<PFNGLDELETEBUFFERSPROC>("glDeleteBuffers")(2, buffers.data());
-    call<PFNGLDELETEPROGRAMPROC>("glDeleteProgram")(program);
     return out;
 }
 

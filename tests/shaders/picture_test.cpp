@@ -20,7 +20,9 @@ const glm::dvec3 kLight(-0.6, 0.35, 0.5);
 class ShaderPicture : public ShaderTest {
   protected:
     Gl::Picture draw(const std::string& tracer, const ShaderUniforms& uniforms) {
-        const ShaderChoice choice{{tracer, {}}, Address::Border, {}, {}};
+        ShaderChoice choice;
+        choice.method.name = tracer;
+        choice.address = Address::Border;
         bindMaps(*gl_, choice, field_, uniforms, work_);
         // The colour of a place is the place.
         TextureData places{kSide, kSide, 1, 4, {{}}, true};

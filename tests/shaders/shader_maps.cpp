@@ -15,17 +15,27 @@ TextureData textureOf(const FloatImage& image) {
     return {image.width(), image.height(), 1, 1, {{image.pixels().begin(), image.pixels().end()}}, true};
 }
 
-// Heights in red and cones in green. units: as the map stores them.
-TextureData conesTexture(const FloatImage& heights, const ConeMap& cones, ConeUnits units, bool ofCells) {
+// The number that stands for a slope of heights per texel.
+float coneNumber(float slope, const ShaderChoice& choice, int width) {
+    if (choice.coneUnit == ShaderConeUnit::TexelSlope) return slope;
+    const double ratio = 1.0 / (std::max(static_cast<double>(slope), 1e-6) * width);
+    switch (choice.coneUnit) {
+        case ShaderConeUnit::Ratio:
+            return static_cast<float>(ratio / choice.coneScale);
+        case ShaderConeUnit::SqrtRatio:
+            return static_cast<float>(std::sqrt(ratio / choice.coneScale));
+        default:
+            return static_cast<float>(1 / (ratio * choice.coneScale));
+    }
+}
+
+// Heights, or apexes of cells, in red and cones in green.
+TextureData conesTexture(const ShaderChoice& choice, const FloatImage& heights, const ConeMap& cones, bool ofCells) {
     TextureData data{cones.nx(), cones.ny(), 1, 2, {{}}, !ofCells};
     for (int y = 0; y < cones.ny(); ++y) {
         for (int x = 0; x < cones.nx(); ++x) {
-            const float slope = cones.slopes(x, y, 0);
-            const double ratio = 1.0 / (std::max(static_cast<double>(slope), 1e-6) * heights.width());
             data.levels[0].push_back(ofCells ? cones.apex(x, y, 0) : heights(x, y));
-            data.levels[0].push_back(units == ConeUnits::Slope
-                                         ? slope
-                                         : static_cast<float>(units == ConeUnits::Ratio ? ratio : std::sqrt(ratio)));
+            data.levels[0].push_back(coneNumber(cones.slopes(x, y, 0), choice, heights.width()));
         }
     }
     return data;
@@ -68,16 +78,15 @@ TextureData distanceTexture(const DistanceMap& map) {
 void bindMaps(Gl& gl, const ShaderChoice& choice, const HeightField& field, const ShaderUniforms& uniforms,
               Work& work) {
     const std::string& tracer = choice.method.name;
-    float more = 1;
+    float more = 1 / static_cast<float>(field.width());  // distances in texels
     TextureData relief = textureOf(field.heights());
     if (tracer == "cone-dummer" || tracer == "relaxed-cone") {
         const ConeKind kind = tracer == "relaxed-cone" ? ConeKind::Relaxed : ConeKind::Dummer;
-        relief = conesTexture(field.heights(), buildConeMap(kind, {}, field, work), choice.coneUnits, false);
+        relief = conesTexture(choice, field.heights(), buildConeMap(kind, {}, field, work), false);
     } else if (tracer == "cone") {
-        gl.setTexture(3,
-                      conesTexture(field.heights(), buildConeMap(ConeKind::Conservative, {}, field, work),
-                                   choice.coneUnits, true),
-                      choice.address);
+        gl.setTexture(
+            3, conesTexture(choice, field.heights(), buildConeMap(ConeKind::Conservative, {}, field, work), true),
+            choice.address);
     } else if (tracer == "distance") {
         gl.setTexture(3, distanceTexture(buildDistanceMap(DistanceKind::Euclidean, {}, field, work)), choice.address);
     } else if (tracer == "max-pyramid") {

@@ -45,6 +45,15 @@ std::string computeText(const std::string& shader) {
     return shader.substr(0, pixel) + std::regex_replace(kCompute, std::regex("TRACE"), name[1].str());
 }
 
+// The shader that reads the method's own numbers.
+ShaderChoice shaderOf(const MethodChoice& method, Address address) {
+    ShaderChoice choice;
+    choice.method = method;
+    choice.address = address;
+    choice.coneUnit = ShaderConeUnit::TexelSlope;
+    return choice;
+}
+
 // What the comparison found.
 struct Differences {
     int rays = 0;
@@ -176,7 +185,7 @@ TEST_F(Shaders, HitWhereTheirMethodHits) {
                 const HeightField field(reliefs[n], Surface::Bilinear, address, 0.1);
                 const RayBlock rays = randomRays(n + 1, field, kRays, kLowest);
                 for (const MethodChoice& method : choicesOf(tracer)) {
-                    const Differences one = compare(*gl_, {method, address, {}, {}}, field, rays, maps_, work_);
+                    const Differences one = compare(*gl_, shaderOf(method, address), field, rays, maps_, work_);
                     EXPECT_EQ(one.unexplained(), 0) << tracer << " " << addressName(address) << " relief " << n;
                     EXPECT_LE(one.outcomes + one.hits, kMostDifferent * one.rays) << tracer << " relief " << n;
                     sum.add(one);
@@ -198,7 +207,7 @@ TEST_F(Shaders, HitWhereTheirMethodHitsAtGrazingAngles) {
     const HeightField field(share(makeRelief("spikes", 256, 200, 1)), Surface::Bilinear, Address::Repeat, 0.1);
     const RayBlock rays = randomRays(5, field, 2000, 1);
     for (const std::string& tracer : shaderTracers()) {
-        const Differences found = compare(*gl_, {{tracer, {}}, Address::Repeat, {}, {}}, field, rays, maps_, work_);
+        const Differences found = compare(*gl_, shaderOf({tracer, {}}, Address::Repeat), field, rays, maps_, work_);
         EXPECT_EQ(found.unexplained(), 0) << tracer;
         if (findTracer(tracer).guarantee == Guarantee::Exact) EXPECT_EQ(found.outcomes + found.hits, 0) << tracer;
         std::cout << tracer << ": " << found.text();
@@ -209,14 +218,17 @@ TEST_F(Shaders, HitWhereTheirMethodHitsAtGrazingAngles) {
 TEST_F(Shaders, ReadConesInEveryUnit) {
     const HeightField field(share(makeRelief("hills", 64, 64, 1)), Surface::Bilinear, Address::Repeat, 0.1);
     const RayBlock rays = randomRays(3, field, 1000, 20);
-    const auto steps = [&](ConeUnits units) {
-        const Differences found = compare(*gl_, {{"cone", {}}, Address::Repeat, units, {}}, field, rays, maps_, work_);
+    const auto steps = [&](ShaderConeUnit unit, double scale) {
+        ShaderChoice choice = shaderOf({"cone", {}}, Address::Repeat);
+        choice.coneUnit = unit;
+        choice.coneScale = scale;
+        const Differences found = compare(*gl_, choice, field, rays, maps_, work_);
         EXPECT_EQ(found.outcomes + found.hits, 0);
         return found.allSteps;
     };
-    const double bySlope = steps(ConeUnits::Slope);
-    for (const ConeUnits units : {ConeUnits::Ratio, ConeUnits::Sqrt}) {
-        EXPECT_NEAR(steps(units), bySlope, bySlope / 1000);
+    const double byTexels = steps(ShaderConeUnit::TexelSlope, 1);
+    for (const auto unit : {ShaderConeUnit::Ratio, ShaderConeUnit::SqrtRatio, ShaderConeUnit::Slope}) {
+        for (const double scale : {1.0, 0.25}) EXPECT_NEAR(steps(unit, scale), byTexels, byTexels / 1000);
     }
 }
 

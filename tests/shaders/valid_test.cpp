@@ -35,7 +35,13 @@ class ShaderText : public testing::Test {
 
 // The method with every option that the shader takes at another value than its default.
 ShaderChoice unusual(const std::string& tracer) {
-    ShaderChoice choice{{tracer, {}}, Address::Border, ConeUnits::Sqrt, {}};
+    ShaderChoice choice;
+    choice.method.name = tracer;
+    choice.address = Address::Border;
+    choice.white = ShaderWhite::Deep;
+    choice.coneUnit = ShaderConeUnit::SqrtRatio;
+    choice.coneLength = ShaderConeLength::Width;
+    choice.coneScale = 0.5;
     for (const OptionDescription& option : findTracer(tracer).options) {
         if (option.name == "layers" || option.name == "iterations") choice.method.options[option.name] = "37";
         if (option.name == "bisections") choice.method.options[option.name] = "5";
@@ -68,7 +74,10 @@ TEST_F(ShaderText, HoldsTheOptionsInBothLanguages) {
             choice.language = language;
             const std::string text = shaderText(choice, "test");
             EXPECT_NE(text.find("const int ADDRESS = 2;"), std::string::npos) << tracer;
-            EXPECT_EQ(text.find("const int CONE_UNITS = 2;") != std::string::npos, readsCones(tracer)) << tracer;
+            EXPECT_NE(text.find("const int WHITE = 1;"), std::string::npos) << tracer;
+            for (const char* constant : {"int CONE_UNIT = 1;", "int CONE_LENGTH = 1;", "float CONE_SCALE = 0.5;"}) {
+                EXPECT_EQ(text.find(constant) != std::string::npos, readsCones(tracer)) << tracer << constant;
+            }
             for (const auto& [name, value] : choice.method.options) {
                 std::string constant = name == "stop" ? "int STOP = 1" : name == "within" ? "float WITHIN = 0.25" : "";
                 for (const char* whole : {"layers", "iterations", "bisections"}) {

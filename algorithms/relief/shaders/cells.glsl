@@ -84,8 +84,8 @@ vec4 cornersOf(Node cell) {
     ivec2 low = cell.index - (ADDRESS == 0 ? 0 : 1);
     ivec2 texels = ivec2(relief.size);
     ivec2 a = wrapped(low, texels), b = wrapped(low + 1, texels);
-    return vec4(texelFetch(reliefMap, a, 0).r, texelFetch(reliefMap, ivec2(b.x, a.y), 0).r,
-                texelFetch(reliefMap, ivec2(a.x, b.y), 0).r, texelFetch(reliefMap, b, 0).r);
+    return vec4(heightOf(texelFetch(reliefMap, a, 0).r), heightOf(texelFetch(reliefMap, ivec2(b.x, a.y), 0).r),
+                heightOf(texelFetch(reliefMap, ivec2(a.x, b.y), 0).r), heightOf(texelFetch(reliefMap, b, 0).r));
 }
 
 float patchHeight(vec4 corners, vec2 place) {

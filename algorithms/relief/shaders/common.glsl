@@ -1,6 +1,6 @@
-//@header Heights: red of reliefMap, linear numbers (not sRGB) from 0 to 1; white is high, 1 is the polygon's plane, 0
-//@header the slab's floor. If white is deep in your map, return one minus the number in heightAt(), or invert the map;
-//@header cones, maxima and distances must be those of the heights. 8 bits give terraces; block compression destroys green.
+//@header Heights: red of reliefMap, linear numbers (not sRGB) from 0 to 1; height 1 is the polygon's plane, 0 the slab's
+//@header floor; the number is the height (WHITE 0), or one minus it (WHITE 1). 8 bits give terraces; block compression
+//@header destroys green.
 //@header Addressing: every sampler as ADDRESS says (0 repeat, 1 clamp, 2 clamp, too, and what lies outside is
 //@header discarded); maps must be built with the same addressing. Linear filter, no MIP levels, unless said otherwise.
 //@header Axes: texel (0, 0) is the picture's upper left one; v grows with its rows, downwards, as in Direct3D and Vulkan.
@@ -9,6 +9,7 @@
 //@header Depth: the hit's, by relief.depthOfDistance; x = (f / (f - n)), y = -f n / (f - n) for planes n and f and a
 //@header depth buffer from 0 to 1. Sides: relief.size in texels, relief.depth in texture widths; texels are square.
 const int ADDRESS = 0;  // relief outside the map: 0 repeat, 1 clamp, 2 border (clamp the samplers; the rest is discarded)
+const int WHITE = 0;    // what white means in reliefMap: 0 high, 1 deep
 
 layout(std140, binding = 0) uniform Relief {
     vec2 size;             // of the height map, texels
@@ -42,9 +43,13 @@ bool inside(vec2 place) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x <= relief.size.x && place.y <= relief.size.y;
 }
 
+float heightOf(float stored) {
+    return WHITE == 0 ? stored : 1.0 - stored;
+}
+
 // Explicit level: the derivatives that texture() takes are wrong within loops and at silhouettes.
 float heightAt(vec2 place) {
-    return textureLod(reliefMap, place / relief.size, 0.0).r;
+    return heightOf(textureLod(reliefMap, place / relief.size, 0.0).r);
 }
 
 // Surface minus ray, in heights: 0 or more where the ray has reached the surface.

@@ -1,6 +1,6 @@
 //@header coneMap, of each cell between four texel centres: red the height of the highest of 3 x 3 cells, on which the cone
 //@header stands, rounded up; green the cone. As many texels as cells: those of the height map, or one more on each axis unless
-//@header ADDRESS is 0. Not filtered.
+//@header ADDRESS is 0. Not filtered; relief map cone --pack R=apex,G=cone writes it.
 
 layout(binding = 3) uniform sampler2D coneMap;
 
@@ -8,7 +8,6 @@ layout(binding = 3) uniform sampler2D coneMap;
 // rounding.
 Hit traceCone(Ray viewRay) {
     CellRay ray = cellRay(viewRay);
-    float runLength = length(ray.run);
     float lambda = viewRay.from;
     if (!inside(placeAt(viewRay, lambda))) return Hit(false, lambda, 1);
     int most = int(abs(ray.run.x) + abs(ray.run.y)) + 6;
@@ -21,7 +20,7 @@ Hit traceCone(Ray viewRay) {
         float after = exit;
         if (1.0 - exit > cone.r) {
             // Until the ray meets the cone it can hit nothing.
-            after = exit + (1.0 - exit - cone.r) / (1.0 + coneSlope(cone.g) * runLength);
+            after = exit + (1.0 - exit - cone.r) / (1.0 + coneRise(cone.g, ray.run));
         } else {
             vec2 entries = entryDepths(ray, cell, 0);
             vec4 corners = cornersOf(cell);

@@ -1,11 +1,11 @@
 //@header distanceMap: distance from the centre of each voxel to the surface, in the metric of texels in which the slab is
-//@header depth * size.x thick; the stored number times relief.distanceScale. Layer 0 is at the slab's floor. Linear filter; the
+//@header depth * size.x thick; the stored number times relief.distanceScale is in texture widths. Layer 0 is at the slab's floor. Linear filter; the
 //@header third axis always clamped.
 const int ITERATIONS = 256;  // largest number of steps
 const int STOP = 0;          // 0 at the surface, 1 where the distance is below WITHIN, 2 after all steps
 const float WITHIN = 0.05;   // texels
 
-//@uniform     float distanceScale;   // texels per unit of distanceMap
+//@uniform     float distanceScale;   // texture widths per unit of distanceMap
 layout(binding = 3) uniform sampler3D distanceMap;
 
 // Sphere tracing, Donnelly 2005: each step advances by the distance to the surface.
@@ -27,7 +27,8 @@ Hit traceDistance(Ray ray) {
             above = lambda;
             gapAbove = gap;
         }
-        float clear = textureLod(distanceMap, vec3(place / relief.size, 1.0 - lambda), 0.0).r * relief.distanceScale;
+        float clear = textureLod(distanceMap, vec3(place / relief.size, 1.0 - lambda), 0.0).r;
+        clear *= relief.distanceScale * relief.size.x;
         if (STOP == 1 && clear < WITHIN) return Hit(true, lambda, n + 1);
         lambda = texelsPerLambda > 0.0 ? min(lambda + clear / texelsPerLambda, 1.0) : 1.0;
         if (!inside(placeAt(ray, lambda))) return Hit(false, lambda, n + 2);

@@ -20,7 +20,9 @@ constexpr FixedOption kFixed[]{{"cone", "layout", kStoredLayout},
                                {"max-pyramid", "base", "0"}};
 
 constexpr double kShadowBias = 0.01;  // that of main.glsl
-constexpr std::array kConeUnitNames{"slope", "ratio", "sqrt"};
+constexpr std::array kConeUnitNames{"ratio", "sqrt-ratio", "slope", "texel-slope"};
+constexpr std::array kConeLengthNames{"uv", "width"};
+constexpr std::array kWhiteNames{"high", "deep"};
 constexpr std::array kLanguageNames{"glsl", "hlsl"};
 
 // Returns the index of the name. Throws InputError.
@@ -70,6 +72,18 @@ const FixedOption* fixedOption(const std::string& tracer, const std::string& opt
     return found == std::end(kFixed) ? nullptr : found;
 }
 
+// The value of an option. Throws InputError if the shader does not exist for it.
+std::string checkedValue(const MethodChoice& choice, const MethodDescription& method, const std::string& option) {
+    const auto given = choice.options.find(option);
+    const bool isGiven = given != choice.options.end();
+    const FixedOption* fixed = fixedOption(choice.name, option);
+    if (fixed == nullptr) return isGiven ? given->second : method.defaults.at(option);
+    std::string value(fixed->value);
+    if (!isGiven || given->second == value) return value;
+    throw InputError("--set " + option, Message(MessageId::ShaderOptionFixed,
+                                                {{"method", choice.name}, {"option", option}, {"value", value}}));
+}
+
 const ShaderText& findShader(const ShaderChoice& choice) {
     const std::vector<ShaderText>& all = shaderTexts();
     const std::string& name = choice.method.name;
@@ -94,8 +108,16 @@ std::string_view shaderLanguageName(ShaderLanguage language) {
     return kLanguageNames[static_cast<std::size_t>(language)];
 }
 
-ConeUnits parseConeUnits(std::string_view text, const std::string& option) {
-    return static_cast<ConeUnits>(indexOf(kConeUnitNames, text, MessageId::WordConeUnits, option));
+ShaderConeUnit parseShaderConeUnit(std::string_view text, const std::string& option) {
+    return static_cast<ShaderConeUnit>(indexOf(kConeUnitNames, text, MessageId::WordValue, option));
+}
+
+ShaderConeLength parseShaderConeLength(std::string_view text, const std::string& option) {
+    return static_cast<ShaderConeLength>(indexOf(kConeLengthNames, text, MessageId::WordValue, option));
+}
+
+ShaderWhite parseShaderWhite(std::string_view text, const std::string& option) {
+    return static_cast<ShaderWhite>(indexOf(kWhiteNames, text, MessageId::WordValue, option));
 }
 
 std::vector<std::string> shaderTracers() {
@@ -106,44 +128,38 @@ std::vector<std::string> shaderTracers() {
 
 bool readsCones(const std::string& tracer) {
     return std::ranges::any_of(shaderTexts(), [&](const ShaderText& one) {
-        return one.tracer == tracer && one.glsl.find("CONE_UNITS") != std::string::npos;
+        return one.tracer == tracer && one.glsl.find("CONE_UNIT") != std::string::npos;
     });
 }
 
 std::string shaderText(const ShaderChoice& choice, const std::string& made) {
     const ShaderText& shader = findShader(choice);
-    const std::string& tracer = shader.tracer;
-    const MethodDescription& method = findTracer(tracer);
+    const MethodDescription& method = findTracer(shader.tracer);
     std::string text = choice.language == ShaderLanguage::Glsl ? shader.glsl : shader.hlsl;
-    std::string command = "relief export shader --tracer " + tracer;
+    std::string command = "relief export shader --tracer " + shader.tracer;
     std::string ofMap;
     for (const OptionDescription& option : method.options) {
-        const auto given = choice.method.options.find(option.name);
-        std::string value = given == choice.method.options.end() ? method.defaults.at(option.name) : given->second;
-        if (const FixedOption* fixed = fixedOption(tracer, option.name)) {
-            if (given != choice.method.options.end() && value != fixed->value) {
-                throw InputError(
-                    "--set " + option.name,
-                    Message(MessageId::ShaderOptionFixed,
-                            {{"method", tracer}, {"option", option.name}, {"value", std::string(fixed->value)}}));
-            }
-            value = fixed->value;
-        }
-        if (given != choice.method.options.end()) command += " --set " + option.name + "=" + value;
+        const std::string value = checkedValue(choice.method, method, option.name);
+        if (choice.method.options.contains(option.name)) command += " --set " + option.name + "=" + value;
         if (setConstant(text, upperCase(option.name), constantOf(option, value))) continue;
         ofMap += (ofMap.empty() ? "" : ", ") + option.name + "=" + value;
     }
     // The hit of layers lies up to one layer behind the surface, which must not shadow it.
-    if (tracer == "layers") {
-        const auto given = choice.method.options.find("layers");
-        const std::string& layers = given == choice.method.options.end() ? method.defaults.at("layers") : given->second;
-        setConstant(text, "SHADOW_BIAS", numberText(std::max(kShadowBias, 1 / parseNumber(layers, "layers"))));
+    if (shader.tracer == "layers") {
+        const double layers = parseNumber(checkedValue(choice.method, method, "layers"), "layers");
+        setConstant(text, "SHADOW_BIAS", numberText(std::max(kShadowBias, 1 / layers)));
     }
-    setConstant(text, "ADDRESS", std::to_string(static_cast<int>(choice.address)));
-    command += " --address " + std::string(addressName(choice.address));
-    if (setConstant(text, "CONE_UNITS", std::to_string(static_cast<int>(choice.coneUnits)))) {
-        command += " --cone-units " + std::string(kConeUnitNames[static_cast<std::size_t>(choice.coneUnits)]);
-    }
+    const auto set = [&](const char* constant, const char* option, std::size_t index, std::string_view name) {
+        if (setConstant(text, constant, std::to_string(index))) command += std::string(option) + std::string(name);
+    };
+    const auto unit = static_cast<std::size_t>(choice.coneUnit), length = static_cast<std::size_t>(choice.coneLength);
+    const auto white = static_cast<std::size_t>(choice.white);
+    set("ADDRESS", " --address ", static_cast<std::size_t>(choice.address), addressName(choice.address));
+    set("WHITE", " --white ", white, kWhiteNames[white]);
+    set("CONE_UNIT", " --unit ", unit, kConeUnitNames[unit]);
+    set("CONE_LENGTH", " --length ", length, kConeLengthNames[length]);
+    const std::string scale = numberText(choice.coneScale);
+    if (setConstant(text, "CONE_SCALE", scale)) command += " --cone-scale " + scale;
     command += " --lang " + std::string(shaderLanguageName(choice.language));
     std::string opening = "// " + method.title + " (" + method.source + "): " + method.help + "\n// Made by " + made +
                           ": " + command + "\n//\n" + shader.header;

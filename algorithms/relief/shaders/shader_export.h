@@ -16,17 +16,27 @@ enum class ShaderLanguage : std::uint8_t { Glsl, Hlsl };
 ShaderLanguage parseShaderLanguage(std::string_view text, const std::string& option);
 std::string_view shaderLanguageName(ShaderLanguage language);
 
-// The numbers by which a map stores its cones: slope, in heights per texel; ratio, of the radius in texture widths to
-// the height; sqrt, the root of the ratio, which gives narrow cones more of 8 bits.
-enum class ConeUnits : std::uint8_t { Slope, Ratio, Sqrt };
-// Throws InputError naming the option.
-ConeUnits parseConeUnits(std::string_view text, const std::string& option);
+// How a map stores its cones; as in `relief map` for engines. Ratio: radius per height; SqrtRatio: its root, which
+// gives narrow cones more of 8 bits; Slope: one over the ratio; TexelSlope: heights per texel, as the maps that tracers
+// read.
+enum class ShaderConeUnit : std::uint8_t { Ratio, SqrtRatio, Slope, TexelSlope };
+// The unit of length of ratio and slope: texture coordinates, or texture widths on both axes.
+enum class ShaderConeLength : std::uint8_t { Uv, Width };
+// What white means in a height map.
+enum class ShaderWhite : std::uint8_t { High, Deep };
+// Throw InputError naming the option.
+ShaderConeUnit parseShaderConeUnit(std::string_view text, const std::string& option);
+ShaderConeLength parseShaderConeLength(std::string_view text, const std::string& option);
+ShaderWhite parseShaderWhite(std::string_view text, const std::string& option);
 
 struct ShaderChoice {
     MethodChoice method;
     Address address = Address::Repeat;
-    ConeUnits coneUnits = ConeUnits::Slope;
     ShaderLanguage language = ShaderLanguage::Glsl;
+    ShaderWhite white = ShaderWhite::High;
+    ShaderConeUnit coneUnit = ShaderConeUnit::Ratio;
+    ShaderConeLength coneLength = ShaderConeLength::Uv;
+    double coneScale = 1;
 };
 
 // The tracers that have a shader, and those of them that read a cone map.
