@@ -22,7 +22,7 @@ void refuseCones(const std::string& tracer, const std::string& option) {
 }
 
 int runShader(const ShaderOptions& options, const ExportOptions& given, Session& session) {
-    const Scenario scenario = given.scenario.scenario();
+    const Scenario scenario = given.scenario.withoutHeights();
     ShaderChoice choice;
     choice.method = scenario.method;
     choice.address = scenario.address;
