@@ -140,6 +140,9 @@ TEST_F(ShaderPicture, ShowsThePlaceSilhouetteAndDepthOfTheHit) {
 
 // The level of the colours is that of the polygon's smooth derivatives, at the distance of the hit.
 TEST_F(ShaderPicture, ColoursAreSampledByTheDerivativesOfThePolygon) {
+    // So deep that hits are up to three times as far as the polygon.
+    field_ = HeightField(share(makeRelief("bricks", kSide, kSide, 1)), Surface::Bilinear, Address::Border, 2);
+    exact_ = makeTracer({"exact", {}}, field_, maps_, work_);
     constexpr int kColors = 512;
     const Gl::Picture picture = draw("max-pyramid", {1, 0, 1, -0.1F}, levels(kColors));
     int compared = 0, wrong = 0;

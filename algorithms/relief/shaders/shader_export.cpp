@@ -161,8 +161,8 @@ std::string shaderText(const ShaderChoice& choice, const std::string& made) {
     const std::string scale = numberText(choice.coneScale);
     if (setConstant(text, "CONE_SCALE", scale)) command += " --cone-scale " + scale;
     command += " --lang " + std::string(shaderLanguageName(choice.language));
-    std::string opening = "// " + method.title + " (" + method.source + "): " + method.help + "\n// Made by " + made +
-                          ": " + command + "\n//\n" + shader.header;
+    std::string opening = "// " + shader.tracer + ", " + method.title + " (" + method.source + "): " + method.help +
+                          "\n// Made by " + made + ": " + command + "\n//\n" + shader.header;
     if (!method.maps.empty()) {
         opening += "// Map: relief map " + method.maps.front() + (ofMap.empty() ? "" : " with " + ofMap) + ".\n";
     }
