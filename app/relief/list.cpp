@@ -4,6 +4,7 @@
 
 #include "filtering/filters/filter_choice.h"
 #include "help_formatter.h"
+#include "map_engine.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/maps/pyramid_files.h"
@@ -141,6 +142,15 @@ Json listJson() {
     }
     for (const std::string& kind : mapKinds()) json["maps"].push_back({{"name", kind}, {"tracer", methodOfMap(kind)}});
     for (const std::string& kind : pyramidMapKinds()) json["maps"].push_back({{"name", kind}});
+    for (const std::string& kind : engineOnlyKinds()) json["maps"].push_back({{"name", kind}});
+    for (const NamedConvention& one : namedConventions()) {
+        const EngineConventions& c = one.conventions;
+        json["conventions"].push_back({{"name", one.name},
+                                       {"help", one.summary},
+                                       {"pack", enginePackText(c.channels)},
+                                       {"unit", coneUnitName(c.cone.unit)},
+                                       {"relaxed", c.relaxed}});
+    }
     json["layers"] = layerNames();
     return json;
 }
@@ -256,7 +266,18 @@ std::vector<Section> sections() {
     for (const std::string& kind : pyramidMapKinds()) {
         maps.entries.emplace_back(kind, entry(kind, "for other programs, as a picture with MIP levels", 2, 24));
     }
+    for (const std::string& kind : engineOnlyKinds()) {
+        maps.entries.emplace_back(kind, entry(kind, "for engines only, as a picture (-o FILE.png)", 2, 24));
+    }
     all.push_back(std::move(maps));
+    Section conventions{"conventions",
+                        "conventions",
+                        "Conventions of maps for engines (relief map, relief certify --convention NAME)",
+                        {}};
+    for (const NamedConvention& one : namedConventions()) {
+        conventions.entries.emplace_back(one.name, entry(one.name, one.summary, 2, 24));
+    }
+    all.push_back(std::move(conventions));
     Section rows{"rows",
                  "rows",
                  "Row methods: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)",

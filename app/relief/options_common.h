@@ -149,6 +149,11 @@ class ScenarioOptions {
     // the map was built with. follow: if neither --tracer nor a scenario file is given, selects the tracer that uses
     // such maps.
     void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work, bool follow = false) const;
+    // The file of --map.
+    const OptionText& map() const { return map_; }
+    bool tracerGiven() const { return tracer_.has_value(); }
+    // Sets those of --surface, --address and --relief-depth that were given.
+    void applyRelief(Surface& surface, Address& address, double& reliefDepth) const;
     // Returns " --map FILE" as it was given, quoted for a shell; empty without it.
     std::string mapArgument() const;
     // Returns a hash of the stored map's file; empty without --map. Throws InputError.
@@ -160,6 +165,7 @@ class ScenarioOptions {
     void addView(CLI::App& parser, OptionGroups groups);
     void applyPictures(Scenario& scenario) const;
     void applyMethod(Scenario& scenario) const;
+    void applyRelief(Scenario& scenario) const;
     void applyTracer(MethodChoice& method) const;
     void applyFilter(Scenario& scenario) const;
     void applyView(Scenario& scenario) const;

@@ -271,6 +271,14 @@ void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, Map
     scenario.method = useMap(*map_, map, scenario.method, field, maps);
 }
 
+void ScenarioOptions::applyRelief(Surface& surface, Address& address, double& reliefDepth) const {
+    Scenario scenario;
+    applyRelief(scenario);
+    if (surface_) surface = scenario.surface;
+    if (address_) address = scenario.address;
+    if (reliefDepth_) reliefDepth = scenario.reliefDepth;
+}
+
 std::string ScenarioOptions::mapArgument() const {
     if (!map_) return {};
     std::string quoted;
@@ -328,13 +336,17 @@ void ScenarioOptions::applyMethod(Scenario& scenario) const {
     applyTracer(scenario.method);
     applySettings(scenario.method.options, settings_, "--set", "layers=64");
     if (!settings_.empty()) checkMethod(scenario.method, "--set");
+    applyRelief(scenario);
+    applyFilter(scenario);
+}
+
+void ScenarioOptions::applyRelief(Scenario& scenario) const {
     if (reliefDepth_) {
         const std::string option = "--relief-depth";
         setScenarioNumber(scenario, "relief-depth", parseNumber(*reliefDepth_, option), option);
     }
     if (address_) scenario.address = parseAddress(*address_);
     if (surface_) scenario.surface = parseSurface(*surface_);
-    applyFilter(scenario);
 }
 
 void ScenarioOptions::applyFilter(Scenario& scenario) const {
