@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <regex>
 
 #include "images/pyramid.h"
 #include "relief/maps/cone_map.h"
@@ -41,28 +42,6 @@ TextureData conesTexture(const ShaderChoice& choice, const FloatImage& heights, 
     return data;
 }
 
-// The levels of maxima in a texture whose sides are multiples of its smallest level's texels.
-TextureData pyramidTexture(const Pyramid& pyramid) {
-    const int step = 1 << (pyramid.levels() - 1);
-    const FloatImage& base = pyramid.level(0);
-    TextureData data{
-        (base.width() + step - 1) / step * step, (base.height() + step - 1) / step * step, 1, 1, {}, false};
-    for (int l = 0; l < pyramid.levels(); ++l) {
-        const FloatImage& level = pyramid.level(l);
-        const int width = data.width >> l, height = data.height >> l;
-        // What must not be read is a wall that would stop every ray.
-        std::vector<float>& texels =
-            data.levels.emplace_back(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 9.0F);
-        for (int y = 0; y < level.height(); ++y) {
-            for (int x = 0; x < level.width(); ++x) {
-                texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
-                    level(x, y);
-            }
-        }
-    }
-    return data;
-}
-
 TextureData distanceTexture(const DistanceMap& map) {
     TextureData data{map.nx(), map.ny(), map.layers(), 1, {{}}, true};
     for (int k = 0; k < map.layers(); ++k) {
@@ -74,6 +53,44 @@ TextureData distanceTexture(const DistanceMap& map) {
 }
 
 }  // namespace
+
+// The levels in a texture whose sides are multiples of the smallest level's texels.
+TextureData levelsTexture(const std::vector<FloatImage>& levels) {
+    const int step = 1 << (levels.size() - 1);
+    const int width = levels[0].width(), height = levels[0].height();
+    TextureData data{(width + step - 1) / step * step, (height + step - 1) / step * step, 1, 1, {}, false};
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        const FloatImage& level = levels[l];
+        const auto row = static_cast<std::size_t>(data.width >> l);
+        // What must not be read is a wall that would stop every ray.
+        std::vector<float>& texels = data.levels.emplace_back(row * static_cast<std::size_t>(data.height >> l), 9.0F);
+        for (int y = 0; y < level.height(); ++y) {
+            for (int x = 0; x < level.width(); ++x) {
+                texels[static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x)] = level(x, y);
+            }
+        }
+    }
+    return data;
+}
+
+std::string computeText(const std::string& shader) {
+    const std::string kCompute = R"(
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Rays { vec4 rays[]; };
+layout(std430, binding = 1) writeonly buffer Hits { vec4 hits[]; };
+void main() {
+    uint n = gl_GlobalInvocationID.x;
+    if (n >= rays.length()) return;
+    Hit hit = TRACE(Ray(rays[n].xy, rays[n].zw, 0.0));
+    hits[n] = vec4(hit.found ? 1.0 : 0.0, hit.lambda, float(hit.steps), 0.0);
+}
+)";
+    std::smatch name;
+    EXPECT_TRUE(std::regex_search(shader, name, std::regex("Hit (trace\\w+)\\(Ray")));
+    const std::size_t pixel = shader.find(kShaderPixelPart);
+    EXPECT_NE(pixel, std::string::npos);
+    return shader.substr(0, pixel) + std::regex_replace(kCompute, std::regex("TRACE"), name[1].str());
+}
 
 void bindMaps(Gl& gl, const ShaderChoice& choice, const HeightField& field, const ShaderUniforms& uniforms,
               Work& work) {
@@ -91,9 +108,11 @@ void bindMaps(Gl& gl, const ShaderChoice& choice, const HeightField& field, cons
         gl.setTexture(3, distanceTexture(buildDistanceMap(DistanceKind::Euclidean, {}, field, work)), choice.address);
     } else if (tracer == "max-pyramid") {
         const Pyramid pyramid(PyramidKind::Max, field.heights(), work);
-        gl.setTexture(3, pyramidTexture(pyramid), choice.address);
-        const std::int32_t levels = pyramid.levels();
-        more = std::bit_cast<float>(levels);
+        std::vector<FloatImage> levels;
+        for (int l = 0; l < pyramid.levels(); ++l) levels.push_back(pyramid.level(l));
+        gl.setTexture(3, levelsTexture(levels), choice.address);
+        const std::int32_t count = pyramid.levels();
+        more = std::bit_cast<float>(count);
     }
     gl.setTexture(1, relief, choice.address);
     // std140: vec2 size, depth, ambient; intensity, a gap, vec2 depthOfDistance; the tracer's own.

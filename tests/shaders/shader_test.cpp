@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <regex>
 
 #include <gtest/gtest.h>
 
@@ -23,27 +22,6 @@ constexpr double kNearRay = 1.0 / 1024;  // texels
 constexpr double kMostDifferent = 0.01;  // share of the rays
 
 class Shaders : public ShaderTest {};
-
-const std::string kCompute = R"(
-layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Rays { vec4 rays[]; };
-layout(std430, binding = 1) writeonly buffer Hits { vec4 hits[]; };
-void main() {
-    uint n = gl_GlobalInvocationID.x;
-    if (n >= rays.length()) return;
-    Hit hit = TRACE(Ray(rays[n].xy, rays[n].zw, 0.0));
-    hits[n] = vec4(hit.found ? 1.0 : 0.0, hit.lambda, float(hit.steps), 0.0);
-}
-)";
-
-// The exported text with a compute pass in place of the pixel's part.
-std::string computeText(const std::string& shader) {
-    std::smatch name;
-    EXPECT_TRUE(std::regex_search(shader, name, std::regex("Hit (trace\\w+)\\(Ray")));
-    const std::size_t pixel = shader.find(kShaderPixelPart);
-    EXPECT_NE(pixel, std::string::npos);
-    return shader.substr(0, pixel) + std::regex_replace(kCompute, std::regex("TRACE"), name[1].str());
-}
 
 // The shader that reads the method's own numbers.
 ShaderChoice shaderOf(const MethodChoice& method, Address address) {
