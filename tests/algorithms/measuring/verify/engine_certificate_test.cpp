@@ -133,6 +133,21 @@ TEST(EngineCertificate, AlteredCodesAreFound) {
     EXPECT_GT(refuted.worst, 0.01);
 }
 
+// Beside a spike of height 1 the surface rises by the square root of 2 per texel along the diagonal, more than towards
+// any texel.
+TEST(EngineCertificate, TheSlopeOfTheSurfaceItselfIsABound) {
+    const HeightField field = spike(32, 24);
+    EngineMap map = cones(field, conventions(16, ConeUnit::Ratio));
+    for (int y = 11; y <= 13; ++y) {
+        for (int x = 15; x <= 17; ++x) map.levels[0].channels[1](x, y) = nearestCode(1 / (1.2 * 32), 16);
+    }
+    const EngineConeCertificate found = certified(map, field, withRays(0));
+    EXPECT_EQ(found.texelsInCones, 0U);
+    EXPECT_EQ(found.bounds->open, 16U) << "the cells of those texels";
+    EXPECT_NEAR(found.bounds->first->needed, std::sqrt(2), 1e-6);
+    EXPECT_FALSE(found.proven());
+}
+
 TEST(EngineCertificate, ConesWithoutWidthAreCounted) {
     const HeightField field = spike(300, 5);
     const EngineConeCertificate found = certified(cones(field, conventions(8, ConeUnit::Ratio)), field, withRays(10));
