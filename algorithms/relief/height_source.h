@@ -2,6 +2,8 @@
 // read by tiles: a source is a FloatImage or TileSource.
 #pragma once
 
+#include <array>
+
 #include "images/tiled_heights.h"
 #include "relief/height_field.h"
 
@@ -11,6 +13,7 @@ namespace relief {
 struct TileSource {
     const TiledHeights& tiles;
     float operator()(int i, int j) const { return tiles.height(i, j); }
+    std::array<float, 4> corners(int i0, int i1, int j0, int j1) const { return tiles.corners(i0, i1, j0, j1); }
 };
 
 // Returns use(source) for the field's heights.
