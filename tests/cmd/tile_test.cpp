@@ -55,7 +55,7 @@ TEST_P(TileTest, MakeWritesTheSameFile) {
     EXPECT_EQ(wide.at("type"), "uint16");
     expectRefusal({"make", "hills", "--tiled", "-o", path("a.png")}, 2, {"a.png", "tif"});
     expectRefusal({"make", "hills", "--resume", "-o", path("a.png")}, 2, {"--resume", "--tiled"});
-    expectRefusal({"make", "drawn:2x2:0,1;1,0", "--tiled", "-o", path("a.tif")}, 2, {"--tiled"});
+    expectRefusal({"make", "drawn:2x2:0,1,1,0", "--tiled", "-o", path("a.tif")}, 2, {"--tiled"});
     EXPECT_EQ(files(), (std::vector<std::string>{"hills.png", "made.tif", "tiled.tif", "wide.tif"}));
 }
 

@@ -20,6 +20,8 @@ constexpr int kBeyond = 24;
 constexpr double kLeastRun = 1e-3, kMostRun = 65536;
 // Heights per cell; faster light clears every cell at once.
 constexpr double kMostRise = 4;
+// Steps of stored heights below which the map is flat: far below the margins.
+constexpr double kLeastUnit = 1e-20;
 // No bound.
 constexpr float kNone = -1;
 // Steps of the stored heights.
@@ -82,92 +84,108 @@ HorizonBounds::HorizonBounds(const HeightField& field, glm::dvec2 run, Work& wor
 
 // The rows of heights of a block of lines, and the state of a run of strips.
 struct HorizonBounds::Strips {
-    explicit Strips(int count, float outside)
-        : upper(static_cast<std::size_t>(count + kBeyond), outside),
+    Strips(int first, int count, float outside)
+        : first(first),
+          count(count),
+          upper(static_cast<std::size_t>(count + kBeyond), outside),
           lower(upper.size(), kNone),
           steep(3 * upper.size()),
           out(upper.size()) {}
 
+    int first, count;  // strips by their place on line 0
     std::vector<float> upper, lower, steep;
     std::vector<std::uint32_t> out;
+    // Row k holds the heights on line firstLine + k, from place firstPlace on.
+    int firstLine = 0, firstPlace = 0, across = 0;
     std::vector<float> rows;
     std::vector<int> texels;
+
+    void read(const HorizonBounds& bounds, int begin, int end);
+    const float* row(int line, int place) const {
+        return rows.data() + std::ptrdiff_t{line - firstLine} * across + (place - firstPlace);
+    }
 };
 
+// Transposes, mirrors and repeats the heights on the lines begin - 1 to end as the map needs them.
+void HorizonBounds::Strips::read(const HorizonBounds& bounds, int begin, int end) {
+    const Frame& f = bounds.frame_;
+    const auto width = static_cast<std::size_t>(bounds.field_.width());
+    const float* const heights = bounds.field_.heights().data();
+    const int lines = end - begin + 2;
+    firstLine = begin - 1, firstPlace = first + f.shift(begin);
+    across = count + f.shift(end) - f.shift(begin) + kBeyond;
+    rows.resize(static_cast<std::size_t>(lines) * static_cast<std::size_t>(across));
+    texels.resize(static_cast<std::size_t>(lines));
+    for (int k = 0; k < lines; ++k) texels[static_cast<std::size_t>(k)] = f.texelX(firstLine + k);
+    for (int c = 0; c < across; ++c) {
+        const auto other = static_cast<std::size_t>(f.texelY(firstPlace + c));
+        const float* const from = heights + (f.swapped ? other : other * width);
+        float* to = rows.data() + c;
+        for (const int texel : texels) {
+            *to = from[static_cast<std::size_t>(texel) * (f.swapped ? width : 1)];
+            to += across;
+        }
+    }
+}
+
+// Sweeps the strips that begin at the places first to last - 1 of line 0, against the light.
 void HorizonBounds::sweep(int first, int last) {
     const Frame& f = frame_;
-    const int count = last - first;
-    Strips strips(count, outside_);
-    const auto shiftOf = [&](int l) { return static_cast<int>(std::floor(f.slope * l)); };
-    const auto width = static_cast<std::size_t>(field_.width());
-    const float* const heights = field_.heights().data();
+    Strips strips(first, last - first, outside_);
     const bool border = field_.address() == Address::Border;
     // Directed away from what is close: the upper bound sinks too slowly, the lower one too fast.
     const float rise = static_cast<float>(std::min(f.rise, kMostRise));
     const float step = kHorizonStep * std::max(1.0F, rise);
+    float* const steep = strips.steep.data();
+    const std::size_t room = strips.upper.size();
     for (int end = f.nx + leadIn_; end > 0; end -= kBlock) {
-        const int begin = std::max(end - kBlock, 0), rows = end - begin + 2;
-        // The rows of the lines begin - 1 to end.
-        const int low = first + shiftOf(begin), across = count + shiftOf(end) - shiftOf(begin) + kBeyond;
-        strips.rows.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(across));
-        strips.texels.resize(static_cast<std::size_t>(rows));
-        for (int k = 0; k < rows; ++k) strips.texels[static_cast<std::size_t>(k)] = f.texelX(begin - 1 + k);
-        for (int c = 0; c < across; ++c) {
-            const auto other = static_cast<std::size_t>(f.texelY(low + c));
-            const float* const from = heights + (f.swapped ? other : other * width);
-            float* to = strips.rows.data() + c;
-            for (const int texel : strips.texels) {
-                *to = from[static_cast<std::size_t>(texel) * (f.swapped ? width : 1)];
-                to += across;
-            }
-        }
+        const int begin = std::max(end - kBlock, 0);
+        strips.read(*this, begin, end);
         for (int l = end - 1; l >= begin; --l) {
-            const int shift = shiftOf(l);
-            const float* const near =
-                strips.rows.data() + std::ptrdiff_t{l - begin + 1} * across + (first + shift - low);
-            const double fraction = f.slope * l - shift;
-            HorizonLine line{near,
-                             f.columns ? near - across : near + across,
-                             {strips.steep.data(), strips.steep.data() + strips.upper.size(),
-                              strips.steep.data() + 2 * strips.upper.size()},
-                             strips.upper.data(),
-                             strips.lower.data(),
-                             strips.out.data(),
-                             static_cast<std::size_t>(count),
-                             static_cast<float>(fraction),
-                             static_cast<float>(f.slope),
-                             rise,
-                             rise - step,
-                             rise + step,
-                             f.columns,
-                             fraction + f.slope > 0,
-                             fraction + f.slope > 1,
-                             static_cast<float>(lowest_),
-                             unit_ > 0 ? static_cast<float>(1 / unit_) : 0.0F};
-            sweepHorizonLine(line);
-            if (border) {
+            const int place = first + f.shift(l);
+            const double fraction = f.slope * l - f.shift(l);
+            sweepHorizonLine({strips.row(l, place),
+                              strips.row(f.columns ? l - 1 : l + 1, place),
+                              {steep, steep + room, steep + 2 * room},
+                              strips.upper.data(),
+                              strips.lower.data(),
+                              strips.out.data(),
+                              static_cast<std::size_t>(strips.count),
+                              static_cast<float>(fraction),
+                              static_cast<float>(f.slope),
+                              rise,
+                              rise - step,
+                              rise + step,
+                              f.columns,
+                              fraction + f.slope > 0,
+                              fraction + f.slope > 1,
+                              static_cast<float>(lowest_),
+                              unit_ > kLeastUnit ? static_cast<float>(1 / unit_) : 0.0F});
+            for (int k = 0; border && k < strips.count; ++k) {
                 // Strips that lie partly outside the picture.
-                for (int k = 0; k < count; ++k) {
-                    const int c = first + k + shift;
-                    if (c >= 1 && c <= f.ny - 3) continue;
-                    strips.lower[static_cast<std::size_t>(k)] = kNone;
-                    strips.out[static_cast<std::size_t>(k)] &= 0xffff0000U;
-                }
+                if (place + k >= 1 && place + k <= f.ny - 3) continue;
+                strips.lower[static_cast<std::size_t>(k)] = kNone;
+                strips.out[static_cast<std::size_t>(k)] &= 0xffff0000U;
             }
-            if (l > f.nx) continue;
-            for (int k = 0; k < count;) {
-                const int c = first + k + shift;
-                if (!f.wraps) {
-                    if (c >= -1 && c <= f.ny) entries_[f.entry(l, c)] = strips.out[static_cast<std::size_t>(k)];
-                    ++k;
-                    continue;
-                }
-                const int within = c % f.ny, more = std::min(count - k, f.ny - within);
-                std::copy_n(strips.out.begin() + k, more,
-                            entries_.begin() + static_cast<std::ptrdiff_t>(f.entry(l, within)));
-                k += more;
-            }
+            if (l <= f.nx) store(l, place, {strips.out.data(), static_cast<std::size_t>(strips.count)});
         }
+    }
+}
+
+// Stores the entries of the strips from `place` on line l on.
+void HorizonBounds::store(int l, int place, std::span<const std::uint32_t> row) {
+    const Frame& f = frame_;
+    const int count = static_cast<int>(row.size());
+    for (int k = 0; k < count;) {
+        const int c = f.wraps ? (place + k) % f.ny : place + k;
+        if (c < -1) {
+            ++k;
+            continue;
+        }
+        if (!f.wraps && c > f.ny) return;
+        const int more = std::min(count - k, (f.wraps ? f.ny : f.ny + 1) - c);
+        std::copy_n(row.begin() + k, more, entries_.begin() + static_cast<std::ptrdiff_t>(f.entry(l, c)));
+        k += more;
     }
 }
 

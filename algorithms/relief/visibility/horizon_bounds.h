@@ -13,6 +13,7 @@
 // Cost: 4 bytes and a few nanoseconds per cell and light direction. Exact: what is close is left undecided.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -72,6 +73,8 @@ class HorizonBounds {
         double slope = 0;  // cells in y per cell in x
         double rise = 0;   // heights that the light rises per cell in x
         std::size_t stride = 0;
+        // By how many whole cells strips are shifted on line l.
+        int shift(int l) const { return static_cast<int>(std::floor(slope * l)); }
         // Entry of the strip that crosses line l between c + f and c + f + 1, with f the fraction of slope * l.
         std::size_t entry(int l, int c) const {
             return static_cast<std::size_t>(l) * stride + static_cast<std::size_t>(wraps ? c : c + 1);
@@ -92,6 +95,7 @@ class HorizonBounds {
   private:
     struct Strips;
     void sweep(int first, int last);
+    void store(int l, int place, std::span<const std::uint32_t> row);
 
     HeightField field_;
     glm::dvec2 run_;
