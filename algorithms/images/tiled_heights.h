@@ -2,6 +2,8 @@
 // memory. FORMATS.md describes the file.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -70,6 +72,11 @@ class TiledHeights {
     float minimum(int level, int x, int y) const { return value(TileKind::Min, level, x, y); }
     float mean(int level, int x, int y) const { return value(TileKind::Mean, level, x, y); }
     float value(TileKind kind, int level, int x, int y) const { return value(layout_.page(kind, level), x, y); }
+    // Heights at (i0, j0), (i1, j0), (i0, j1), (i1, j1); for neighbours, as those of a cell, little more than one
+    // access.
+    std::array<float, 4> corners(int i0, int i1, int j0, int j1) const;
+    // The largest of four such values of a level of maxima.
+    float highest(int level, int i0, int i1, int j0, int j1) const;
 
     // Asks the system to read the tiles that are not resident in the background. A hint: errors are ignored, nothing
     // counts as read.
@@ -89,12 +96,21 @@ class TiledHeights {
     TiledHeights(std::string path, std::size_t residentBytes);
 
     float value(const TilePage& page, int x, int y) const {
+        return tileValue(page.type, tileOf(page, x, y), indexOf(x, y));
+    }
+    // The tile with this texel, resident: should it be dropped meanwhile, the same bytes come from the file again.
+    const std::byte* tileOf(const TilePage& page, int x, int y) const {
         const std::uint64_t at = page.tileOffset(x >> kTileShift, y >> kTileShift);
         std::atomic<std::uint8_t>& state = states_[at >> kStateShift];
         if (state.load(std::memory_order_acquire) != kUsed) touch(page, at, state);
-        const std::byte* const tile = map_ + at;
-        const auto i = static_cast<std::size_t>((y & kTileMask) << kTileShift | (x & kTileMask));
-        return tileValue(page.type, tile, i);
+        return map_ + at;
+    }
+    static std::size_t indexOf(int x, int y) {
+        return static_cast<std::size_t>((y & kTileMask) << kTileShift | (x & kTileMask));
+    }
+    // Whether the four texels lie in one tile, each next to the other.
+    static bool inOneTile(int i0, int i1, int j0, int j1) {
+        return i1 - i0 == 1 && j1 - j0 == 1 && (i0 & kTileMask) != kTileMask && (j0 & kTileMask) != kTileMask;
     }
     // Makes the tile at byte `at` resident, or marks it as used if it is.
     void touch(const TilePage& page, std::uint64_t at, std::atomic<std::uint8_t>& state) const;
@@ -109,5 +125,24 @@ class TiledHeights {
     std::unique_ptr<std::atomic<std::uint8_t>[]> states_;  // one for every kLeastTileBytes of the file
     std::unique_ptr<Cache> cache_;
 };
+
+inline std::array<float, 4> TiledHeights::corners(int i0, int i1, int j0, int j1) const {
+    const TilePage& page = layout_.pages.front();
+    if (!inOneTile(i0, i1, j0, j1)) [[unlikely]]
+        return {value(page, i0, j0), value(page, i1, j0), value(page, i0, j1), value(page, i1, j1)};
+    const std::byte* const tile = tileOf(page, i0, j0);
+    const std::size_t i = indexOf(i0, j0), below = i + kTileSide;
+    return {tileValue(page.type, tile, i), tileValue(page.type, tile, i + 1), tileValue(page.type, tile, below),
+            tileValue(page.type, tile, below + 1)};
+}
+
+inline float TiledHeights::highest(int level, int i0, int i1, int j0, int j1) const {
+    const TilePage& page = layout_.page(TileKind::Max, level);
+    if (!inOneTile(i0, i1, j0, j1)) [[unlikely]]
+        return std::max({value(page, i0, j0), value(page, i1, j0), value(page, i0, j1), value(page, i1, j1)});
+    const std::byte* const tile = tileOf(page, i0, j0);
+    const std::size_t i = indexOf(i0, j0), below = i + kTileSide;
+    return highestValue(page.type, tile, i, below);
+}
 
 }  // namespace relief

@@ -157,8 +157,8 @@ HWY_NOINLINE Patch patchByLanes(const FloatScene& scene, MI who, VI realX, VI re
     HWY_ALIGN float h00[kLanes] = {}, h10[kLanes] = {}, h01[kLanes] = {}, h11[kLanes] = {};
     for (std::size_t n = 0; n < kLanes; ++n) {
         if (active[n] == 0) continue;
-        h00[n] = scene.heightAt(left[n], top[n]), h10[n] = scene.heightAt(right[n], top[n]);
-        h01[n] = scene.heightAt(left[n], bottom[n]), h11[n] = scene.heightAt(right[n], bottom[n]);
+        const std::array<float, 4> four = scene.cornersAt(left[n], right[n], top[n], bottom[n]);
+        h00[n] = four[0], h10[n] = four[1], h01[n] = four[2], h11[n] = four[3];
     }
     return {hn::Load(d, h00), hn::Load(d, h10), hn::Load(d, h01), hn::Load(d, h11)};
 }

@@ -112,16 +112,17 @@ HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
 HWY_INLINE Slope slopeByLanes(const SlopeScene& scene, V s, V t) {
     const D d;
     const DI di;
-    const auto height = [&](VI i, VI j) HWY_ATTR {
-        HWY_ALIGN std::int32_t across[kLanes], down[kLanes];
-        HWY_ALIGN double heights[kLanes];
-        hn::Store(i, di, across), hn::Store(j, di, down);
-        for (std::size_t n = 0; n < kLanes; ++n) {
-            heights[n] = static_cast<double>(scene.heightAt(across[n], down[n]));
-        }
-        return hn::Load(d, heights);
-    };
-    return slopeBy(scene, s, t, height);
+    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
+    HWY_ALIGN std::int32_t left[kLanes], right[kLanes], top[kLanes], bottom[kLanes];
+    hn::Store(x.first, di, left), hn::Store(x.second, di, right);
+    hn::Store(y.first, di, top), hn::Store(y.second, di, bottom);
+    HWY_ALIGN double heights[4][kLanes];
+    for (std::size_t n = 0; n < kLanes; ++n) {
+        const std::array<float, 4> four = scene.cornersAt(left[n], right[n], top[n], bottom[n]);
+        for (std::size_t c = 0; c < four.size(); ++c) heights[c][n] = static_cast<double>(four[c]);
+    }
+    const auto corner = [&](std::size_t c) HWY_ATTR { return hn::Load(d, heights[c]); };
+    return slopeOf(corner(0), corner(1), corner(2), corner(3), x, y);
 }
 // The same heights, stored together for each cell: one load per lane instead of four.
 HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
