@@ -50,6 +50,8 @@ class TiledPyramid {
     std::size_t keptCount() const { return depths_.size() - kPadding; }
     std::size_t start(int level) const { return starts_[static_cast<std::size_t>(level)]; }
 
+    const TiledHeights& tiles() const { return *tiles_; }
+
     float maximum(int level, int x, int y) const {
         if (level >= firstKept_) return static_cast<float>(1 - kept(level, x, y) * kDepthUnit);
         return lookedUp(level, x, y);

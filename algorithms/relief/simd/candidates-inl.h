@@ -140,23 +140,20 @@ HWY_INLINE VD exitOf(const ExactInterval& interval) {
 }
 
 // For scenes whose heights are not gathered.
-HWY_NOINLINE inline ExactNodes exactNodesByLanes(const FloatScene& scene, VD i0, VD i1, VD j0, VD j1) {
+HWY_NOINLINE inline ExactNodes exactNodesApart(const FloatScene& scene, VD i0, VD i1, VD j0, VD j1) {
     const DD d;
-    HWY_ALIGN double left[kHalfLanes], right[kHalfLanes], top[kHalfLanes], bottom[kHalfLanes];
-    hn::Store(i0, d, left), hn::Store(i1, d, right), hn::Store(j0, d, top), hn::Store(j1, d, bottom);
-    for (std::size_t n = 0; n < kHalfLanes; ++n) {
-        const auto [h00, h10, h01, h11] = scene.cornersAt(static_cast<int>(left[n]), static_cast<int>(right[n]),
-                                                          static_cast<int>(top[n]), static_cast<int>(bottom[n]));
-        left[n] = static_cast<double>(h00), right[n] = static_cast<double>(h10);
-        top[n] = static_cast<double>(h01), bottom[n] = static_cast<double>(h11);
-    }
+    const DHI di;
+    const auto all = hn::Not(hn::MaskFromVec(hn::Zero(di)));
+    const FourHeights<DHF> four = fourHeights(DHF(), scene, all, hn::DemoteTo(di, i0), hn::DemoteTo(di, i1),
+                                              hn::DemoteTo(di, j0), hn::DemoteTo(di, j1));
     ExactNodes out;
-    out.h00 = hn::Load(d, left), out.h10 = hn::Load(d, right);
-    out.h01 = hn::Load(d, top), out.h11 = hn::Load(d, bottom);
+    out.h00 = hn::PromoteTo(d, four.h00), out.h10 = hn::PromoteTo(d, four.h10);
+    out.h01 = hn::PromoteTo(d, four.h01), out.h11 = hn::PromoteTo(d, four.h11);
     return out;
 }
 HWY_INLINE VD exactHeight(const FloatScene& scene, VD i, VD j) {
     const DD d;
+    if (HWY_UNLIKELY(!scene.gathered)) return exactNodesApart(scene, i, i, j, j).h00;
     const VD at = hn::Add(hn::Mul(j, hn::Set(d, scene.stride)), i);
     return hn::PromoteTo(d, hn::GatherIndex(DHF(), scene.heights, hn::DemoteTo(DHI(), at)));
 }
@@ -186,7 +183,7 @@ HWY_INLINE ExactNodes exactNodes(const FloatScene& scene, VD cellX, VD cellY, co
     VD i0, i1, j0, j1;
     nodes(scene.grid.x, cellX, i0, i1);
     nodes(scene.grid.y, cellY, j0, j1);
-    if (HWY_UNLIKELY(!scene.gathered)) return exactNodesByLanes(scene, i0, i1, j0, j1);
+    if (HWY_UNLIKELY(!scene.gathered)) return exactNodesApart(scene, i0, i1, j0, j1);
     if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
         heightPairs(scene, i0, j0, out.h00, out.h10);
         heightPairs(scene, i0, j1, out.h01, out.h11);

@@ -171,12 +171,15 @@ class PyramidKernel {
     }
     // The same where only some levels are gathered, or none.
     HWY_NOINLINE VI someByLanes(MI who, VI x, VI y, VI level) const {
-        const MI byLane = hn::And(who, hn::Lt(level, hn::Set(di_, pyramid_.firstGathered)));
+        MI byLane = hn::And(who, hn::Lt(level, hn::Set(di_, pyramid_.firstGathered)));
         const MI others = hn::AndNot(byLane, who);
         VI depths = hn::Zero(di_);
         if (!hn::AllFalse(di_, others)) {
             const VI known = hn::IfThenElseZero(others, level);
             depths = gathered(others, x, y, level, hn::GatherIndex(di_, pyramid_.offsets.data(), known));
+        }
+        if (kSurface == Surface::Bilinear && pyramid_.tiled) {
+            byLane = hn::AndNot(fromTiles(byLane, x, y, hn::IfThenElseZero(byLane, level), depths), byLane);
         }
         if (hn::AllFalse(di_, byLane)) return depths;
         HWY_ALIGN std::int32_t chosen[kLanes], xs[kLanes], ys[kLanes], levels[kLanes], found[kLanes];
@@ -186,6 +189,33 @@ class PyramidKernel {
             if (chosen[n] != 0) found[n] = pyramid_.depth(levels[n], xs[n], ys[n]);
         }
         return hn::Load(di_, found);
+    }
+    // TiledPyramid::depth() of levels that are not kept in memory. Sets the depths of the lanes that it returns.
+    HWY_INLINE MI fromTiles(MI who, VI x, VI y, VI level, VI& depths) const {
+        const TiledHeights& tiles = pyramid_.tiled->tiles();
+        const TileAccess& access = tiles.access();
+        const VI one = hn::Set(di_, 1), zero = hn::Zero(di_);
+        const auto nodes = [&](VI node, int texels, VI& before, VI& after) HWY_ATTR {
+            const VI last = hn::Shr(hn::Set(di_, texels - 1), level);
+            if constexpr (kAddress == Address::Repeat) {
+                before = node, after = hn::IfThenElseZero(hn::Lt(node, last), hn::Add(node, one));
+            } else {
+                before = hn::Max(hn::Sub(node, one), zero), after = hn::Min(node, last);
+            }
+        };
+        VI i0, i1, j0, j1;
+        nodes(x, tiles.width(), i0, i1);
+        nodes(y, tiles.height(), j0, j1);
+        FourHeights<DF> four;
+        const MI done = heightsInTiles(df_, access, who, hn::GatherIndex(di_, access.firstGroup.data(), level),
+                                       hn::GatherIndex(di_, access.groupsAcross.data(), level), i0, i1, j0, j1, four);
+        const VF highest = hn::Max(hn::Max(four.h00, four.h10), hn::Max(four.h01, four.h11));
+        // depthOf(): scaling by a power of two is exact, and floor(n - x) = n - ceil(x) for whole n.
+        constexpr int kUnits = static_cast<int>(1 / kDepthUnit);
+        const VI units = hn::ConvertTo(di_, hn::Ceil(hn::Mul(highest, hn::Set(df_, static_cast<float>(kUnits)))));
+        const VI depth = hn::Min(hn::Sub(hn::Set(di_, kUnits), units), hn::Set(di_, kUnits - 1));
+        depths = hn::IfThenElse(done, hn::Max(depth, zero), depths);
+        return done;
     }
 
     HWY_INLINE VI offsetOf(VI level) const {
@@ -344,7 +374,7 @@ class PyramidKernel {
         VF in = hn::Max(lambdaAt(state.x, state.x.k), lambdaAt(state.y, state.y.k));
         in = hn::Min(hn::Max(hn::Sub(in, state.tie), hn::Zero(df_)), out);
         const Patch patch = HWY_LIKELY(scene_.gathered) ? patchAt<kAddress>(scene_, whoI, cellX, cellY)
-                                                        : patchByLanes<kAddress>(scene_, whoI, cellX, cellY);
+                                                        : patchApart<kAddress>(scene_, whoI, cellX, cellY);
         const MF below = patchBelow<Arithmetic>(patch, state.x, state.y, nx, ny, in, out, state.tie);
         const MF candidates = hn::AndNot(below, who);
         finishCandidates(state, candidates);

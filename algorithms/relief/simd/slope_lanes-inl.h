@@ -113,16 +113,11 @@ HWY_INLINE Slope slopeByLanes(const SlopeScene& scene, V s, V t) {
     const D d;
     const DI di;
     const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
-    HWY_ALIGN std::int32_t left[kLanes], right[kLanes], top[kLanes], bottom[kLanes];
-    hn::Store(x.first, di, left), hn::Store(x.second, di, right);
-    hn::Store(y.first, di, top), hn::Store(y.second, di, bottom);
-    HWY_ALIGN double heights[4][kLanes];
-    for (std::size_t n = 0; n < kLanes; ++n) {
-        const std::array<float, 4> four = scene.cornersAt(left[n], right[n], top[n], bottom[n]);
-        for (std::size_t c = 0; c < four.size(); ++c) heights[c][n] = static_cast<double>(four[c]);
-    }
-    const auto corner = [&](std::size_t c) HWY_ATTR { return hn::Load(d, heights[c]); };
-    return slopeOf(corner(0), corner(1), corner(2), corner(3), x, y);
+    const auto all = hn::Not(hn::MaskFromVec(hn::Zero(di)));
+    const hn::Rebind<float, D> df;
+    const auto four = fourHeights(df, scene, all, x.first, x.second, y.first, y.second);
+    return slopeOf(hn::PromoteTo(d, four.h00), hn::PromoteTo(d, four.h10), hn::PromoteTo(d, four.h01),
+                   hn::PromoteTo(d, four.h11), x, y);
 }
 // The same heights, stored together for each cell: one load per lane instead of four.
 HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {
