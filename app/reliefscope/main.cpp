@@ -15,6 +15,7 @@
 
 #include "arguments.h"
 #include "end_signals.h"
+#include "lesson_command.h"
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
@@ -305,6 +306,7 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
 }
 
 int run(int count, char** values, const Arguments& arguments) {
+    if (arguments.check) return checkLessons(arguments, shippedPictures());
     if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
