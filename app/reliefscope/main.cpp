@@ -29,12 +29,14 @@
 #include "scenario/variation.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
+#include "windows/lesson_menu.h"
 #include "windows/main_window.h"
 #include "windows/pane_list.h"
 #include "windows/program.h"
 #include "windows/restore_offer.h"
 #include "workspace/language.h"
 #include "workspace/last_state.h"
+#include "workspace/layer_names.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 #include "workspace/resized_snapshot.h"
@@ -128,12 +130,9 @@ std::shared_ptr<const reliefui::Figure> paretoChart(const Arguments& arguments) 
 
 reliefui::Layer chosenLayer(const std::string& name) {
     if (name.empty()) return reliefui::Layer::Color;
-    // Names as in `relief render`, in the order of reliefui::Layer.
-    static const std::vector<std::string> kNames{"color",  "steps", "error",     "outcome", "depth",
-                                                 "normal", "uv",    "footprint", "hidden"};
-    const auto at = std::find(kNames.begin(), kNames.end(), name);
-    if (at != kNames.end()) return static_cast<reliefui::Layer>(at - kNames.begin());
-    throw InputError("--layer", unknownName({"what", MessageId::WordLayer}, name, commaList(kNames)));
+    if (const auto layer = reliefui::layerNamed(name)) return *layer;
+    const std::vector<std::string> known(reliefui::kLayerNames.begin(), reliefui::kLayerNames.end());
+    throw InputError("--layer", unknownName({"what", MessageId::WordLayer}, name, commaList(known)));
 }
 
 // Command-line arguments take precedence over the scenario.
@@ -293,7 +292,11 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
-    if (!shot) window.welcome(arguments.anew);
+    if (!shot && arguments.lesson.empty()) window.welcome(arguments.anew);
+    if (!arguments.lesson.empty()) {
+        const NamedLessons named = namedLessons(arguments.lesson, shippedPictures());
+        window.findChild<reliefui::LessonMenu*>()->open(QString::fromStdString(named.folders.front()));
+    }
     // When the first pictures are ready, brings a lesson's pane to the front, or adds the opened file to the recent
     // files.
     const QString file = shot ? QString() : QString::fromStdString(arguments.file);
