@@ -25,10 +25,12 @@
 #include "panes/rows/rows_drawing.h"
 #include "panes/rows/rows_state.h"
 #include "relief/errors.h"
+#include "relief/files.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/variation.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
+#include "windows/lesson_html.h"
 #include "windows/lesson_menu.h"
 #include "windows/main_window.h"
 #include "windows/pane_list.h"
@@ -242,7 +244,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     page.caption = arguments.caption;
     page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     page.style.language = reliefui::uiLanguage();
-    reliefui::checkPage(page, arguments.output, kind.vectors);
+    if (!arguments.html) reliefui::checkPage(page, arguments.output, kind.vectors);
+    if (arguments.html && !kind.make) {
+        throw InputError("--html", Message(MessageId::ArgumentsExclude, {{"other", "--export " + arguments.figure}}));
+    }
     checkArguments(arguments);
     if (!kind.make) {
         const auto chart = paretoChart(arguments);
@@ -267,6 +272,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     Work work;
     const auto snapshot = maker.make(order, work);
     if (arguments.slice >= 0) reliefui::checkSlice(*snapshot, arguments.slice, "--slice", work);
+    if (arguments.html) {
+        writeTextFile(arguments.output, reliefui::viewPage(kind, snapshot, reliefui::installPageLanguage, work));
+        return 0;
+    }
     const auto figure = kind.make(snapshot, snapshot->scenario);
     reliefui::writeFigure(*figure, page, arguments.output, work);
     return 0;
@@ -310,6 +319,9 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
 
 int run(int count, char** values, const Arguments& arguments) {
     if (arguments.check) return checkLessons(arguments, shippedPictures());
+    if (arguments.html && arguments.figure.empty()) {
+        return writeLessonPages(count, values, arguments, shippedPictures());
+    }
     if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
