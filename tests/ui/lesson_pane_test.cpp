@@ -90,8 +90,12 @@ TEST_F(LessonPaneTest, GoesFromPageToPageWithLiveValues) {
     follow(QStringLiteral("open:301"));
     ASSERT_NO_FATAL_FAILURE(waitForPage());
     EXPECT_EQ(player()->lesson().name, "301");
-    workspace_->undo();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return player()->changed(); }, 10000)) << "opening a lesson can be undone";
+    // The page's step is an entry of its own.
+    const auto undone = [&] {
+        if (!workspace_->busy() && !player()->changed()) workspace_->undo();
+        return player()->changed();
+    };
+    EXPECT_TRUE(QTest::qWaitFor(undone, 10000)) << "opening a lesson can be undone";
 }
 
 TEST_F(LessonPaneTest, AsksBeforeItAnswers) {

@@ -20,7 +20,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kPageMm = 150;         // width for which figures are drawn: text is as large as the page's
+constexpr double kPageMm = 105;         // width for which figures are drawn: text is as large as the page's
 constexpr std::size_t kMostSteps = 40;  // of a slider
 constexpr int kJpegQuality = 82;
 
