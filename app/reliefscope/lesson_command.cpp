@@ -3,7 +3,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include <QApplication>
+
 #include "measuring/lesson/lesson_check.h"
+#include "relief/files.h"
+#include "windows/lesson_html.h"
+#include "windows/program.h"
 #include "workspace/language.h"
 #include "workspace/start_scenario.h"
 
@@ -49,6 +54,44 @@ int checkLessons(const Arguments& arguments, const std::string& datasets) {
         std::fflush(stdout);
     }
     return allHold ? 0 : 1;
+}
+
+int writeLessonPages(int count, char** values, const Arguments& arguments, const std::string& datasets) {
+    const NamedLessons named = namedLessons(arguments.lesson, datasets);
+    const bool folder = !named.course.empty();
+    if (!folder && fs::path(arguments.output).extension() != ".html") {
+        throw InputError(arguments.output,
+                         Message(MessageId::FormatUnknown,
+                                 {{"extension", fs::path(arguments.output).extension().string()}, {"known", "html"}}));
+    }
+    std::vector<Lesson> lessons;
+    for (const std::string& one : named.folders) lessons.push_back(readLesson(one, datasets));
+    reliefui::prepareFigures();
+    QApplication application(count, values);
+    reliefui::setUpApplication(application);
+    SceneCache scenes;
+    Work work;
+    const auto page = [&](const Lesson& lesson, const reliefui::LessonLinks& links) {
+        return reliefui::lessonPage(lesson, links, scenes, reliefui::installPageLanguage, work);
+    };
+    if (!folder) {
+        writeTextFile(arguments.output, page(lessons.front(), {}));
+        return 0;
+    }
+    std::error_code fault;
+    fs::create_directories(arguments.output, fault);
+    if (fault) throw WorkError(arguments.output, Message(MessageId::LessonFolderFails, {{"why", fault.message()}}));
+    const auto file = [](const Lesson& lesson) { return lesson.name + ".html"; };
+    for (std::size_t n = 0; n < lessons.size(); ++n) {
+        reliefui::LessonLinks links;
+        links.contents = "index.html";
+        if (n > 0) links.before = file(lessons[n - 1]);
+        if (n + 1 < lessons.size()) links.after = file(lessons[n + 1]);
+        writeTextFile((fs::path(arguments.output) / file(lessons[n])).string(), page(lessons[n], links));
+    }
+    writeTextFile((fs::path(arguments.output) / "index.html").string(),
+                  reliefui::contentsPage(readCourse(named.course), lessons));
+    return 0;
 }
 
 }  // namespace relief::app

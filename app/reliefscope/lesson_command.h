@@ -17,6 +17,10 @@ struct NamedLessons {
 // pictures, next to which the shipped lessons are. Throws InputError("--lesson", ...).
 NamedLessons namedLessons(const std::string& text, const std::string& datasets);
 
+// Writes the lesson as a page, or all lessons named as a folder of pages with contents. count, values: of main().
+// Returns the exit status. Throws InputError, WorkError.
+int writeLessonPages(int count, char** values, const Arguments& arguments, const std::string& datasets);
+
 // Prints a line per lesson; returns the exit status. Throws InputError.
 int checkLessons(const Arguments& arguments, const std::string& datasets);
 

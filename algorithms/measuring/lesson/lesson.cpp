@@ -322,26 +322,24 @@ Lesson readLesson(const std::string& folder, const std::string& datasets) {
     return lesson;
 }
 
-void writeLesson(const std::string& folder, const Lesson& lesson) {
-    if (fs::exists(folder)) throw InputError(folder, Message(MessageId::LessonFolderExists));
+void writeLesson(const std::string& folder, const NewLesson& lesson) {
     std::error_code fault;
+    if (fs::exists(folder, fault)) throw InputError(folder, Message(MessageId::LessonFolderExists));
     fs::create_directories(folder, fault);
     if (fault) throw WorkError(folder, Message(MessageId::LessonFolderFails, {{"why", fault.message()}}));
-    Json json{{"lesson", kLessonVersion}};
-    if (lesson.minutes > 0) json["minutes"] = lesson.minutes;
-    json["scenario"] = lesson.pages.front().scenario;
-    for (const LessonPage& page : lesson.pages) {
-        Json entry{{"name", page.name}};
-        if (&page != &lesson.pages.front()) {
-            // nlohmann-json has no inverse of merge_patch; the whole scenario is a patch where no key was removed.
-            entry["change"] = page.scenario;
-        }
-        if (!page.pane.empty()) entry["pane"] = page.pane;
-        if (!page.layer.empty()) entry["layer"] = page.layer;
-        if (page.step) std::visit([&](const auto& step) { entry["step"] = step; }, *page.step);
-        for (const Expression& claim : page.claims) entry["claims"].push_back(claim.text());
-        json["pages"].push_back(std::move(entry));
+    Json scenario = Json::parse(scenarioText(lesson.scenario, fs::absolute(folder).string()));
+    scenario.erase("step");
+    const std::string shipped = (fs::path(lesson.datasets) / "").string();
+    for (auto& picture : scenario["pictures"]) {
+        if (!picture.is_string() || lesson.datasets.empty()) continue;
+        const std::string path = picture.get<std::string>();
+        if (path.starts_with(shipped)) picture = "datasets/" + path.substr(shipped.size());
     }
+    Json page{{"name", lesson.english.pages.front().name}};
+    if (std::find(kPanes.begin(), kPanes.end(), lesson.pane) != kPanes.end()) page["pane"] = lesson.pane;
+    if (lesson.scenario.pixel) page["step"] = lesson.scenario.step + 1;
+    page["claims"] = Json::array();
+    const Json json{{"lesson", kLessonVersion}, {"scenario", scenario}, {"pages", Json::array({page})}};
     writeTextFile(joined(folder, kLessonFile), json.dump(2) + "\n");
     writeTextFile(joined(folder, kEnglishText), lessonTextFile(lesson.english));
     writeTextFile(joined(folder, kUkrainianText), lessonTextFile(lesson.ukrainian));

@@ -74,8 +74,16 @@ struct Lesson {
 // Reads the lesson in the folder. datasets: folder of the shipped pictures. Throws InputError for a missing file,
 // unknown keys, wrong values, expressions that are none, and words that do not fit the pages.
 Lesson readLesson(const std::string& folder, const std::string& datasets);
-// Writes lesson.json and the texts of both languages into a new folder. Throws InputError if it exists, WorkError.
-void writeLesson(const std::string& folder, const Lesson& lesson);
+// A lesson of one page, which shows the scenario at its step. datasets: as above; pictures in it are named as shipped
+// ones.
+struct NewLesson {
+    Scenario scenario;
+    std::string pane;
+    std::string datasets;
+    LessonText english, ukrainian;
+};
+// Writes it into a new folder. Throws InputError if the folder exists, WorkError if it cannot be written.
+void writeLesson(const std::string& folder, const NewLesson& lesson);
 
 // Returns the index of the step among the ray's steps; std::nullopt if there is none such.
 // departure, overshoot: as Judgement has them, if there are any.

@@ -9,6 +9,7 @@
 #include "relief/tracers/map_choice.h"
 #include "rendering/pixel_coefficients.h"
 #include "scenario/ray_files.h"
+#include "scenario/step_sentence.h"
 
 namespace relief {
 
@@ -120,11 +121,7 @@ const SceneRay& MeasuredScene::ray(Work& work) {
     StepLog unused;
     out.exact = traced(*makeTracer({kExactTracer, {}}, field(work), *store_.maps(), work), out.ray, unused, work)[0];
     out.judgement = judge({name, out.hit, out.steps}, out.exact, out.ray, field(work));
-    if (out.hit.outcome != out.exact.outcome) {
-        out.texels = std::numeric_limits<double>::infinity();
-    } else if (out.hit.outcome == Outcome::Hit) {
-        out.texels = std::abs(out.hit.lambda - out.exact.lambda) * std::max(1.0, std::hypot(out.ray.a, out.ray.b));
-    }
+    out.texels = answerError(out.hit, out.exact, out.ray);
     ray_ = std::move(out);
     return *ray_;
 }
