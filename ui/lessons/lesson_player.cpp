@@ -42,6 +42,10 @@ LessonPlayer::LessonPlayer(Workspace* workspace, QString datasets, QObject* pare
       job_(this, {[](const QString&) {}, [](const QString&, double) {}}) {
     connect(workspace_, &Workspace::snapshotChanged, this, &LessonPlayer::snapshotCame);
     connect(workspace_, &Workspace::stepChanged, this, [this] { measure(); });
+    // A page that shows the same picture as the one before it makes no new snapshot.
+    connect(workspace_, &Workspace::busyChanged, this, [this](bool busy) {
+        if (!busy) snapshotCame();
+    });
 }
 
 bool LessonPlayer::open(const QString& folder, std::size_t page) {
@@ -101,7 +105,7 @@ void LessonPlayer::restore() {
 void LessonPlayer::snapshotCame() {
     if (!lesson_ || workspace_->loading()) return;
     const auto snapshot = workspace_->snapshot();
-    if (!snapshot || snapshot->coarse || snapshot->version != workspace_->version()) return;
+    if (!snapshot || snapshot->coarse || (workspace_->busy() && snapshot->version != workspace_->version())) return;
     if (stepDue_ && !workspace_->guessing()) {
         stepDue_ = false;
         const PixelTrace& trace = snapshot->trace;

@@ -20,7 +20,7 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kPageMm = 150;         // width for which figures are drawn: text is as large as the page's
+constexpr double kPageMm = 105;         // width for which figures are drawn: text is as large as the page's
 constexpr std::size_t kMostSteps = 40;  // of a slider
 constexpr int kJpegQuality = 82;
 
@@ -185,19 +185,23 @@ std::string HtmlParts::script() const {
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work) {
     if (!kind.vectors) return pixelsFigure(kind, snapshot, work);
-    std::vector<int> steps;
+    // Two steps tell whether the figure depends on the step at all, and how many bytes a step has of its own.
+    const int last = std::max(static_cast<int>(snapshot->trace.steps.size()) - 1, 0);
+    const int chosenStep = snapshot->scenario.step;
+    installLanguage(relief::Language::English);
+    const std::size_t before = parts.bytes();
+    const Frames one = framesOf(kind, snapshot, {chosenStep}, relief::Language::English, parts, work);
+    const std::size_t oneBytes = parts.bytes() - before;
+    const Frames other =
+        framesOf(kind, snapshot, {chosenStep == last ? 0 : last}, relief::Language::English, parts, work);
+    const std::size_t each = std::max<std::size_t>(parts.bytes() - before - oneBytes, 1);
+    const std::size_t room = kMostFigureBytes - std::min(kMostFigureBytes, oneBytes);
+    const std::size_t most = one.parts == other.parts ? 1 : std::min(kMostSteps, room / (2 * each));
+    const std::vector<int> steps = stepsOf(*snapshot, most);
     std::map<relief::Language, Frames> frames;
-    for (std::size_t most = kMostSteps;; most /= 2) {
-        HtmlParts tried = parts;
-        steps = stepsOf(*snapshot, most);
-        for (const relief::Language language : kPageLanguages) {
-            installLanguage(language);
-            frames[language] = framesOf(kind, snapshot, steps, language, tried, work);
-        }
-        if (tried.bytes() - parts.bytes() <= kMostFigureBytes || most <= 1) {
-            parts = std::move(tried);
-            break;
-        }
+    for (const relief::Language language : kPageLanguages) {
+        installLanguage(language);
+        frames[language] = framesOf(kind, snapshot, steps, language, parts, work);
     }
     const auto chosen =
         static_cast<std::size_t>(std::find(steps.begin(), steps.end(), snapshot->scenario.step) - steps.begin());

@@ -12,13 +12,13 @@
 #include <QKeyEvent>
 #include <QMainWindow>
 #include <QMenu>
-#include <QProcess>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include "lessons/lesson_pane.h"
 #include "lessons/new_lesson.h"
 #include "panes/file_dialogs.h"
+#include "windows/share.h"
 #include "workspace/start_scenario.h"
 
 namespace reliefui {
@@ -164,21 +164,9 @@ void LessonMenu::askNewLesson() {
         tr("The new lesson is in %1: write its texts there.").arg(QDir::toNativeSeparators(folder)));
 }
 
-// Another process writes the page, because the texts of its drawings are in both languages, the window's in one.
 void LessonMenu::askPage() {
     if (!player_->isOpen()) return Q_EMIT workspace_->notice(tr("No lesson is open"));
-    const QString name = QString::fromStdString(player_->lesson().name) + QStringLiteral(".html");
-    const QString file = askSaveFile(window_, folderKind(), tr("Page for browsers"), name, tr("Pages (*.html)"));
-    if (file.isEmpty()) return;
-    auto* const writer = new QProcess(this);
-    connect(writer, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this, [this, writer, file](int status) {
-        writer->deleteLater();
-        if (status == 0) return Q_EMIT workspace_->notice(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-        Q_EMIT workspace_->problem(QString::fromUtf8(writer->readAllStandardError()).trimmed());
-    });
-    const QString program = QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("reliefscope"));
-    writer->start(program, {QStringLiteral("--lesson"), QString::fromStdString(player_->lesson().folder),
-                            QStringLiteral("--html"), QStringLiteral("-o"), file});
+    askLessonPage(window_, workspace_, QString::fromStdString(player_->lesson().folder));
 }
 
 void LessonMenu::showNotes() {

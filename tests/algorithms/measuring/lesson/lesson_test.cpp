@@ -161,7 +161,7 @@ TEST_F(LessonFiles, ThatAreWrongAreRefusedWithTheirPlace) {
             read();
             ADD_FAILURE() << to;
         } catch (const InputError& error) {
-            EXPECT_TRUE(error.text(Language::English).find("lesson.json: line ") != std::string::npos ||
+            EXPECT_TRUE(error.text(Language::English).find("lesson.json: ") != std::string::npos ||
                         error.text(Language::English).find("text.en.md: ") != std::string::npos)
                 << error.text(Language::English);
         }

@@ -83,7 +83,8 @@ TEST_F(Quantities, AreAllMeasuredAndDescribed) {
 
 TEST_F(Quantities, MeanWhatTheySay) {
     EXPECT_EQ(number("option('layers')"), 8);
-    EXPECT_EQ(number("trace.steps"), number("trace.count('layer')") + number("trace.count('start')") * 0);
+    EXPECT_EQ(number("trace.count('start') + trace.count('search') + trace.count('refine')"), number("trace.steps"));
+    EXPECT_EQ(number("trace.count('hit')"), 1);
     EXPECT_EQ(number("exact.height + exact.lambda"), 1);
     EXPECT_EQ(number("frame.hits + frame.misses + frame.limits"), number("frame.rays"));
     EXPECT_GE(number("frame.error.max"), number("frame.error.p95"));
@@ -93,7 +94,7 @@ TEST_F(Quantities, MeanWhatTheySay) {
     EXPECT_EQ(number("heights.levels"), 6);
     EXPECT_EQ(number("pyramid.mean(0, 3, 4)"), number("heights.at(3, 4)"));
     EXPECT_NEAR(number("pixel.q * pixel.u"), number("pixel.A * 32.5 + pixel.B * 30.5 + pixel.C"), 1e-9);
-    EXPECT_EQ(number("rows.div('direct')"), 1);
+    EXPECT_EQ(number("rows.div('direct')"), 2);
     EXPECT_GT(number("rows.error('incremental:anchor=0', 4096, 25, 'float')"),
               number("rows.error('direct', 4096, 25, 'float')"));
     scenario_.method = {"max-pyramid", {}};
