@@ -16,6 +16,13 @@ namespace relief::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr int kClaimFails = 1;
+constexpr int kBadUsage = 2;
+
+}  // namespace
+
 NamedLessons namedLessons(const std::string& text, const std::string& datasets) {
     const std::string shipped = reliefui::lessonsFolder(datasets);
     const auto inCourse = [](const std::string& folder) {
@@ -45,15 +52,25 @@ int checkLessons(const Arguments& arguments, const std::string& datasets) {
     const Language language = reliefui::uiLanguage();
     SceneCache scenes;
     Work work;
-    bool allHold = true;
-    for (const std::string& folder : namedLessons(arguments.lesson, datasets).folders) {
-        const Lesson lesson = readLesson(folder, datasets);
-        const LessonReport report = checkLesson(lesson, scenes, work);
-        allHold = allHold && report.holds();
-        std::fputs(reportText(lesson, report, language).c_str(), stdout);
+    bool allHold = true, allRead = true;
+    const std::vector<std::string> folders = namedLessons(arguments.lesson, datasets).folders;
+    for (const std::string& folder : folders) {
+        try {
+            const Lesson lesson = readLesson(folder, datasets);
+            const LessonReport report = checkLesson(lesson, scenes, work);
+            allHold = allHold && report.holds();
+            std::fputs(reportText(lesson, report, language).c_str(), stdout);
+        } catch (const InputError& error) {
+            if (folders.size() == 1) throw;
+            // The others are checked all the same.
+            allRead = false;
+            const Message line(MessageId::LessonUnread,
+                               {{"lesson", fs::path(folder).filename().string()}, {"why", error.text(language)}});
+            std::printf("%s\n", sentence(line, language).c_str());
+        }
         std::fflush(stdout);
     }
-    return allHold ? 0 : 1;
+    return !allRead ? kBadUsage : allHold ? 0 : kClaimFails;
 }
 
 int writeLessonPages(int count, char** values, const Arguments& arguments, const std::string& datasets) {

@@ -16,6 +16,7 @@
 #include "arguments.h"
 #include "end_signals.h"
 #include "lesson_command.h"
+#include "lessons/lesson_player.h"
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
@@ -357,6 +358,8 @@ int run(int count, char** values, const Arguments& arguments) {
         QObject::connect(&*keeper, &reliefui::StateKeeper::problem, &workspace, &reliefui::Workspace::problem);
     }
     int status = 0;
+    // The page of the open lesson, which the window in the other language opens again.
+    std::optional<reliefui::LessonPlayer::Place> lesson;
     for (bool first = true; first || status == kOtherLanguage; first = false) {
         reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
         shown = &window;
@@ -369,8 +372,10 @@ int run(int count, char** values, const Arguments& arguments) {
             window.takeLayout(layout);
             window.show();
             window.showLesson();
+            if (lesson) window.findChild<reliefui::LessonMenu*>()->open(lesson->folder, lesson->page);
         }
         status = QApplication::exec();
+        lesson = window.findChild<reliefui::LessonMenu*>()->player()->place();
         layout = window.layoutNow();
         if (offer != nullptr) left = offer->unanswered();
         if (status != kOtherLanguage && keeper) {

@@ -75,6 +75,7 @@ LessonPane::LessonPane(Workspace* workspace, LessonPlayer* player, QWidget* pare
     number_ = new QLineEdit(this);
     number_->setObjectName(QStringLiteral("lesson-number"));
     number_->setPlaceholderText(tr("Your number, then Enter"));
+    number_->setAccessibleName(tr("Your number"));
     column->addWidget(number_);
     connect(number_, &QLineEdit::returnPressed, this, [this] {
         bool valid = false;

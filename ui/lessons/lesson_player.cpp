@@ -231,6 +231,11 @@ void LessonPlayer::turnTo(int turn) {
                        QStringLiteral("lesson-knob"));
 }
 
+std::optional<LessonPlayer::Place> LessonPlayer::place() const {
+    if (!lesson_) return std::nullopt;
+    return Place{QString::fromStdString(lesson_->folder), page_};
+}
+
 std::optional<LessonPlayer::Place> LessonPlayer::after() const {
     if (!lesson_) return std::nullopt;
     if (page_ + 1 < lesson_->pages.size()) return Place{QString::fromStdString(lesson_->folder), page_ + 1};

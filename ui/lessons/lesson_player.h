@@ -41,6 +41,7 @@ class LessonPlayer : public QObject {
         QString folder;
         std::size_t page = 0;
     };
+    std::optional<Place> place() const;  // the shown page; std::nullopt: no lesson is open
     std::optional<Place> after() const;
     std::optional<Place> before() const;
 

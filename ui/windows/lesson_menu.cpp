@@ -108,7 +108,7 @@ void LessonMenu::addCourse(const QString& folder) {
     }
 }
 
-bool LessonMenu::open(const QString& folder) {
+bool LessonMenu::open(const QString& folder, std::size_t page) {
     const QFileInfo lesson(QDir(folder).filePath(QStringLiteral("lesson.json")));
     QString first = QFileInfo(folder).absoluteFilePath();
     if (!lesson.exists()) {
@@ -120,7 +120,7 @@ bool LessonMenu::open(const QString& folder) {
             return false;
         }
     }
-    if (!player_->open(first)) return false;
+    if (!player_->open(first, page)) return false;
     showDock();
     return true;
 }

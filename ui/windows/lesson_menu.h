@@ -40,7 +40,7 @@ class LessonMenu : public QObject {
     LessonPlayer* player() const { return player_; }
     LessonPane* pane() const { return pane_; }
     // Opens the lesson in this folder, or the first one of a folder of lessons, and shows it.
-    bool open(const QString& folder);
+    bool open(const QString& folder, std::size_t page = 0);
     bool lecturing() const { return lecturing_; }
 
   public slots:
