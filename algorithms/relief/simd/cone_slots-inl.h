@@ -106,6 +106,9 @@ class WalkSlots {
           resumes_(resumes),
           end_(rays.count) {}
 
+    // Walks only some rays: the bits of each vector of rays.
+    void only(const std::uint64_t* left) { left_ = left; }
+
   protected:
     // Constants for setting up rays on one axis.
     struct EntryFrame {
@@ -133,11 +136,14 @@ class WalkSlots {
     // Appends new rays to those in flight, in whole vectors as far as there is room. Rays that resume are taken only
     // when all others have ended.
     HWY_INLINE void fill() {
-        const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes * kLanes;
-        const std::size_t taken = std::min(room, end_ - next_);
-        for (std::size_t k = 0; k < taken; k += kLanes) take(next_ + k, used_ + k, std::min(kLanes, taken - k));
-        next_ += taken;
-        used_ += taken;
+        const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes;
+        for (std::size_t n = 0; n < room && next_ < end_; next_ = std::min(next_ + kLanes, end_)) {
+            if (left_ != nullptr && left_[next_ / kLanes] == 0) continue;
+            const std::size_t count = std::min(kLanes, end_ - next_);
+            take(next_, used_, count);
+            used_ += count;
+            ++n;
+        }
         hn::StoreU(hn::Set(di_, kEnded), di_, columns_.state.data() + used_);
         // The entries of the two vectors beyond the last are fetched, and the state of the first of them.
         const std::size_t behind = hwy::RoundUpTo(used_, kLanes);
@@ -188,6 +194,10 @@ class WalkSlots {
         prefetchRays(from);
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
+        if (left_ != nullptr) {
+            const auto* bits = reinterpret_cast<const std::uint8_t*>(left_ + from / kLanes);
+            starting = hn::And(starting, hn::LoadMaskBits(di_, bits));
+        }
         Entry x, y;
         if (HWY_LIKELY(!resumes_ && entry(frameX_, columns[0], columns[2], begin, x) &&
                        entry(frameY_, columns[1], columns[3], begin, y))) {
@@ -420,6 +430,7 @@ class WalkSlots {
     WalkMap map_;
     EntryFrame frameX_, frameY_;
     bool resumes_;
+    const std::uint64_t* left_ = nullptr;
     std::size_t next_ = 0, end_;
     std::size_t used_ = 0;                   // slots in use, including those of ended rays
     std::size_t walking_ = 0, waiting_ = 0;  // numbers of rays
