@@ -58,15 +58,16 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
         if (common < kQuadrants) {
             const auto quadrant = static_cast<std::uint32_t>(common);
             scattered = false;
-            if constexpr (kLanes >= 4) {
+            if constexpr (kLanes >= kLeastPacket) {
                 PacketColumns& columns = packetsOfThread();
                 PacketWalk<kAddress, kSurface, Arithmetic> packets(scene, cones, quadrant, given, scratch, columns);
-                const std::size_t left = packets.run();
-                if (8 * left > scratch.count / kLanes) leadBeams<kAddress>(scene, cones, quadrant, given, scratch);
-                if (left > 0 || scratch.count % kLanes != 0) {
+                packets.run();
+                const std::size_t left = scratch.count - packets.taken();
+                if (8 * left > scratch.count) leadBeams<kAddress>(scene, cones, quadrant, given, scratch);
+                if (left > 0) {
                     ConeKernel<kAddress, kSurface, Arithmetic> singles(scene, WalkMap(cones, false), given, scratch,
                                                                        false, walk);
-                    singles.only(columns.left.data());
+                    singles.only(columns.left);
                     singles.run();
                 }
                 packets.keep();

@@ -1,11 +1,11 @@
 // Packets: a vector of neighbouring rays that walks through packed cones as one thick ray. Compiled for each target.
 //
-// The rays of a packet run in one quadrant and mostly along one axis, u, the other being v. A packet walks from slice to
-// slice: slice U is the row of cells between the lines U and U + 1 of u, counted from the packet's first cell. There the
-// rays are between two values of v and above one height, which are linear in U. The slice is clear if the highest points
-// of its cells within these bounds are lower; a cone that is clear of all rays leads over several slices. Otherwise each
-// ray is tested against the cells, whose heights are read once for all rays. A ray that the tests cannot exclude has
-// found its candidate and leaves the packet.
+// The rays of a packet run in one quadrant and mostly along one axis, u, the other being v. A packet walks from slice
+// to slice: slice U is the row of cells between the lines U and U + 1 of u, counted from the packet's first cell. There
+// the rays are between two values of v and above one height, which are linear in U. The slice is clear if the highest
+// points of its cells within these bounds are lower; a cone that is clear of all rays leads over several slices.
+// Otherwise each ray is tested against the cells, whose heights are read once for all rays. A ray that the tests cannot
+// exclude has found its candidate and leaves the packet.
 //
 // So a packet visits more cells than each of its rays, but it reads each once and nothing is gathered. Its bounds only
 // exclude, and so does the test of a ray, with the margins of the single walk for wider packets (kPacketMargin); hence
@@ -25,8 +25,20 @@ HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 inline constexpr std::size_t kChunkPackets = kLaneChunk / kLanes;
-// Cells that the rays of a packet may be apart where they begin, and in v at the same u.
-inline constexpr float kLongestPacket = 64.0F, kWidestPacket = 2.0F;
+// Cells that the rays of a packet may be apart where they begin, and in v at the same u; v per u of the steepest ray.
+inline constexpr float kLongestPacket = 64, kWidestPacket = 1.5F, kSteepestPacket = 1.2F;
+// Packets begin at any ray. After this number of packets in a row that are too wide, the next one is searched for ray
+// by ray, at most so many times in a chunk.
+inline constexpr std::size_t kMostWide = 2, kMostSearches = 3;
+// Packets of fewer rays cost more than they save.
+inline constexpr std::size_t kLeastPacket = 16;
+// Packets that touch more cells of a slice are left to the single walk.
+inline constexpr float kMostCells = 8;
+// Times 1 + 1 / run: how much later than its rays a packet leaves a slice, in lambda; above the error of positions
+// of up to kLongestPacket cells.
+inline constexpr float kPacketMargin = 0x1p-15F;
+// Cells in v, and per cell in u, by which a packet is wider than its rays.
+inline constexpr float kPacketPlace = 0x1p-10F, kPacketSlope = 0x1p-20F;
 
 using PacketColumn = std::array<float, kChunkPackets + kLanes>;
 
@@ -41,7 +53,6 @@ struct CellTest {
     float v;
     bool last;  // of the slice
 };
-inline constexpr float kMostCells = 8;
 inline constexpr std::size_t kMostTests = static_cast<std::size_t>(kMostCells) * kChunkPackets;
 
 struct PacketColumns {
@@ -50,8 +61,8 @@ struct PacketColumns {
     alignas(64) std::array<float, kLaneSlots> place, slope, late;
     // Results of rays: LaneEnd, cell, its period.
     alignas(64) std::array<std::int32_t, kLaneSlots> end, cellX, cellY, periodX, periodY;
-    // Packets that are walked. Their rays cross line U at lambda latest + U * slowest at the latest, and are then between
-    // low + U * lowSlope and high + U * highSlope.
+    // Packets that are walked. Their rays cross line U at lambda latest + U * slowest at the latest, and are then
+    // between low + U * lowSlope and high + U * highSlope.
     struct Slots {
         alignas(64) PacketColumn at;  // U
         alignas(64) PacketColumn latest, slowest, low, lowSlope, high, highSlope;
@@ -67,9 +78,9 @@ struct PacketColumns {
     // By packet:
     // Bits of the rays that are walked on, of those with the packet's bounds, and of those that have ended.
     std::array<std::uint64_t, kChunkPackets + 1> walking, bounded, ended;
+    std::array<std::uint32_t, kChunkPackets + 1> first;  // index in the chunk of the first ray
     std::array<CellTest, kMostTests> tests;
-    // For the single walk: the rays left to it.
-    std::array<std::uint64_t, kChunkPackets + 1> left;
+    RayBits left;  // the rays that the single walk has to walk
 };
 
 template <Address kAddress, Surface kSurface, class Arithmetic>
@@ -95,16 +106,13 @@ class PacketWalk {
         }
     }
 
-    // Returns the number of packets with rays left to the single walk.
-    std::size_t run() {
+    void run() {
         PacketColumns& c = columns_;
-        const std::size_t packets = rays_.count / kLanes;
-        std::fill(c.ended.begin(), c.ended.end(), 0);
-        std::fill(c.walking.begin(), c.walking.end(), 0);
-        std::fill(c.left.begin(), c.left.end(), kAll);
-        for (std::size_t p = 0; p < packets; ++p) setUp(p);
+        c.left.fill(~std::uint64_t{0});
+        form();
         while (used_ > 0) {
-            c.slots.all([&](auto& column) { std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(used_), kLanes, 0); });
+            c.slots.all(
+                [&](auto& column) { std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(used_), kLanes, 0); });
             tests_ = 0;
             for (std::size_t g = 0; g < used_; g += kLanes) step(g);
             for (std::size_t n = 0; n < tests_; ++n) testCell(c.tests[n]);
@@ -115,20 +123,17 @@ class PacketWalk {
                 if (c.walking[c.slots.packet[n]] == 0) remove(n);
             }
         }
-        std::size_t left = 0;
-        for (std::size_t p = 0; p < packets; ++p) left += c.left[p] != 0 ? 1 : 0;
-        return left;
     }
+    // Number of rays that the single walk does not have to walk.
+    std::size_t taken() const { return taken_; }
 
     // Stores the results of the rays that ended in packets.
     void keep() {
         const DI di;
-        for (std::size_t p = 0; p < rays_.count / kLanes; ++p) {
-            if (columns_.ended[p] == 0) continue;
+        for (std::size_t p = 0; p < formed_; ++p) {
             const MI who = maskOf(columns_.ended[p]);
-            const std::size_t i = p * kLanes;
             const auto put = [&](const auto& from, auto& to) {
-                hn::BlendedStore(hn::Load(di, from.data() + i), who, di, to.data() + i);
+                hn::BlendedStore(hn::Load(di, from.data() + p * kLanes), who, di, to.data() + columns_.first[p]);
             };
             put(columns_.end, rays_.end);
             put(columns_.cellX, rays_.x.hitCell);
@@ -144,11 +149,36 @@ class PacketWalk {
     static constexpr std::size_t kHalves = kLanes / kHalfLanes;
     static constexpr std::uint64_t kAll = kLanes == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << kLanes) - 1;
 
-    static MI maskOf(std::uint64_t bits) { return hn::LoadMaskBits(DI(), reinterpret_cast<const std::uint8_t*>(&bits)); }
+    static MI maskOf(std::uint64_t bits) {
+        return hn::LoadMaskBits(DI(), reinterpret_cast<const std::uint8_t*>(&bits));
+    }
     static std::uint64_t bitsOf(MF mask) {
         std::uint64_t bits = 0;
         hn::StoreMaskBits(DF(), mask, reinterpret_cast<std::uint8_t*>(&bits));
         return bits;
+    }
+
+    // Forms packets of the chunk's rays.
+    void form() {
+        std::size_t wide = 0, searches = 0;
+        for (std::size_t from = 0; from + kLanes <= rays_.count;) {
+            const Fit fit = setUp(from);
+            if (fit == Fit::Never) return;
+            from += kLanes;
+            wide = fit == Fit::Narrow ? 0 : wide + 1;
+            if (wide < kMostWide) continue;
+            if (++searches > kMostSearches) return;
+            std::size_t best = 0;
+            float least = kWidestPacket;
+            for (std::size_t n = 1; n < kLanes && from + n + kLanes <= rays_.count; ++n) {
+                Entry axes[2];
+                if (!entry(0, from + n, axes[0]) || !entry(1, from + n, axes[1])) continue;
+                const VF place = placeOf(axes);
+                if (const float width = most(place) - lowest(place); width < least) least = width, best = n;
+            }
+            from += best;
+            wide = 0;
+        }
     }
 
     // Fills the slot with the last one.
@@ -162,7 +192,7 @@ class PacketWalk {
         VF cell, share, run, inverse;  // cell from the packet's origin
         double origin;
     };
-    HWY_INLINE bool entry(int a, std::size_t from, double begin, Entry& out) const {
+    HWY_INLINE bool entry(int a, std::size_t from, Entry& out) const {
         const DD d;
         const DHF dhf;
         const GridAxis& axis = a == 0 ? scene_.grid.x : scene_.grid.y;
@@ -177,8 +207,9 @@ class PacketWalk {
             const VD signedRun = hn::LoadU(d, given_[2 + a] + from + h * kHalfLanes);
             const VD absRun = hn::Abs(signedRun);
             const VD start = hn::Add(hn::LoadU(d, given_[a] + from + h * kHalfLanes), hn::Set(d, axis.shift));
-            const VD along = hn::Add(start, hn::Mul(hn::Set(d, begin), signedRun));
-            usual = hn::And(usual, hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kFloatRun))));
+            const VD along = hn::Add(start, hn::Mul(hn::Set(d, scene_.start), signedRun));
+            usual =
+                hn::And(usual, hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kFloatRun))));
             usual = hn::And(usual, hn::And(hn::Gt(hn::Min(start, along), hn::Set(d, lowEnd)),
                                            hn::Lt(hn::Max(start, along), hn::Set(d, highEnd))));
             at[h] = back_[a] ? hn::Sub(hn::Set(d, axis.cells), along) : along;
@@ -203,8 +234,12 @@ class PacketWalk {
         return hn::AllTrue(DF(), hn::Lt(out.cell, hn::Set(DF(), kLongestPacket)));
     }
 
-    static float least(VF v) { return hn::GetLane(hn::MinOfLanes(DF(), v)); }
-    static float most(VF v) { return hn::GetLane(hn::MaxOfLanes(DF(), v)); }
+    static float lowest(VF v) {
+        return hn::GetLane(hn::MinOfLanes(DF(), v));
+    }
+    static float most(VF v) {
+        return hn::GetLane(hn::MaxOfLanes(DF(), v));
+    }
 
     HWY_INLINE void prefetchRays(std::size_t from) const {
         if (from + kRaysAhead + kLanes > rays_.count + rays_.behind) return;
@@ -215,22 +250,38 @@ class PacketWalk {
         }
     }
 
-    HWY_INLINE void setUp(std::size_t p) {
+    // v of the rays at U = 0.
+    HWY_INLINE VF placeOf(const Entry* axes) const {
+        const Entry &u = axes[u_], &v = axes[v_];
+        return Arithmetic::negMulAdd(hn::Add(u.cell, u.share), hn::Mul(v.run, u.inverse), hn::Add(v.cell, v.share));
+    }
+
+    // Never: neighbouring rays are so far apart that no packet of the chunk will be narrow.
+    enum class Fit : std::uint8_t { Narrow, Wide, Never };
+
+    // Takes the rays from `from` on as a packet if they are close enough.
+    HWY_INLINE Fit setUp(std::size_t from) {
         const DF df;
         PacketColumns& c = columns_;
         PacketColumns::Slots& slots = c.slots;
-        const std::size_t i = p * kLanes;
-        prefetchRays(i);
-        const double begin = scene_.start;
+        prefetchRays(from);
         Entry axes[2];
-        if (!entry(0, i, begin, axes[0]) || !entry(1, i, begin, axes[1])) return;
+        if (!entry(0, from, axes[0]) || !entry(1, from, axes[1])) return Fit::Wide;
         // All packets of a chunk have the axis of the first.
-        if (used_ == 0) u_ = hn::GetLane(axes[1].run) > hn::GetLane(axes[0].run) ? 1 : 0, v_ = 1 - u_;
+        if (formed_ == 0) u_ = hn::GetLane(axes[1].run) > hn::GetLane(axes[0].run) ? 1 : 0, v_ = 1 - u_;
         const Entry &u = axes[u_], &v = axes[v_];
-        const VF slope = hn::Mul(v.run, u.inverse);
-        const VF atU = hn::Add(u.cell, u.share);
-        const VF place = Arithmetic::negMulAdd(atU, slope, hn::Add(v.cell, v.share));
-        const VF start = hn::Set(df, static_cast<float>(begin)), one = hn::Set(df, 1.0F);
+        const VF slope = hn::Mul(v.run, u.inverse), atU = hn::Add(u.cell, u.share), place = placeOf(axes);
+        if (!(most(place) - lowest(place) < kWidestPacket)) {
+            HWY_ALIGN float places[2 * kLanes];
+            hn::Store(place, df, places);
+            hn::Store(hn::Set(df, 1e30F), df, places + kLanes);
+            // A square of 16 rays has three such distances to a side.
+            const VF apart = hn::Abs(hn::Sub(hn::LoadU(df, places + 1), place));
+            return 3 * lowest(apart) < kWidestPacket ? Fit::Wide : Fit::Never;
+        }
+        if (!(most(slope) < kSteepestPacket - kPacketSlope)) return Fit::Wide;
+        const std::size_t p = formed_, i = p * kLanes;
+        const VF start = hn::Set(df, static_cast<float>(scene_.start)), one = hn::Set(df, 1.0F);
         VF margins = hn::Zero(df);
         const auto keepAxis = [&](const Entry& from, PacketRayAxis& to) {
             const VF margin = hn::Mul(hn::Set(df, kCrossingMargin), hn::Add(from.inverse, one));
@@ -246,16 +297,26 @@ class PacketWalk {
         hn::Store(hn::Add(margins, margins), df, c.tie.data() + i);
         hn::Store(place, df, c.place.data() + i);
         hn::Store(slope, df, c.slope.data() + i);
-        hn::Store(Arithmetic::negMulAdd(atU, u.inverse, hn::Add(start, hn::Mul(u.inverse, hn::Set(df, 0x1p-15F)))), df,
-                  c.late.data() + i);
+        const VF late = hn::Mul(hn::Set(df, kPacketMargin), hn::Add(u.inverse, one));
+        hn::Store(Arithmetic::negMulAdd(atU, u.inverse, hn::Add(start, late)), df, c.late.data() + i);
         slots.packet[used_] = static_cast<std::uint32_t>(p);
         bound(used_, hn::FirstN(df, kLanes));
-        if (!(slots.highSlope[used_] < 1.2F && slots.high[used_] - slots.low[used_] < kWidestPacket)) return;
         slots.at[used_] = 0;
         slots.shorter[used_] = 2 * kShorterJump * most(u.run) + 0x1p-8F;
         slots.originU[used_] = static_cast<float>(u.origin), slots.originV[used_] = static_cast<float>(v.origin);
-        c.walking[p] = c.bounded[p] = kAll, c.left[p] = 0;
-        ++used_;
+        c.first[p] = static_cast<std::uint32_t>(from);
+        c.walking[p] = c.bounded[p] = kAll, c.ended[p] = 0;
+        mark(from, kAll, false);
+        taken_ += kLanes;
+        ++formed_, ++used_;
+        return Fit::Narrow;
+    }
+    // Marks some rays from the given one on as left to the single walk, or not.
+    HWY_INLINE void mark(std::size_t from, std::uint64_t who, bool left) {
+        const std::size_t word = from / 64, bit = from % 64;
+        const auto set = [&](std::uint64_t& to, std::uint64_t bits) { to = left ? to | bits : to & ~bits; };
+        set(columns_.left[word], who << bit);
+        if (bit + kLanes > 64) set(columns_.left[word + 1], who >> (64 - bit));
     }
 
     // The bounds of some of a packet's rays.
@@ -266,14 +327,14 @@ class PacketWalk {
         const std::size_t i = slots.packet[n] * kLanes;
         const auto load = [&](const std::array<float, kLaneSlots>& from) { return hn::Load(df, from.data() + i); };
         const VF far = hn::Set(df, 1e30F);
-        const auto lowest = [&](VF x) { return least(hn::IfThenElse(who, x, far)); };
-        const auto highest = [&](VF x) { return most(hn::IfThenElse(who, x, hn::Neg(far))); };
-        constexpr float kPlace = 0x1p-10F, kSlope = 0x1p-20F;
+        const auto low = [&](VF x) { return lowest(hn::IfThenElse(who, x, far)); };
+        const auto high = [&](VF x) { return most(hn::IfThenElse(who, x, hn::Neg(far))); };
         const VF place = load(c.place), slope = load(c.slope);
-        slots.latest[n] = highest(load(c.late));
-        slots.slowest[n] = highest(load(c.u.inverse));
-        slots.low[n] = lowest(place) - kPlace, slots.high[n] = highest(place) + kPlace;
-        slots.lowSlope[n] = std::max(lowest(slope) - kSlope, 0.0F), slots.highSlope[n] = highest(slope) + kSlope;
+        slots.latest[n] = high(load(c.late));
+        slots.slowest[n] = high(load(c.u.inverse));
+        slots.low[n] = low(place) - kPacketPlace, slots.high[n] = high(place) + kPacketPlace;
+        slots.lowSlope[n] = std::max(low(slope) - kPacketSlope, 0.0F);
+        slots.highSlope[n] = high(slope) + kPacketSlope;
     }
 
     // Cells of one axis, counted in the direction of the rays, within the map.
@@ -297,23 +358,25 @@ class PacketWalk {
         const VF vTop = hn::Floor(highV);
         const VF cellsU = hn::Set(df, cells_[u_]), cellsV = hn::Set(df, cells_[v_]);
         VF cu = hn::Add(load(slots.originU), at), cv = hn::Add(originV, v);
+        MF stop;
         if constexpr (kAddress == Address::Repeat) {
             cu = wrapped(cu, cellsU), cv = wrapped(cv, cellsV);
+            // All rays end before.
+            stop = hn::Gt(at, hn::Set(df, static_cast<float>(2 * kFloatRun)));
         } else {
             const VF lastU = hn::Sub(cellsU, one), lastV = hn::Sub(cellsV, one);
             cv = hn::Max(cv, zero);
             v = hn::Sub(cv, originV);
-            const MF beyond = kAddress == Address::Border
-                                  ? hn::Or(hn::Gt(cu, lastU), hn::Gt(cv, lastV))
-                                  : hn::Or(hn::Ge(cu, lastU), hn::Ge(hn::Add(originV, vTop), lastV));
-            const MF stop = hn::And(beyond, on);
-            if (HWY_UNLIKELY(!hn::AllFalse(df, stop))) {
-                forEach(bitsOf(stop), [&](std::size_t k) {
-                    kAddress == Address::Border ? miss(slots.packet[g + k]) : handOn(g + k);
-                });
-                on = hn::AndNot(stop, on);
-            }
+            // Under clamp the outermost cells have no end.
+            stop = kAddress == Address::Border ? hn::Or(hn::Gt(cu, lastU), hn::Gt(cv, lastV))
+                                               : hn::Or(hn::Ge(cu, lastU), hn::Ge(hn::Add(originV, vTop), lastV));
             cu = hn::Min(cu, lastU), cv = hn::Min(cv, lastV);
+        }
+        stop = hn::And(stop, on);
+        if (HWY_UNLIKELY(!hn::AllFalse(df, stop))) {
+            forEach(bitsOf(stop),
+                    [&](std::size_t k) { kAddress == Address::Border ? miss(slots.packet[g + k]) : handOn(g + k); });
+            on = hn::AndNot(stop, on);
         }
         const auto indexOf = [&](VF along, std::size_t a) {
             return hn::Mul(hn::ConvertTo(di, along), hn::Set(di, stride_[a]));
@@ -343,7 +406,9 @@ class PacketWalk {
         const MF test2 = higher(hn::And(several, hn::Ge(more, two)), hn::Add(cv, two));
         const MF test = hn::Or(hn::Or(test0, test1), hn::Or(test2, hn::And(several, hn::Gt(more, two))));
         hn::Store(hn::IfThenElse(hn::AndNot(test, on), to, at), df, slots.at.data() + g);
-        if (!hn::AllFalse(df, test)) note(g, test, {bitsOf(test0), bitsOf(test1), bitsOf(test2)}, v, kAddress == Address::Repeat ? vTop : hn::Min(vTop, hn::Sub(hn::Sub(cellsV, one), originV)));
+        if (!hn::AllFalse(df, test))
+            note(g, test, {bitsOf(test0), bitsOf(test1), bitsOf(test2)}, v,
+                 kAddress == Address::Repeat ? vTop : hn::Min(vTop, hn::Sub(hn::Sub(cellsV, one), originV)));
     }
     HWY_INLINE void note(std::size_t g, MF test, std::array<std::uint64_t, 3> cells, VF v, VF vTop) {
         const DF df;
@@ -391,25 +456,20 @@ class PacketWalk {
     void miss(std::size_t p) {
         const DI di;
         const MI who = maskOf(columns_.walking[p]);
-        hn::BlendedStore(hn::Set(di, static_cast<std::int32_t>(LaneEnd::Miss)), who, di, columns_.end.data() + p * kLanes);
+        hn::BlendedStore(hn::Set(di, static_cast<std::int32_t>(LaneEnd::Miss)), who, di,
+                         columns_.end.data() + p * kLanes);
         // A valid cell, since the heights of all rays' cells are fetched.
         hn::BlendedStore(hn::Zero(di), who, di, columns_.cellX.data() + p * kLanes);
         hn::BlendedStore(hn::Zero(di), who, di, columns_.cellY.data() + p * kLanes);
         columns_.ended[p] |= columns_.walking[p];
         columns_.walking[p] = 0;
     }
-    // Leaves the rays still walked to the single walk, from the slice in which the packet is.
+    // Leaves the rays still walked to the single walk.
     void handOn(std::size_t n) {
-        const DF df;
         PacketColumns& c = columns_;
-        const std::size_t p = c.slots.packet[n], i = p * kLanes;
-        const VF in = Arithmetic::mulAdd(hn::Sub(hn::Set(df, c.slots.at[n]), hn::Load(df, c.u.ahead.data() + i)),
-                                         hn::Load(df, c.u.inverse.data() + i), hn::Load(df, c.u.base.data() + i));
-        const VF early = hn::Sub(in, hn::Load(df, c.tie.data() + i));
-        const VF walked = hn::IfThenElse(asFloat(maskOf(c.walking[p])), early, hn::Set(df, 1.0F));
-        double& start = rays_.start[i / kLaneGroup];
-        if (kLanes == kLaneGroup) start = std::max(start, static_cast<double>(least(walked)) - kStartSlack);
-        c.left[p] = c.walking[p];
+        const std::size_t p = c.slots.packet[n];
+        mark(c.first[p], c.walking[p], true);
+        taken_ -= static_cast<std::size_t>(__builtin_popcountll(c.walking[p]));
         c.walking[p] = 0;
     }
 
@@ -428,7 +488,8 @@ class PacketWalk {
             return out;
         };
         const LaneAxisState u = axis(c.u), v = axis(c.v);
-        const VF nU = hn::Sub(hn::Set(df, c.slots.at[n]), load(c.u.ahead)), nV = hn::Sub(hn::Set(df, test.v), load(c.v.ahead));
+        const VF nU = hn::Sub(hn::Set(df, c.slots.at[n]), load(c.u.ahead)),
+                 nV = hn::Sub(hn::Set(df, test.v), load(c.v.ahead));
         const auto line = [&](const LaneAxisState& of, VF n) { return Arithmetic::mulAdd(n, of.inverse, of.base); };
         const VF in = hn::Max(line(u, nU), line(v, nV));
         const VF out = hn::Min(hn::Min(line(u, hn::Add(nU, one)), line(v, hn::Add(nV, one))), one);
@@ -436,8 +497,8 @@ class PacketWalk {
         const Place placeU = placeOf(u_, c.slots.originU[n] + c.slots.at[n]);
         const Place placeV = placeOf(v_, c.slots.originV[n] + test.v);
         const Place &x = u_ == 0 ? placeU : placeV, &y = u_ == 0 ? placeV : placeU;
-        const std::size_t cell = static_cast<std::size_t>(y.cell) * static_cast<std::size_t>(map_.stride) +
-                                 static_cast<std::size_t>(x.cell);
+        const std::size_t cell =
+            static_cast<std::size_t>(y.cell) * static_cast<std::size_t>(map_.stride) + static_cast<std::size_t>(x.cell);
         MF below;
         if constexpr (kSurface == Surface::Columns) {
             below = hn::Lt(hn::Set(df, scene_.heights[cell]), hn::Sub(one, out));
@@ -498,8 +559,8 @@ class PacketWalk {
     float cells_[2];
     std::int32_t count_[2];
     std::size_t corners_[2][4];  // of a cell's nodes, those at (0, 0), (1, 0), (0, 1), (1, 1) in u and v; if swapped
-    std::size_t tests_ = 0, used_ = 0;  // numbers of tests and slots
-    std::size_t u_ = 0, v_ = 1;         // axes: 0 for x, 1 for y
+    std::size_t tests_ = 0, used_ = 0, formed_ = 0, taken_ = 0;  // numbers of tests, slots, packets, rays
+    std::size_t u_ = 0, v_ = 1;                                  // axes: 0 for x, 1 for y
     std::int32_t stride_[2];  // entries to the next cell in the direction of the rays
     std::int32_t first_;      // index of the entry from which they count
 };

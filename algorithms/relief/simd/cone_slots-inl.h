@@ -22,6 +22,9 @@ inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
 // Prefetch distance of ray data, in rays.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 
+// A bit for each ray of a chunk.
+using RayBits = std::array<std::uint64_t, kLaneChunk / 64 + 1>;
+
 // A column, padded because vectors are stored from any index on.
 template <class T>
 using WalkColumn = std::array<T, kWalkSlots + 2 * kLanes>;
@@ -106,8 +109,8 @@ class WalkSlots {
           resumes_(resumes),
           end_(rays.count) {}
 
-    // Walks only some rays: the bits of each vector of rays.
-    void only(const std::uint64_t* left) { left_ = left; }
+    // Walks only some of the rays.
+    void only(const RayBits& left) { left_ = &left; }
 
   protected:
     // Constants for setting up rays on one axis.
@@ -133,12 +136,18 @@ class WalkSlots {
         MF back;
     };
 
+    // Bits of a vector of rays.
+    HWY_INLINE std::uint64_t leftOf(std::size_t from) const {
+        const std::uint64_t bits = (*left_)[from / 64] >> from % 64;
+        return kLanes < 64 ? bits & ((std::uint64_t{1} << kLanes) - 1) : bits;
+    }
+
     // Appends new rays to those in flight, in whole vectors as far as there is room. Rays that resume are taken only
     // when all others have ended.
     HWY_INLINE void fill() {
         const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes;
         for (std::size_t n = 0; n < room && next_ < end_; next_ = std::min(next_ + kLanes, end_)) {
-            if (left_ != nullptr && left_[next_ / kLanes] == 0) continue;
+            if (left_ != nullptr && leftOf(next_) == 0) continue;
             const std::size_t count = std::min(kLanes, end_ - next_);
             take(next_, used_, count);
             used_ += count;
@@ -195,8 +204,8 @@ class WalkSlots {
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
         if (left_ != nullptr) {
-            const auto* bits = reinterpret_cast<const std::uint8_t*>(left_ + from / kLanes);
-            starting = hn::And(starting, hn::LoadMaskBits(di_, bits));
+            const std::uint64_t bits = leftOf(from);
+            starting = hn::And(starting, hn::LoadMaskBits(di_, reinterpret_cast<const std::uint8_t*>(&bits)));
         }
         Entry x, y;
         if (HWY_LIKELY(!resumes_ && entry(frameX_, columns[0], columns[2], begin, x) &&
@@ -430,7 +439,7 @@ class WalkSlots {
     WalkMap map_;
     EntryFrame frameX_, frameY_;
     bool resumes_;
-    const std::uint64_t* left_ = nullptr;
+    const RayBits* left_ = nullptr;  // rays to be walked; null: all
     std::size_t next_ = 0, end_;
     std::size_t used_ = 0;                   // slots in use, including those of ended rays
     std::size_t walking_ = 0, waiting_ = 0;  // numbers of rays
