@@ -11,25 +11,35 @@ namespace relief::app {
 
 namespace {
 
-// Throws InputError if an option was given that the kind does not take.
+// Whether the option belongs to the command whatever the kind.
+bool isCommon(const CLI::Option& option) {
+    return option.get_group() == "General" || option.get_name() == "KIND" || option.get_name() == "--output";
+}
+
+bool takes(const ExportKind& kind, const CLI::Option& option) {
+    return std::find(kind.options.begin(), kind.options.end(), option.get_name()) != kind.options.end();
+}
+
+// Removes the options that no kind takes.
+void removeOthers(CLI::App& parser, const std::vector<ExportKind>& kinds) {
+    for (CLI::Option* const option : parser.get_options([](const CLI::Option*) { return true; })) {
+        const bool taken =
+            std::any_of(kinds.begin(), kinds.end(), [&](const ExportKind& one) { return takes(one, *option); });
+        if (!taken && !isCommon(*option)) parser.remove_option(option);
+    }
+}
+
+// Throws InputError if an option was given that another kind takes.
 void refuseOthers(const CLI::App& parser, const ExportKind& kind, const std::vector<ExportKind>& kinds) {
     for (const CLI::Option* option : parser.get_options()) {
-        const std::string name = option->get_name();
-        const auto takes = [&](const ExportKind& one) {
-            return std::find(one.options.begin(), one.options.end(), name) != one.options.end();
-        };
-        if (option->count() == 0 || option->get_group() == "General" || name == "KIND" || name == "--output") continue;
-        if (takes(kind)) continue;
+        if (option->count() == 0 || isCommon(*option) || takes(kind, *option)) continue;
         std::string others;
         for (const ExportKind& one : kinds) {
-            if (takes(one)) others += (others.empty() ? "relief export " : ", relief export ") + one.name;
+            if (takes(one, *option)) others += (others.empty() ? "relief export " : ", relief export ") + one.name;
         }
-        const std::string given = option->get_positional() ? option->results().front() : name;
-        if (others.empty()) {
-            throw InputError(given, Message(MessageId::ArgumentUnknown, {{"help", "relief export --help"}}));
-        }
-        throw InputError(given, Message(MessageId::ArgumentOfOther,
-                                        {{"others", others}, {"command", "relief export " + kind.name}}));
+        throw InputError(
+            option->get_positional() ? option->results().front() : option->get_name(),
+            Message(MessageId::ArgumentOfOther, {{"others", others}, {"command", "relief export " + kind.name}}));
     }
 }
 
@@ -68,6 +78,7 @@ void addExportCommand(CLI::App& program, Commands& commands) {
         help += "\n" + kind.help;
         examples += "\n" + kind.examples;
     }
+    removeOthers(*parser, *kinds);
     parser->get_option("KIND")->description(names);
     parser->description(help);
     parser->footer(examples);

@@ -86,8 +86,8 @@ TEST_P(HelpTest, HelpAndListExplainOneThing) {
     expectRefusal({"list", "briks"}, 2, {"did you mean \"bricks\""});
     // The whole list is the concatenation of its sections.
     std::string all;
-    for (const std::string kind : {"tracers", "shading", "meshes", "any-hit", "maps", "rows", "filters", "reliefs",
-                                   "numbers", "render-layers"}) {
+    for (const std::string kind : {"tracers", "shading", "meshes", "any-hit", "maps", "conventions", "rows", "filters",
+                                   "reliefs", "numbers", "render-layers"}) {
         all += (all.empty() ? "" : "\n") + runFine({"list", kind});
     }
     EXPECT_TRUE(runFine({"list"}) == all);
