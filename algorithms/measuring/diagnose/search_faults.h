@@ -21,8 +21,8 @@ struct RayVerdict {
     bool sharp = false;
 };
 
-// An explanation of all answers: the model, with its search, and the verdict on each ray. searchFaults: their values are
-// the number of layers; 0 if it is not known. loose: found by the kind of the errors alone, not by predicting them.
+// An explanation of all answers: the model, with its search, and the verdict on each ray. searchFaults: their values
+// are the number of layers; 0 if it is not known. loose: found by the kind of the errors alone, not by predicting them.
 struct Explanation {
     TracerModel model;
     std::vector<RayVerdict> rays;
