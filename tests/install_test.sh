@@ -55,6 +55,8 @@ grep -q '^Usage: app/run' "$folder/help" || fail "app/run --help explains nothin
 [ -s "$prefix/share/doc/reliefscope/lesson.schema.json" ] || fail "the schema of lessons is not installed"
 [ -s "$prefix/share/doc/reliefscope/scenario.schema.json" ] || fail "the schema of scenarios is not installed"
 
+[ -s "$prefix/share/reliefscope/recorder/relief_recorder.h" ] || fail "the recorder is not installed"
+
 # The programs run without access to the checkout's folders. Neither loads OpenImageIO or its dependencies at start.
 cd "$folder"
 share=$prefix/share
