@@ -12,7 +12,7 @@ reliefPackagesBuild=(g++ cmake ninja-build libopenimageio-dev openimageio-tools 
 reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools
     qttranslations5-l10n libx11-dev fonts-dejavu-core)
 reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config python3
-    python3-jsonschema doxygen libegl-dev libgl-dev libegl1 libgl1-mesa-dri spirv-tools)
+    python3-jsonschema python3-numpy doxygen libegl-dev libgl-dev libegl1 libgl1-mesa-dri spirv-tools)
 
 reliefSay() { printf 'reliefscope: %s\n' "$*" >&2; }
 reliefDie() {

@@ -102,10 +102,13 @@ int certifyCones(const Subject& subject, std::string text, Session& session) {
             throw InputError(subject.path, Message(MessageId::EngineSize,
                                                    {{"size", sizeText(codes)}, {"wanted", sizeText(*heights)}}));
         }
-        const auto certificate =
-            certifyEngineCones(subject.field(heights), subject.map, l, subject.options, session.work());
+        // In proportion to the texels of the level.
+        constexpr std::uint64_t kFewestRays = 1000;
+        EngineCheckOptions options = subject.options;
+        options.rays.rays = std::max(options.rays.rays >> (2 * l), std::min(options.rays.rays, kFewestRays));
+        const auto certificate = certifyEngineCones(subject.field(heights), subject.map, l, options, session.work());
         if (levels > 1) text += "level " + std::to_string(l) + ", " + sizeText(*heights) + "\n";
-        text += engineCertificateText(certificate, subject.options);
+        text += engineCertificateText(certificate, options);
         safe = safe && certificate.safe();
         proven = proven && certificate.proven();
     }

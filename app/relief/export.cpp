@@ -62,13 +62,14 @@ int runExport(const ExportOptions& options, const std::vector<ExportKind>& kinds
 
 void addExportCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<ExportOptions>();
-    const std::string summary = "write shaders for programs of others";
+    const std::string summary = "write shaders, or the rays of a view, for programs of others";
     CLI::App* parser = addCommand(program, "export", summary, "", "");
     auto kinds = std::make_shared<std::vector<ExportKind>>();
     std::string names;
     addArgument(*parser, "KIND", options->kind, "");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
     kinds->push_back(addShaderExport(*parser));
+    kinds->push_back(addRaysExport(*parser));
     addOutput(*parser, options->output, "file to write; - (default): standard output");
     options->run.add(*parser, false);
     std::string help = summary, examples = "Example:";

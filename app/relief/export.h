@@ -29,5 +29,6 @@ struct ExportKind {
 
 // Each adds the options that only this kind has to the command's parser.
 ExportKind addShaderExport(CLI::App& parser);
+ExportKind addRaysExport(CLI::App& parser);
 
 }  // namespace relief::app

@@ -110,21 +110,21 @@ int runMap(const MapOptions& options, Session& session) {
     const std::string& text = needed(options.kind, "KIND", "map");
     const std::string kind = checkedKind(text);
     const bool isPyramid = isOneOf(kind, pyramidMapKinds());
-    const bool isNormals = isOneOf(kind, engineOnlyKinds());
-    if ((isPyramid || isNormals) && kind != text) {
+    const bool forEngines = isOneOf(kind, engineOnlyKinds());
+    if ((isPyramid || kind == "normals") && kind != text) {
         const MethodChoice given = splitMethodChoice(text, "KIND");
         throw InputError(text, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})},
                                            given.options.begin()->first, {}));
     }
     const std::string engineOption = options.engine.given();
-    if (options.at && (isPyramid || isNormals || !engineOption.empty())) {
+    if (options.at && (isPyramid || forEngines || !engineOption.empty())) {
         throw InputError("--at",
                          Message(MessageId::ArgumentsExclude, {{"other", engineOption.empty() ? kind : engineOption}}));
     }
     if (!options.at) {
         const std::string& output = needed(options.output, "--output", "map");
         const std::string ending = fileEnding(output);
-        if (isNormals || !engineOption.empty() || ending == "png" || ending == "exr") {
+        if (forEngines || !engineOption.empty() || ending == "png" || ending == "exr") {
             return writeMapForEngine(kind, text, options.scenario, options.engine, output, session);
         }
         checkOutput(output, {"tif", "tiff", "png", "exr"});
@@ -172,8 +172,9 @@ void addMapCommand(CLI::App& program, Commands& commands) {
             "by default the height in R and the cone in G. The conventions are written to FILE.json, as in "
             "cone.png.json, and into the picture. If the picture holds heights, the map is built for them as rounded; "
             "values are rounded to the safe side. Conservative cones are then built for shaders that step from the "
-            "surface below the ray, however they fetch the cones; relief certify proves it for the picture. normals is "
-            "written for engines only.",
+            "surface below the ray, however they fetch the cones; relief certify proves it for the picture. "
+            "relaxed-cone-robust (relaxed cones as corrected by Ban et al. 2024) and normals are written for engines "
+            "only.",
         "  relief map refined:layers=16:precision=u8 heights.png -o refined.tif\n"
         "  relief trace heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
         "  relief map refined heights.png --at 10,20,0.6\n"

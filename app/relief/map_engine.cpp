@@ -6,6 +6,7 @@
 #include "output.h"
 #include "relief/maps/engine_builders.h"
 #include "relief/maps/pyramid_files.h"
+#include "relief/maps/robust_cones.h"
 #include "relief/tracers/map_choice.h"
 
 namespace relief::app {
@@ -19,6 +20,7 @@ bool contains(const std::vector<std::string>& all, const std::string& name) {
 }
 
 Group groupOf(const std::string& kind) {
+    if (kind == kRobustRelaxedKind) return Group::Cones;
     if (contains(engineOnlyKinds(), kind)) return Group::Normals;
     if (contains(pyramidMapKinds(), kind)) return Group::Pyramid;
     for (const ConeKind cone : {ConeKind::Conservative, ConeKind::Dummer, ConeKind::Relaxed}) {
@@ -27,11 +29,13 @@ Group groupOf(const std::string& kind) {
     return Group::Distances;
 }
 
+bool isRelaxed(const std::string& kind) {
+    return kind == coneKindName(ConeKind::Relaxed) || kind == kRobustRelaxedKind;
+}
+
 ConeKind coneKindOf(const std::string& kind) {
-    for (const ConeKind cone : {ConeKind::Dummer, ConeKind::Relaxed}) {
-        if (coneKindName(cone) == kind) return cone;
-    }
-    return ConeKind::Conservative;
+    if (kind == coneKindName(ConeKind::Dummer)) return ConeKind::Dummer;
+    return isRelaxed(kind) ? ConeKind::Relaxed : ConeKind::Conservative;
 }
 
 std::vector<EngineRole> defaultChannels(Group group) {
@@ -99,7 +103,7 @@ EngineConventions conventionsOf(const std::string& kind, Group group, const Engi
     const std::string ending = fileEnding(output);
     c.bits = ending == "exr" ? 32 : 16;
     engine.apply(c);
-    c.relaxed = kind == coneKindName(ConeKind::Relaxed);
+    c.relaxed = isRelaxed(kind);
     if (ending == "exr" && c.bits != 32) {
         throw InputError("--bits", Message(MessageId::EngineBits, {{"ending", ".exr"}, {"known", "32 (float)"}}));
     }
@@ -118,7 +122,8 @@ void checkOptions(const std::string& kind, Group group, const OptionValues& opti
                              unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, name, {}));
         }
         const bool ofCells = kind == "cone" && !(name == "sectors" && text == "1");
-        if (name == "precision" || ofCells) {
+        const bool ofMarch = kind == kRobustRelaxedKind && name != "radius";
+        if (name == "precision" || ofCells || ofMarch) {
             throw InputError("--set " + name, Message(MessageId::ArgumentsExclude, {{"other", "--bits, --pack"}}));
         }
     }
@@ -167,7 +172,7 @@ void noteStalled(const EngineMap& map, const std::string& output, Session& sessi
 }  // namespace
 
 const std::vector<std::string>& engineOnlyKinds() {
-    static const std::vector<std::string> kinds{"normals"};
+    static const std::vector<std::string> kinds{std::string(kRobustRelaxedKind), "normals"};
     return kinds;
 }
 
@@ -178,7 +183,8 @@ int writeMapForEngine(const std::string& kind, const std::string& text, const Sc
     const EngineConventions conventions = conventionsOf(kind, group, engine, output);
     ScenarioOptions chosen = scenarioOptions;
     const bool ofMethod = group == Group::Cones || group == Group::Distances;
-    chosen.chooseTracer(ofMethod ? methodOfMap(kind) + text.substr(kind.size()) : "max-pyramid", text);
+    const std::string builder = kind == kRobustRelaxedKind ? std::string(coneKindName(ConeKind::Relaxed)) : kind;
+    chosen.chooseTracer(ofMethod ? methodOfMap(builder) + text.substr(kind.size()) : "max-pyramid", text);
     const Scenario scenario = chosen.scenario();
     checkOptions(kind, group, scenario.method.options);
     if (group == Group::Cones && scenario.surface == Surface::Columns && kind == "cone" &&

@@ -14,7 +14,7 @@ class MapEngineTest : public CommandTest {
     static void expectPart(const std::string& text, const std::string& part) {
         EXPECT_NE(text.find(part), std::string::npos) << text << " lacks " << part;
     }
-    Result certified(const std::vector<std::string>& more, const char* rays = "2000") const {
+    Result certified(const std::vector<std::string>& more, const char* rays = "500") const {
         std::vector<std::string> all{"certify", "--rays", rays};
         all.insert(all.end(), more.begin(), more.end());
         Result result = run(all);
@@ -63,7 +63,7 @@ TEST_P(MapEngineTest, OtherKindsAreChecked) {
         runFine({"map", kind, height, "--bits", "8", "--unit", "sqrt-ratio", "-o", map});
         const std::string first = kind == "max-pyramid" ? path(kind + ".0.png") : map;
         EXPECT_NE(runFine({"info", first}).find(" x "), std::string::npos);
-        const Result result = certified({height, "--map", map}, "50000");
+        const Result result = certified({height, "--map", map}, "5000");
         if (kind == "euclidean") {
             EXPECT_NE(result.status, 0) << "interpolated distances are not proven";
         } else if (kind == "relaxed-cone") {
@@ -72,6 +72,14 @@ TEST_P(MapEngineTest, OtherKindsAreChecked) {
             EXPECT_EQ(result.status, status) << kind << "\n" << result.out;
         }
     }
+    const std::string robust = path("robust.png");
+    runFine({"map", "relaxed-cone-robust:radius=16", height, "-o", robust});
+    const Result undecided = certified({"--map", robust});
+    EXPECT_EQ(undecided.status, 3) << undecided.out;
+    expectPart(undecided.out, "relaxed-cone-robust, R=height,G=cone, 16 bits");
+    expectPart(undecided.out, "relaxed, fetched bilinear");
+    expectRefusal({"map", "relaxed-cone-robust:directions=8", height, "-o", path("x.png")}, 2, {"directions"});
+    expectRefusal({"map", "relaxed-cone-robust", height, "-o", path("x.tif"), "--at", "1,1,1"}, 2, {"--at"});
     EXPECT_EQ(certified({"--map", path("max-pyramid.png")}).status, 0) << "against its own heights";
     runFine({"map", "normals", height, "--green", "down", "-o", path("normals.png")});
     expectRefusal({"certify", height, "--map", path("normals.png")}, 2, {"normals.png", "normals"});
@@ -108,14 +116,14 @@ TEST_P(MapEngineTest, MapsOfOthersAreReadByTheirConventions) {
         }
         writePlanes(theirs, planes);
         expectRefusal({"certify", height, "--map", theirs}, 2, {theirs});
-        const Result refuted = certified({height, "--map", theirs, "--convention", named.name}, "20000");
+        const Result refuted = certified({height, "--map", theirs, "--convention", named.name}, "4000");
         EXPECT_EQ(refuted.status, 1) << named.name << "\n" << refuted.out;
         expectPart(refuted.out, "NOT SAFE\n  first ray: step ");
         // The same by single flags.
         const Result flags = certified({"--map", theirs, "--pack", enginePackText(named.conventions.channels), "--unit",
                                         std::string(coneUnitName(named.conventions.cone.unit)),
                                         named.conventions.relaxed ? "--relaxed" : "--quiet"},
-                                       "20000");
+                                       "4000");
         EXPECT_EQ(flags.out.substr(flags.out.find("rays: ")), refuted.out.substr(refuted.out.find("rays: ")));
     }
 }

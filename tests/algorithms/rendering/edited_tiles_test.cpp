@@ -116,6 +116,65 @@ TEST(EditedTiles, HaveTheBitsOfANewFrameWithEveryFilter) {
     }
 }
 
+// A spike whose shadow falls far away, in tiles that do not see it.
+TEST(EditedTiles, AreMadeAgainWhereAShadowFalls) {
+    int fallen = 0;
+    for (const double azimuth : {10.0, 100.0, 190.0, 280.0}) {
+        FrameRequest one = request(Surface::Columns, Address::Repeat);
+        setHeights(one, constantHeights(kAcross, kDown, 0.25F));
+        one.width = 480;
+        one.height = 320;
+        one.camera.elevation = 80;
+        one.light.elevation = 12;
+        one.light.azimuth = azimuth;
+        Work work;
+        FrameRenderer renderer(std::make_shared<MapCache>());
+        const auto before = renderer.render(one, work);
+        for (int n = 0; n < 8; ++n) {
+            FloatImage image(kAcross, kDown, 0.25F);
+            image(3 * n + 1, 2 * n + 3) = 1;
+            setHeights(one, share(std::move(image)));
+            const auto frame = renderer.render(one, work);
+            ASSERT_TRUE(tilesKept(*frame, one));
+            expectSame(*frame, *FrameRenderer(std::make_shared<MapCache>()).render(one, work));
+            fallen += frame->shadows->shadowed == before->shadows->shadowed ? 0 : 1;
+        }
+    }
+    EXPECT_EQ(fallen, 4 * 8);
+}
+
+// Nine texels per pixel, so that the filter reads farther beyond the border of a tile than a slope does.
+TEST(EditedTiles, AreMadeAgainWhereAFilterReads) {
+    constexpr int kFine = 256, kWalls = 24;
+    for (const auto& [name, colored] : {std::pair{"elliptical", false}, std::pair{"elliptical-visible", true}}) {
+        SCOPED_TRACE(name);
+        FrameRequest one(HeightField(share(makeRelief("hills", kFine, kFine, 1)), Surface::Bilinear, Address::Clamp));
+        // Straight from above, with the border between two rows of tiles in the middle.
+        one.camera.elevation = 90;
+        one.camera.azimuth = 0;
+        one.camera.distance = 3.1;
+        one.width = 75;
+        one.height = 2 * kTileHeight;
+        one.filter.name = name;
+        if (colored) one.color = colors();
+        Work work;
+        FrameRenderer renderer(std::make_shared<MapCache>());
+        renderer.render(one, work);
+        double kept = 0;
+        for (int n = 0; n < kWalls; ++n) {
+            FloatImage image = one.field.heights();
+            for (int x = 0; x < kFine; ++x) image(x, kFine / 2 + n) = n % 2 == 0 ? 1 : 0;
+            setHeights(one, share(std::move(image)));
+            const auto frame = renderer.render(one, work);
+            const auto tiles = tilesKept(*frame, one);
+            ASSERT_TRUE(tiles);
+            kept += tiles->count;
+            expectSame(*frame, *FrameRenderer(std::make_shared<MapCache>()).render(one, work));
+        }
+        EXPECT_GT(kept, 0);
+    }
+}
+
 TEST(EditedTiles, AreFewWhereRaysAreSteep) {
     FrameRequest one = request(Surface::Bilinear, Address::Repeat);
     one.width = 640;

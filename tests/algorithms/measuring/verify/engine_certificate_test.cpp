@@ -97,6 +97,21 @@ TEST(EngineCertificate, ConesAsPublishedAreRefuted) {
     }
 }
 
+// The corrected relaxed cones let far fewer rays pass, but some: they are compared with texels, not with points
+// between.
+TEST(EngineCertificate, CorrectedRelaxedConesAreRefutedMoreRarely) {
+    const HeightField field(share(makeRelief("spikes", 64, 64, 5)), Surface::Bilinear, Address::Repeat, 0.1);
+    EngineConventions c = conventions(16, ConeUnit::SqrtRatio);
+    c.relaxed = true;
+    const auto overshoots = [&](const char* kind) {
+        c.kind = kind;
+        return certified(cones(field, c, ConeKind::Relaxed), field, withRays(60'000)).overshoots;
+    };
+    const std::uint64_t published = overshoots("relaxed-cone"), corrected = overshoots("relaxed-cone-robust");
+    EXPECT_GT(published, 50 * corrected) << corrected;
+    EXPECT_GT(corrected, 0U);
+}
+
 // Without a ray that shows it, a cone without proof decides nothing.
 TEST(EngineCertificate, AlteredCodesAreFound) {
     const HeightField field = spike(32, 24);
@@ -116,6 +131,21 @@ TEST(EngineCertificate, AlteredCodesAreFound) {
     EXPECT_EQ(refuted.aimed, 1U);
     EXPECT_DOUBLE_EQ(refuted.first->ray.s0, 3.5);
     EXPECT_GT(refuted.worst, 0.01);
+}
+
+// Beside a spike of height 1 the surface rises by the square root of 2 per texel along the diagonal, more than towards
+// any texel.
+TEST(EngineCertificate, TheSlopeOfTheSurfaceItselfIsABound) {
+    const HeightField field = spike(32, 24);
+    EngineMap map = cones(field, conventions(16, ConeUnit::Ratio));
+    for (int y = 11; y <= 13; ++y) {
+        for (int x = 15; x <= 17; ++x) map.levels[0].channels[1](x, y) = nearestCode(1 / (1.2 * 32), 16);
+    }
+    const EngineConeCertificate found = certified(map, field, withRays(0));
+    EXPECT_EQ(found.texelsInCones, 0U);
+    EXPECT_EQ(found.bounds->open, 16U) << "the cells of those texels";
+    EXPECT_NEAR(found.bounds->first->needed, std::sqrt(2), 1e-6);
+    EXPECT_FALSE(found.proven());
 }
 
 TEST(EngineCertificate, ConesWithoutWidthAreCounted) {

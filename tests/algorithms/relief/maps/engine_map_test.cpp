@@ -12,6 +12,7 @@
 #include "relief/files.h"
 #include "relief/maps/engine_builders.h"
 #include "relief/maps/engine_json.h"
+#include "relief/maps/robust_cones.h"
 #include "relief/maps/surface_cones.h"
 
 namespace relief::test {
@@ -138,6 +139,56 @@ TEST(SurfaceCones, HoldNoPointOfTheSurface) {
                 << "cones are needlessly narrow: " << describe(field);
         }
     }
+}
+
+// The steepest slope towards a texel from which the surface falls away within one of the quadrants behind it.
+double slopeToFallingEdges(const HeightField& field, int x, int y, int radius) {
+    double slope = 0;
+    for (const int sx : {-1, 1}) {
+        for (const int sy : {-1, 1}) {
+            for (int m = 0; m <= radius; ++m) {
+                for (int n = m == 0 ? 1 : 0; n <= radius; ++n) {
+                    const int i = x + sx * m, j = y + sy * n;
+                    const float here = field.texel(i, j), across = field.texel(i + sx, j),
+                                down = field.texel(i, j + sy), far = field.texel(i + sx, j + sy);
+                    if (!(here > across || here > down || across > far || down > far)) continue;
+                    slope = std::max(slope, static_cast<double>(here - field.texel(x, y)) / std::hypot(m, n));
+                }
+            }
+        }
+    }
+    return slope;
+}
+
+TEST(RobustCones, AreBoundedByFallingEdgesAround) {
+    for (const Address address : allAddresses()) {
+        for (const int radius : {3, 12}) {
+            const HeightField field(randomHeights(12, 9, 8), Surface::Bilinear, address, 0.2);
+            Work work(2);
+            const std::vector<float> slopes = robustRelaxedCones(field, radius, work);
+            for (int y = 0; y < field.height(); ++y) {
+                for (int x = 0; x < field.width(); ++x) {
+                    double steepest = 0;
+                    for (int dy = -1; dy <= 1; ++dy) {
+                        for (int dx = -1; dx <= 1; ++dx) {
+                            const int i = addressIndex(x + dx, field.width(), address);
+                            const int j = addressIndex(y + dy, field.height(), address);
+                            steepest = std::max(steepest, slopeToFallingEdges(field, i, j, radius));
+                        }
+                    }
+                    ASSERT_FLOAT_EQ(slopes[static_cast<std::size_t>(y * field.width() + x)],
+                                    static_cast<float>(steepest))
+                        << describe(field) << " " << x << " " << y;
+                }
+            }
+        }
+    }
+    // On a slope that rises to the border the surface never falls: the cone has no side.
+    FloatImage ramp(8, 1);
+    for (int x = 0; x < 8; ++x) ramp(x, 0) = 0.1F * static_cast<float>(x);
+    Work work(1);
+    const HeightField field(share(std::move(ramp)), Surface::Bilinear, Address::Clamp);
+    EXPECT_EQ(robustRelaxedCones(field, 8, work)[0], 0.0F);
 }
 
 std::string jsonOf(const EngineConventions& c) {
