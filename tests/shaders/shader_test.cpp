@@ -38,12 +38,13 @@ struct Differences {
     int outcomes = 0, hits = 0, steps = 0;  // rays that differ in it; hits by more than kSameAnswer
     int near = 0, outOfSteps = 0;           // why, see above
     double largest = 0;                     // texels, of the hits that count as equal
-    double allSteps = 0;                    // of the shader, over all rays
+    double allSteps = 0, allOfCpu = 0;      // steps over all rays
 
     int unexplained() const { return outcomes + hits - near - outOfSteps; }
     void add(const Differences& one) {
         rays += one.rays, outcomes += one.outcomes, hits += one.hits, steps += one.steps;
-        near += one.near, outOfSteps += one.outOfSteps, largest = std::max(largest, one.largest);
+        near += one.near, outOfSteps += one.outOfSteps;
+        allSteps += one.allSteps, allOfCpu += one.allOfCpu, largest = std::max(largest, one.largest);
     }
     std::string text() const {
         return std::to_string(rays) + " rays, other outcome " + std::to_string(outcomes) + ", other hit " +
@@ -118,6 +119,7 @@ Differences compare(Gl& gl, const ShaderChoice& choice, const HeightField& field
         const Hit hit = hits[i];
         const Found one = &found[4 * i];
         all.allSteps += static_cast<double>(one[2]);
+        all.allOfCpu += hits.steps[i];
         // The CPU counts the start of a ray as a step.
         all.steps += static_cast<int>(one[2]) != static_cast<int>(hits.steps[i]) - 1;
         if (sameAnswer(ray, hit, one)) {
@@ -191,6 +193,7 @@ TEST_F(Shaders, HitWhereTheirMethodHits) {
         if (!readsCones(tracer) && tracer != "max-pyramid") {
             EXPECT_LE(sum.steps, kMostDifferent * sum.rays) << tracer;
         }
+        EXPECT_LE(sum.allSteps, sum.allOfCpu) << tracer;
     }
     std::cout << gl_->renderer() << "\n";
 }

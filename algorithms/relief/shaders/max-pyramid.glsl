@@ -23,7 +23,9 @@ float maximumOf(Node node, int level) {
 Hit traceMaxPyramid(Ray viewRay) {
     CellRay ray = cellRay(viewRay);
     int top = relief.pyramidLevels - 1;
-    int level = top;
+    // Begin with nodes a quarter to half as long as the ray's run.
+    float longest = max(abs(viewRay.run.x), abs(viewRay.run.y));
+    int level = clamp(int(floor(log2(max(longest, 1.0)))) - 1, 0, top);
     // Above the highest point there is nothing to hit.
     float lambda = max(viewRay.from, 1.0 - maximumAt(ivec2(0), top));
     if (!inside(placeAt(viewRay, viewRay.from)) || !inside(placeAt(viewRay, lambda))) return Hit(false, lambda, 1);
