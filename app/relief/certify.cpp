@@ -1,12 +1,11 @@
 // relief certify PICTURE|SCENARIO.json [--map FILE.tif] [--tracer NAME] [--rays N] [--seed S] [-o FILE.json]
-#include <cmath>
-
 #include "certify_engine.h"
 #include "measuring/verify/certificate.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/maps/engine_map.h"
 #include "relief/tracers/map_choice.h"
+#include "witness.h"
 
 namespace relief::app {
 
@@ -20,26 +19,6 @@ struct CertifyOptions {
     OptionText rays, seed, output;
     RunOptions run;
 };
-
-// Returns the scenario that reproduces the ray as its central pixel: the camera lies behind the ray's entry into the
-// relief and looks along the ray. Rounding moves the pixel's ray by about 1e-13 of the picture.
-Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray) {
-    constexpr double kAway = 1.5;
-    // Odd, so that the centre of a pixel lies in the centre of the picture.
-    scenario.width = 801;
-    scenario.height = 601;
-    scenario.scene = SceneKind::Floor;
-    const double texel = 1.0 / field.width();
-    const glm::dvec3 entry(ray.s0 * texel - 0.5, 0, (ray.t0 - field.height() * 0.5) * texel);
-    const glm::dvec3 along(ray.a * texel, -field.reliefDepth(), ray.b * texel);
-    const double length = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
-    scenario.camera.kind = Camera::Kind::Free;
-    scenario.camera.target = entry;
-    scenario.camera.eye = entry - along * (kAway / length);
-    scenario.pixel = PixelChoice{scenario.width / 2, scenario.height / 2};
-    scenario.step = 0;
-    return scenario;
-}
 
 // Returns true if the pixel's ray of the witness scenario shows the violation as well: rounding may have moved it.
 bool shows(const Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) {

@@ -87,6 +87,7 @@ Words valuesOf(const std::string& command, const std::string& option, const std:
                                              {"--filter-set", optionWords(filterList())},
                                              {"make", reliefs},
                                              {"map", maps},
+                                             {"export", {"shader"}},
                                              {"bench", {"tracers", "rows", "filters"}},
                                              {"list", both(both(tracers, filters), both(reliefs, maps))}};
     const auto found = known.find(option.empty() ? command : option);

@@ -9,6 +9,7 @@
 #include "output.h"
 #include "relief/maps/pyramid_files.h"
 #include "relief/reliefs.h"
+#include "relief/shaders/shader_export.h"
 #include "relief/tracers/form_note.h"
 #include "relief/tracers/map_choice.h"
 #include "relief/visibility/any_hit.h"
@@ -35,6 +36,11 @@ std::string_view optionKindName(OptionKind kind) {
             break;
     }
     return "method";
+}
+
+bool hasShader(const MethodDescription& method) {
+    const std::vector<std::string> names = shaderTracers();
+    return std::find(names.begin(), names.end(), method.name) != names.end();
 }
 
 bool isNumber(const OptionDescription& option) {
@@ -85,6 +91,7 @@ Json methodJson(const MethodDescription& method) {
               {"addresses", Json::array()},
               {"maps", method.maps},
               {"tiled", method.tiled},
+              {"shader", hasShader(method)},
               {"options", Json::array()}};
     for (const Surface surface : method.surfaces) json["surfaces"].push_back(surfaceName(surface));
     for (const Address address : method.addresses) json["addresses"].push_back(addressName(address));
@@ -186,6 +193,7 @@ std::string methodText(const MethodDescription& method) {
     out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);
     if (!method.maps.empty()) out += entry("maps", commaList(method.maps), 6, 12);
     if (method.tiled) out += entry("tiles", "maps larger than memory, by --memory", 6, 12);
+    if (hasShader(method)) out += entry("shader", "GLSL and HLSL, by relief export shader", 6, 12);
     if (!method.source.empty()) out += entry("source", method.source, 6, 12);
     for (const OptionDescription& option : method.options) {
         out += entry("--set " + option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 22);

@@ -137,6 +137,8 @@ class ScenarioOptions {
     Scenario scenario() const { return scenario(file_); }
     // The same for another file, a scenario or a height map; std::nullopt: for the default scenario.
     Scenario scenario(const OptionText& file) const;
+    // The default scenario with the options of method and surface applied, for commands that need no heights.
+    Scenario withoutHeights() const;
     const OptionText& file() const { return file_; }
     bool heightsGiven() const { return file_ || height_ || recipe_; }
     // Sets the method, instead of an option --tracer. argument: the argument that determined it, for messages.

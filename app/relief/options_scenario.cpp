@@ -255,6 +255,12 @@ Scenario ScenarioOptions::scenario(const OptionText& file) const {
     return scenario;
 }
 
+Scenario ScenarioOptions::withoutHeights() const {
+    Scenario scenario;
+    applyMethod(scenario);
+    return scenario;
+}
+
 void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work,
                                    bool follow) const {
     if (!map_) return;
