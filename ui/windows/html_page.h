@@ -45,7 +45,7 @@ using LanguageSetter = std::function<void(relief::Language)>;
 void installPageLanguage(relief::Language language);
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work);
-inline constexpr std::size_t kMostFigureBytes = 700'000;
+inline constexpr std::size_t kMostFigureBytes = 700000;
 
 // An <img> with the picture in it; alt in the language of its surroundings.
 std::string pictureHtml(const QImage& picture, const std::string& alt);
