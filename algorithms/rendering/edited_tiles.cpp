@@ -234,8 +234,8 @@ std::size_t KeptTiles::kept() const {
 }
 
 std::optional<KeptTiles> keptTiles(const FrameRequest& request, const HeightField& lastField,
-                                   std::shared_ptr<const Frame> last, const Frame& frame,
-                                   const VisiblePolygons& visible, std::uint32_t stale) {
+                                   std::shared_ptr<const Frame> last, std::shared_ptr<const FrameBuffers> buffers,
+                                   const Frame& frame, const VisiblePolygons& visible, std::uint32_t stale) {
     // Approximate hits may depend on heights far away, by a map or by the error that is allowed; coordinates of rows in
     // float differ from those of the polygon's map.
     const bool local = frame.exactHits && !(request.bounded > 0) && request.mapping == kDirectRows &&
@@ -245,7 +245,7 @@ std::optional<KeptTiles> keptTiles(const FrameRequest& request, const HeightFiel
     const auto changed = ChangedTexels::between(lastField.heights(), request.field.heights());
     if (!changed) return std::nullopt;
     const TileTest test(request, *last, visible, *changed);
-    KeptTiles kept{last, {}};
+    KeptTiles kept{last, std::move(buffers), {}};
     for (const PixelArea& tile : tilesOf(frame.width, frame.rows)) kept.stale.push_back(test.stale(tile, stale));
     return kept;
 }

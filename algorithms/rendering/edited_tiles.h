@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "rendering/frame.h"
+#include "rendering/frame_buffers.h"
 #include "rendering/mesh_raster.h"
 
 namespace relief {
@@ -41,16 +41,17 @@ class ChangedTexels {
 // Which stages of which tiles are made again; the others are copied from the last frame.
 struct KeptTiles {
     std::shared_ptr<const Frame> last;
-    std::vector<std::uint32_t> stale;  // bits of Stage, one per tile, rows top-down
+    std::shared_ptr<const FrameBuffers> buffers;  // of the last frame
+    std::vector<std::uint32_t> stale;             // bits of Stage, one per tile, rows top-down
 
     std::size_t kept() const;
 };
 
 // Returns the stages to make again after a change of the heights alone; std::nullopt if any tile may depend on any
-// texel, as with methods that are not exact. last: the frame of lastField. frame: describes the new one; its rays are
-// the last frame's. stale: the stages that depend on heights.
+// texel, as with methods that are not exact. last, buffers: the frame of lastField. frame: describes the new one; its
+// rays are the last frame's. stale: the stages that depend on heights.
 std::optional<KeptTiles> keptTiles(const FrameRequest& request, const HeightField& lastField,
-                                   std::shared_ptr<const Frame> last, const Frame& frame,
-                                   const VisiblePolygons& visible, std::uint32_t stale);
+                                   std::shared_ptr<const Frame> last, std::shared_ptr<const FrameBuffers> buffers,
+                                   const Frame& frame, const VisiblePolygons& visible, std::uint32_t stale);
 
 }  // namespace relief

@@ -61,15 +61,20 @@ void TileWorker::keep(const PixelArea& tile) const {
             std::copy_n(from.begin() + first, tile.x1 - tile.x0, to.begin() + first);
         }
     };
-    const bool blank = !covered(tile);
-    // The buffer of a blank tile may hold the same blank values already.
-    if (has(kept, Stage::Hits) && !(blank && !needsClearing(buffers_.hits, tile))) {
+    // Buffers of the frame before the last hold the same pixels where the last edit changed none.
+    const auto differs = [&](const auto& from, const auto& to) {
+        const std::size_t n = number(tile);
+        if (to->madeFor[n] != 0 && to->madeFor[n] == from->madeFor[n]) return false;
+        to->madeFor[n] = from->madeFor[n];
+        return true;
+    };
+    if (has(kept, Stage::Hits) && differs(tools_.kept->buffers->hits, buffers_.hits)) {
         const HitBlock& from = last.hits->hits;
         HitBlock& to = buffers_.hits->hits;
         copy(from.outcome, to.outcome), copy(last.hits->by, buffers_.hits->by);
         copy(from.lambda, to.lambda), copy(from.s, to.s), copy(from.t, to.t);
     }
-    if (has(kept, Stage::Color) && !(blank && !needsClearing(buffers_.color, tile))) {
+    if (has(kept, Stage::Color) && differs(tools_.kept->buffers->color, buffers_.color)) {
         copy(last.color->color.pixels(), buffers_.color->color.pixels());
     }
     if (has(kept, Stage::Shadows) && request_.shadows) copy(last.shadows->shadowed, buffers_.shadows->shadowed);
@@ -146,10 +151,13 @@ bool TileWorker::covered(const PixelArea& tile) const {
 void TileWorker::markBlank(const PixelArea& tile) const {
     // A mesh may draw in any tile.
     const auto blank = static_cast<std::uint8_t>(tools_.mesh == nullptr && !covered(tile) ? 1 : 0);
-    const auto mark = [&](const auto& stage) {
-        if (stage) stage->blank[number(tile)] = blank;
+    const std::uint32_t stale = staleOf(tile);
+    const auto mark = [&](Stage stage, const auto& buffer) {
+        if (!buffer) return;
+        buffer->blank[number(tile)] = blank;
+        if (has(stale, stage) && !buffer->madeFor.empty()) buffer->madeFor[number(tile)] = buffers_.frames;
     };
-    mark(buffers_.rays), mark(buffers_.hits), mark(buffers_.color);
+    mark(Stage::Rays, buffers_.rays), mark(Stage::Hits, buffers_.hits), mark(Stage::Color, buffers_.color);
 }
 
 void TileWorker::makeRays(const PixelArea& tile) const {

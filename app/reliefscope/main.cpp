@@ -246,6 +246,9 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     page.style.language = reliefui::uiLanguage();
     if (!arguments.html) reliefui::checkPage(page, arguments.output, kind.vectors);
+    if (arguments.html && std::filesystem::path(arguments.output).extension() != ".html") {
+        throw InputError(arguments.output, Message(MessageId::FormatUnknown, {{"extension", ""}, {"known", "html"}}));
+    }
     if (arguments.html && !kind.make) {
         throw InputError("--html", Message(MessageId::ArgumentsExclude, {{"other", "--export " + arguments.figure}}));
     }

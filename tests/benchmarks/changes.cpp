@@ -14,8 +14,8 @@
 #include <QCoreApplication>
 
 #include "../ui/changes.h"
+#include "measuring/bench/machine.h"
 #include "measuring/quantiles.h"
-#include "relief/errors.h"
 #include "workspace/start_scenario.h"
 #include "workspace/workspace.h"
 
@@ -131,8 +131,9 @@ int requestsOfLooks(const relief::Scenario& first) {
 
 void print(const std::vector<std::pair<std::string, Measured>>& rows) {
     std::printf(
-        "| change | stages made | tiles | rays traced | texels read | hits asked for shadows | maps, KB | ms | "
-        "ms of a new picture |\n| --- | --- | --: | --: | --: | --: | --: | --: | --: |\n");
+        "| change | stages made | tiles | rays traced | texels read | hits with shadow queries | maps, KB | processor "
+        "ms "
+        "| of a new picture |\n| --- | --- | --: | --: | --: | --: | --: | --: | --: |\n");
     for (const auto& [name, row] : rows) {
         std::printf("| %s | %s | %s | %s | %s | %s | %s | %.1f | %.1f |\n", name.c_str(), row.stages.c_str(),
                     readable(row.tiles).c_str(), readable(row.rays).c_str(), readable(row.texels).c_str(),
@@ -162,9 +163,10 @@ int main(int argc, char** argv) {
         print(rows);
         relief::Work work;
         std::printf(
-            "\nChosen step, theme, language and a change to the same values: %d requests of a picture. Threads: "
-            "%d; medians of %d rounds.\n",
-            requestsOfLooks(scene), work.threads().size(), rounds);
+            "\nChosen step, theme, language and a change to the same values: %d requests of a picture.\n\n(%s, %d "
+            "thread(s), %s, medians of %d rounds)\n",
+            requestsOfLooks(scene), relief::cpuText().c_str(), work.threads().size(), relief::compilerText().c_str(),
+            rounds);
         return 0;
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";

@@ -140,6 +140,28 @@ bool allEqual(const std::vector<std::vector<int>>& frames) {
     return std::adjacent_find(frames.begin(), frames.end(), std::not_equal_to<>()) == frames.end();
 }
 
+// The figures that show the chosen step. Others may take seconds to draw, and are drawn once.
+bool followsSteps(const FigureKind& kind) {
+    constexpr std::array<std::string_view, 8> kNames{"profile", "duel",  "distance",    "pyramid",
+                                                     "steps",   "slabs", "formula-ray", "formula"};
+    return std::find(kNames.begin(), kNames.end(), kind.name) != kNames.end();
+}
+
+// Returns how many steps there is room for: two steps tell how many bytes a step has of its own.
+std::size_t mostSteps(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
+                      const LanguageSetter& installLanguage, relief::Work& work) {
+    const int last = std::max(static_cast<int>(snapshot->trace.steps.size()) - 1, 0);
+    const int chosen = snapshot->scenario.step;
+    installLanguage(relief::Language::English);
+    const std::size_t before = parts.bytes();
+    const Frames one = framesOf(kind, snapshot, {chosen}, relief::Language::English, parts, work);
+    const std::size_t oneBytes = parts.bytes() - before;
+    const Frames other = framesOf(kind, snapshot, {chosen == last ? 0 : last}, relief::Language::English, parts, work);
+    if (one.parts == other.parts) return 1;
+    const std::size_t each = std::max<std::size_t>(parts.bytes() - before - oneBytes, 1);
+    return std::min(kMostSteps, (kMostFigureBytes - std::min(kMostFigureBytes, oneBytes)) / (2 * each));
+}
+
 // A figure that is pixels: as drawn for the chosen step.
 std::string pixelsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, relief::Work& work) {
     constexpr int kWidth = 720;
@@ -185,18 +207,7 @@ std::string HtmlParts::script() const {
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work) {
     if (!kind.vectors) return pixelsFigure(kind, snapshot, work);
-    // Two steps tell whether the figure depends on the step at all, and how many bytes a step has of its own.
-    const int last = std::max(static_cast<int>(snapshot->trace.steps.size()) - 1, 0);
-    const int chosenStep = snapshot->scenario.step;
-    installLanguage(relief::Language::English);
-    const std::size_t before = parts.bytes();
-    const Frames one = framesOf(kind, snapshot, {chosenStep}, relief::Language::English, parts, work);
-    const std::size_t oneBytes = parts.bytes() - before;
-    const Frames other =
-        framesOf(kind, snapshot, {chosenStep == last ? 0 : last}, relief::Language::English, parts, work);
-    const std::size_t each = std::max<std::size_t>(parts.bytes() - before - oneBytes, 1);
-    const std::size_t room = kMostFigureBytes - std::min(kMostFigureBytes, oneBytes);
-    const std::size_t most = one.parts == other.parts ? 1 : std::min(kMostSteps, room / (2 * each));
+    const std::size_t most = followsSteps(kind) ? mostSteps(kind, snapshot, parts, installLanguage, work) : 1;
     const std::vector<int> steps = stepsOf(*snapshot, most);
     std::map<relief::Language, Frames> frames;
     for (const relief::Language language : kPageLanguages) {

@@ -128,6 +128,7 @@ class Doctor {
         for (const std::size_t r : sampleOf(right_, kRightPool)) pool_.ids.push_back(r);
         pool_.given = answered(pool_.ids);
         pool_.evidence = evidenceOf(pool_.ids);
+        pool_.evidence.lattice = latticeOf(pool_.given);
         pool_.explained.assign(pool_.ids.size(), false);
         std::fill(pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), pool_.explained.end(), true);
     }
@@ -146,6 +147,7 @@ class Doctor {
         add(done, kRightSample);
         sample_.given = answered(sample_.ids);
         sample_.evidence = evidenceOf(sample_.ids);
+        sample_.evidence.lattice = latticeOf(sample_.given);
     }
     AnsweredRays answered(const std::vector<std::size_t>& ids) const {
         AnsweredRays out;

@@ -48,8 +48,8 @@ class Search {
             one.limited = limited;
             found.push_back(predicted(one));
         }
-        if (const Lattice lattice = latticeOf(given_); lattice.layers > 0) {
-            offerLattice(found, lattice);
+        if (evidence_.lattice.layers > 0) {
+            offerLattice(found, evidence_.lattice);
         } else if (const int few = secantLayers(); few > 0) {
             offerLayers(found, ModelSearch::Secant, few);
         }
@@ -115,10 +115,14 @@ class Search {
             if (off.size() < 8) return;
             const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
             std::nth_element(off.begin(), middle, off.end());
-            constexpr double kLeast = 1e-5;
-            if (std::abs(*middle) < kLeast) continue;
+            const double bias = *middle;
+            constexpr double kLeast = 1e-5, kSame = 1e-3;
+            // A tenth of the answers must have it, or the model need not be tried.
+            const auto same = static_cast<std::size_t>(
+                std::count_if(off.begin(), off.end(), [&](double one) { return std::abs(one - bias) <= kSame; }));
+            if (std::abs(bias) < kLeast || same * 10 < off.size()) continue;
             TracerModel model = model_;
-            (along ? model.biasTexels : model.bias) = *middle;
+            (along ? model.biasTexels : model.bias) = bias;
             found.push_back(predicted(model));
         }
     }
@@ -138,7 +142,7 @@ class Search {
 
     // Returns the number of layers between which a line gives nearly all answers; 0 if there is none.
     int secantLayers() {
-        std::size_t wrong = 0;
+        std::size_t wrong = 0, distant = 0;
         RayBlock few;
         std::vector<Hit> answers;
         const std::size_t stride = std::max<std::size_t>(1, given_.size() / 96);
@@ -146,9 +150,11 @@ class Search {
             few.push(given_.rays[r]);
             answers.push_back(given_.answers[r]);
             wrong += gap(r, exact_[r]) > kRightTexels ? 1 : 0;
+            constexpr double kLayer = 0.1;
+            distant += isHit(r) && std::abs(given_.answers[r].lambda - exact_[r].lambda) <= kLayer ? 0 : 1;
         }
-        // An exact search explains them.
-        if (wrong * 20 < few.size()) return 0;
+        // An exact search explains them; or they lie further from its answers than a layer.
+        if (wrong * 20 < few.size() || 2 * distant > few.size()) return 0;
         TracerModel model = model_;
         model.search = ModelSearch::Secant;
         for (const int layers : kUsualLayers) {

@@ -13,17 +13,16 @@
 namespace relief {
 
 // What a ray shows. Right: the model predicts its answer, or the answers differ only because the ray barely touches the
-// surface. Else the fault of the search that explains the answer; nothing: none does.
-// sharp: the answer is predicted to the rounding of float.
+// surface. Otherwise the fault of the search that explains the answer; std::nullopt if none does. sharp: the answer is
+// predicted to the rounding of float.
 struct RayVerdict {
     bool explained = false;
     std::optional<Fault> cause{};
     bool sharp = false;
 };
 
-// An explanation of all answers: the model, with its search, and the verdict on each ray. layers: of StairSteps and
-// MissedSpike, the number of layers; 0 if it is not known. loose: found by the kind of the errors alone, not by
-// predicting them.
+// An explanation of all answers: the model, with its search, and the verdict on each ray. searchFaults: their values
+// are the number of layers; 0 if it is not known. loose: found by the kind of the errors alone, not by predicting them.
 struct Explanation {
     TracerModel model;
     std::vector<RayVerdict> rays;
@@ -32,8 +31,9 @@ struct Explanation {
 };
 
 // counts: steps of each ray, empty if they were not recorded. kinds: of each ray, the fault that its recorded steps
-// show; empty if there are none.
+// show; empty if there are none. lattice: latticeOf() the rays.
 struct SearchEvidence {
+    Lattice lattice;
     std::vector<std::uint32_t> counts;
     std::vector<std::optional<Fault>> kinds;
 };

@@ -74,9 +74,13 @@ EngineVolume volumeOf(const Json& json, const std::string& kind, const std::stri
     json.at("horizons").get_to(p.horizons);
     json.at("directions").get_to(p.directions);
     p.to = parseDistanceTo(json.at("to").get<std::string>());
-    const bool positive = volume.scale > 0 && volume.nx > 0 && volume.ny > 0 && volume.columns > 0 && p.layers > 0 &&
-                          p.sectors > 0 && p.footprint > 0 && volume.slabTexels > 0 && volume.maxRun > 0;
-    if (!positive) refuse(path, "distance");
+    // Far more than any tracer asks for; the picture's size decides what fits.
+    constexpr int kMost = 4096;
+    const auto within = [](int number, int most) { return number >= 1 && number <= most; };
+    const bool valid = volume.scale > 0 && within(p.layers, kMost) && within(p.sectors, kMost) &&
+                       within(p.footprint, kMost) && within(volume.columns, p.layers * p.sectors) && volume.nx > 0 &&
+                       volume.ny > 0 && volume.slabTexels > 0 && volume.maxRun > 0 && volume.cap > 0;
+    if (!valid) refuse(path, "distance");
     return volume;
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::size_t kChunkPackets = kLaneChunk / kLanes;
 // Cells that the rays of a packet may be apart where they begin.
 inline constexpr float kLongestPacket = 64;
 // Cells in v that they may be apart at the same u; on large maps, where a single ray's steps wait for memory, more.
-inline constexpr float kWidestPacket = 1, kWidestOnLargeMaps = 1.5F;
+inline constexpr float kWidestPacket = 0.65F, kWidestOnLargeMaps = 1.1F;
 // Cells in v per cell in u of the steepest ray.
 inline constexpr float kSteepestPacket = 1.2F;
 // Packets begin at any ray. After this number of packets in a row that are too wide, the next one is searched for ray

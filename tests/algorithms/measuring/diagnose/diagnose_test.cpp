@@ -13,7 +13,7 @@ namespace relief::test {
 
 namespace {
 
-constexpr std::size_t kRays = 1500;
+constexpr std::size_t kRays = 1000;
 
 std::set<std::string> namesIn(const Diagnosis& diagnosis) {
     std::set<std::string> names;

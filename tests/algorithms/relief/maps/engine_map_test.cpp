@@ -283,6 +283,18 @@ TEST(EngineFiles, WhatIsNoMapIsRefused) {
     EXPECT_NE(faultOf([&] { readEngineConventions(path); }).find("cube-ratio"), std::string::npos);
     writeTextFile(engineSidecar(path), "{}");
     EXPECT_FALSE(faultOf([&] { readEngineConventions(path); }).empty());
+    // Numbers that no volume has, before anything is allocated by them.
+    DistanceParameters parameters;
+    parameters.layers = 5;
+    EngineMap volume = buildEngineDistances(buildDistanceMap(DistanceKind::Euclidean, parameters, field, work), field,
+                                            conventions("R=distance", 8), work);
+    volume.conventions.kind = "euclidean";
+    writeEngineMap(path, volume);
+    EXPECT_TRUE(readEngineConventions(path));
+    text = readTextFile(engineSidecar(path));
+    text.replace(text.find("\"layers\": 5"), 11, "\"layers\": 2000000000");
+    writeTextFile(engineSidecar(path), text);
+    EXPECT_NE(faultOf([&] { readEngineConventions(path); }).find("damaged: distance"), std::string::npos);
     writeHeight(folder / "plain.png", field.heights());
     EXPECT_FALSE(isEngineMap(folder / "plain.png"));
 }

@@ -60,7 +60,10 @@ void expectSame(const HeightField& field, const RayBlock& rays, Counts& counts) 
                 return ray.enter(axis, index, index + 1, base);
             };
             const double in = std::max({enters(exact.x, grid.x, x), enters(exact.y, grid.y, y), 0.0});
-            if (!lanes[i].cells.empty() || hits[i].outcome != Outcome::Hit || !(in < hits[i].lambda)) continue;
+            // Not where the hit is next to a border, since a walk cannot begin between the two.
+            constexpr double kApart = 1e-6;
+            if (!lanes[i].cells.empty() || hits[i].outcome != Outcome::Hit) continue;
+            if (!(in + kApart < hits[i].lambda)) continue;
             LogSink sink;
             const Hit hit = walk.trace(rays[i], (in + hits[i].lambda) / 2, sink, sink);
             EXPECT_TRUE(sameBits(hit, hits[i])) << i;
@@ -109,7 +112,9 @@ TEST(ConePackets, alongLinesAndThroughCorners) {
             for (const double run : {32.0, -32.0}) {
                 RayBlock rays;
                 for (int n = 0; n < 1040; ++n) {
-                    rays.push({30 + 0.125 * (n % 4) + 0.5 * (n / 64), 30.5 + 0.125 * (n / 4 % 4), run + n * 1e-9, run});
+                    // Some pass exactly through corners.
+                    const double s = 30 + 0.0625 * (n % 4) + 0.5 * (n / 64), t = 30.5 + 0.0625 * (n / 4 % 4);
+                    rays.push({s, t, run + n * 1e-9, run});
                 }
                 expectSame(field, rays, counts);
             }
@@ -117,6 +122,8 @@ TEST(ConePackets, alongLinesAndThroughCorners) {
     }
     std::printf("%zu rays, %zu left packets at candidates, %zu of these checked\n", counts.rays, counts.inPackets,
                 counts.decided);
+    if (counts.inPackets == 0) GTEST_SKIP() << "no packets on this processor";
+    EXPECT_GT(counts.inPackets, counts.rays / 20);
 }
 
 }  // namespace
