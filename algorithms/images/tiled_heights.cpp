@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <deque>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -47,7 +48,9 @@ void readFully(int descriptor, std::uint64_t at, std::byte* to, std::size_t coun
     if (got != static_cast<::ssize_t>(count)) throw InputError(path, Message(MessageId::FileTruncated));
 }
 
-// The file in memory, at an address that is a multiple of kGroupBytes: the kernel maps aligned blocks of that size.
+// The file in memory, as a private copy: only pages that are written take memory of the process, so that what is
+// resident is what was loaded. (A page of the file that is read takes its neighbours with it, since Linux 6.18 up to
+// 2 MB.) At an address that is a multiple of kGroupBytes.
 class Mapping {
   public:
     Mapping(int descriptor, std::uint64_t bytes, const std::string& path) : bytes_(bytes) {
@@ -57,7 +60,8 @@ class Mapping {
         place_ = place;
         const auto address = reinterpret_cast<std::uintptr_t>(place);
         auto* const aligned = static_cast<std::byte*>(place) + ((kGroupBytes - address % kGroupBytes) % kGroupBytes);
-        void* const map = ::mmap(aligned, bytes_, PROT_READ, MAP_SHARED | MAP_FIXED, descriptor, 0);
+        void* const map =
+            ::mmap(aligned, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED | MAP_NORESERVE, descriptor, 0);
         if (map == MAP_FAILED) {
             const int error = errno;
             ::munmap(place_, reserved_);
@@ -73,6 +77,12 @@ class Mapping {
     Mapping& operator=(const Mapping&) = delete;
 
     const std::byte* first() const { return first_; }
+    // Copies a tile, whose bytes are those of the file, to its place. Threads may read it meanwhile, since no byte
+    // changes.
+    [[gnu::no_sanitize("thread")]] void load(std::uint64_t at, std::span<const std::uint64_t> tile) const {
+        auto* const to = reinterpret_cast<volatile std::uint64_t*>(first_ + at);
+        for (std::size_t i = 0; i < tile.size(); ++i) to[i] = tile[i];
+    }
     // Takes a group out of memory. Safe while threads read it: they find the same bytes in the file.
     void drop(std::uint64_t group) const {
         static_cast<void>(::madvise(first_ + (group << kGroupShift), kGroupBytes, MADV_DONTNEED));
@@ -100,20 +110,18 @@ struct TiledHeights::Cache {
     std::vector<std::uint64_t> checksums;
     std::size_t tableBytes = 0;
 
-    std::mutex mutex;                   // guards what follows, and the changes of states other than resident to used
-    std::vector<std::uint64_t> groups;  // those resident, in a ring
-    std::vector<bool> resident;         // by group
-    std::size_t most = 1;               // groups that may be resident
-    std::size_t hand = 0;               // in the ring: what comes next when a group has to go
+    std::mutex mutex;                    // guards what follows, and the changes of states other than resident to used
+    std::deque<std::uint64_t> groups;    // those with resident tiles; the first goes first
+    std::vector<std::uint8_t> resident;  // by group: the size of its resident tiles, in units of kLeastTileBytes
+    std::size_t most = 0;                // of these units in all
     std::array<std::uint64_t, kDroppedAgain> dropped{};
 
     std::atomic<std::uint64_t> tilesRead{0}, bytesRead{0}, misses{0}, evictions{0};
-    std::atomic<std::size_t> residentGroups{0};
+    std::atomic<std::size_t> taken{0};  // units of kLeastTileBytes
 
     void readChecksums(const TiledHeights& heights, std::uint64_t checksum);
     void load(const TiledHeights& heights, const TilePage& page, std::uint64_t at);
-    void admit(std::atomic<std::uint8_t>* states, std::uint64_t group);
-    std::size_t placeOfUnused(std::atomic<std::uint8_t>* states);
+    void dropUnused(std::atomic<std::uint8_t>* states);
 };
 
 void TiledHeights::Cache::readChecksums(const TiledHeights& heights, std::uint64_t checksum) {
@@ -124,47 +132,40 @@ void TiledHeights::Cache::readChecksums(const TiledHeights& heights, std::uint64
     if (tileChecksum(bytes, count) != checksum) throw InputError(heights.path_, Message(MessageId::TiledTableDamaged));
 }
 
-// The clock algorithm: groups used since the hand passed them get a second chance. Returns a place of the ring whose
-// group has been dropped.
-std::size_t TiledHeights::Cache::placeOfUnused(std::atomic<std::uint8_t>* states) {
+// The clock algorithm: drops the first group; groups used since their last turn get another one instead.
+void TiledHeights::Cache::dropUnused(std::atomic<std::uint8_t>* states) {
     for (;;) {
-        const std::size_t place = hand;
-        hand = (hand + 1) % groups.size();
-        std::atomic<std::uint8_t>* const first = states + groups[place] * kStates;
+        const std::uint64_t group = groups.front();
+        groups.pop_front();
+        std::atomic<std::uint8_t>* const first = states + group * kStates;
         bool used = false;
         for (std::size_t i = 0; i < kStates; ++i) {
             // Readers may have marked it as used again since it was made unused: another round would find none unused
-            // only if they marked every group faster than the hand moves.
+            // only if they marked every group faster than their turns come.
             if (first[i].load(std::memory_order_relaxed) != kUsed) continue;
             first[i].store(kResident, std::memory_order_relaxed);
             used = true;
         }
-        if (used) continue;
+        if (used) {
+            groups.push_back(group);
+            continue;
+        }
         for (std::size_t i = 0; i < kStates; ++i) first[i].store(kAbsent, std::memory_order_release);
-        resident[groups[place]] = false;
-        map.drop(groups[place]);
-        const std::uint64_t before = std::exchange(dropped[evictions++ % kDroppedAgain], groups[place]);
-        if (!resident[before]) map.drop(before);
-        return place;
+        taken -= std::exchange(resident[group], 0);
+        map.drop(group);
+        const std::uint64_t before = std::exchange(dropped[evictions++ % kDroppedAgain], group);
+        if (resident[before] == 0) map.drop(before);
+        return;
     }
-}
-
-void TiledHeights::Cache::admit(std::atomic<std::uint8_t>* states, std::uint64_t group) {
-    if (resident[group]) return;
-    if (groups.size() < most)
-        groups.push_back(group);
-    else
-        groups[placeOfUnused(states)] = group;
-    resident[group] = true;
-    residentGroups.store(groups.size(), std::memory_order_relaxed);
 }
 
 void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page, std::uint64_t at) {
     ++misses;
-    alignas(8) std::array<std::byte, kTileTexels * sizeof(float)> tile;
+    std::array<std::uint64_t, kTileTexels * sizeof(float) / sizeof(std::uint64_t)> words;
+    auto* const tile = reinterpret_cast<std::byte*>(words.data());
     // Reading the bytes before they are accessed in the mapping turns errors of the disk into exceptions.
-    readFully(file->number(), at, tile.data(), page.tileBytes(), heights.path_);
-    if (tileChecksum(tile.data(), page.tileBytes()) != checksums[page.placeIndex(at)]) {
+    readFully(file->number(), at, tile, page.tileBytes(), heights.path_);
+    if (tileChecksum(tile, page.tileBytes()) != checksums[page.placeIndex(at)]) {
         const auto [x, y] = page.tileAt(at);
         throw InputError(heights.path_,
                          Message(MessageId::TiledTileDamaged,
@@ -173,9 +174,17 @@ void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page
     ++tilesRead;
     bytesRead += page.tileBytes();
     const std::lock_guard lock(mutex);
-    admit(heights.states_.get(), at >> kGroupShift);
+    std::atomic<std::uint8_t>& state = heights.states_[at >> kStateShift];
+    if (state.load(std::memory_order_relaxed) != kAbsent) return;  // loaded by another thread meanwhile
+    const std::size_t units = page.tileBytes() >> kStateShift;
+    while (taken + units > most && !groups.empty()) dropUnused(heights.states_.get());
+    std::uint8_t& ofGroup = resident[at >> kGroupShift];
+    if (ofGroup == 0) groups.push_back(at >> kGroupShift);
+    ofGroup = static_cast<std::uint8_t>(ofGroup + units);
+    taken += units;
+    map.load(at, std::span(words).first(page.tileBytes() / sizeof(std::uint64_t)));
     // Not yet as used: what is read once only goes before what is read again.
-    heights.states_[at >> kStateShift].store(kResident, std::memory_order_release);
+    state.store(kResident, std::memory_order_release);
 }
 
 TiledHeights::TiledHeights(std::string path, std::size_t residentBytes) : path_(std::move(path)) {
@@ -190,16 +199,33 @@ TiledHeights::TiledHeights(std::string path, std::size_t residentBytes) : path_(
         throw InputError(path_, Message(MessageId::TiledTruncated, {{"bytes", size}, {"whole", layout_.fileBytes}}));
     const std::size_t states = (layout_.fileBytes + kLeastTileBytes - 1) >> kStateShift;
     const std::size_t groups = (layout_.checksums + kGroupBytes - 1) >> kGroupShift;
-    const std::size_t tables = layout_.checksumBytes() + states + groups / 8;
+    const std::size_t tables = layout_.checksumBytes() + states + groups;
     requireMemory(tables, path_);
     cache_ = std::make_unique<Cache>(std::move(file), *this);
     cache_->readChecksums(*this, head->checksum);
     cache_->tableBytes = tables;
     cache_->resident.resize(groups);
-    states_ = std::make_unique<std::atomic<std::uint8_t>[]>(states);
+    states_ = std::make_unique<std::atomic<std::uint8_t>[]>(states + sizeof(std::int32_t) - 1);
     map_ = cache_->map.first();
     limit_ = residentBytes;
-    cache_->most = residentBytes < tables ? 1 : std::max<std::size_t>(1, (residentBytes - tables) >> kGroupShift);
+    cache_->most = residentBytes < tables ? 0 : (residentBytes - tables) >> kStateShift;
+    setAccess();
+}
+
+void TiledHeights::setAccess() {
+    const TilePage& heights = layout_.pages.front();
+    access_.map = map_;
+    if (layout_.fileBytes >> kStateShift < std::uint64_t{1} << 31) access_.states = states_.get();
+    access_.type = layout_.type;
+    access_.tileBytesShift = heights.tileBytesShift;
+    access_.acrossShift = heights.acrossShift;
+    access_.downShift = heights.downShift;
+    for (int level = 0; level < layout_.levels; ++level) {
+        const TilePage& page = layout_.page(TileKind::Max, level);
+        const auto at = static_cast<std::size_t>(level);
+        access_.firstGroup[at] = static_cast<std::int32_t>(page.first >> kGroupShift);
+        access_.groupsAcross[at] = page.groupsAcross;
+    }
 }
 
 TiledHeights::~TiledHeights() = default;
@@ -248,7 +274,7 @@ TileStatistics TiledHeights::statistics() const {
 }
 
 std::size_t TiledHeights::residentBytes() const {
-    return cache_->tableBytes + (cache_->residentGroups.load(std::memory_order_relaxed) << kGroupShift);
+    return cache_->tableBytes + (cache_->taken.load(std::memory_order_relaxed) << kStateShift);
 }
 
 }  // namespace relief

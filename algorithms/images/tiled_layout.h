@@ -2,6 +2,8 @@
 // the map and the type of its heights, so that tiles can be written in any order and found by arithmetic.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -105,6 +107,19 @@ inline float tileValue(NumberType type, const std::byte* tile, std::size_t i) {
     float value = 0;
     std::memcpy(&value, tile + 4 * i, sizeof value);
     return value;
+}
+
+// The largest of the heights i, i + 1, j and j + 1 of a tile. Codes are compared before the division, which is the
+// most expensive part.
+inline float highestValue(NumberType type, const std::byte* tile, std::size_t i, std::size_t j) {
+    if (type == NumberType::UInt16) {
+        std::array<std::uint16_t, 4> codes{};
+        std::memcpy(codes.data(), tile + 2 * i, 2 * sizeof(std::uint16_t));
+        std::memcpy(codes.data() + 2, tile + 2 * j, 2 * sizeof(std::uint16_t));
+        return static_cast<float>(std::max(std::max(codes[0], codes[1]), std::max(codes[2], codes[3]))) / 65535.0F;
+    }
+    return std::max(std::max(tileValue(type, tile, i), tileValue(type, tile, i + 1)),
+                    std::max(tileValue(type, tile, j), tileValue(type, tile, j + 1)));
 }
 
 // Checksum of a tile or of the table of checksums; words: 64-bit words, low byte first, bytes a multiple of

@@ -2,6 +2,7 @@
 // read by tiles: a source is a FloatImage or TileSource.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "images/tiled_heights.h"
@@ -13,6 +14,7 @@ namespace relief {
 struct TileSource {
     const TiledHeights& tiles;
     float operator()(int i, int j) const { return tiles.height(i, j); }
+    std::array<float, 4> corners(int i0, int i1, int j0, int j1) const { return tiles.corners(i0, i1, j0, j1); }
 };
 
 // Returns true if SIMD can gather the heights: they are in memory, and their indices have 31 bits.

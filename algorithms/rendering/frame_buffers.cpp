@@ -35,7 +35,9 @@ void fitTiles(Kept<T>& buffer, const Frame& frame, bool skip) {
     const bool same = buffer.width == frame.width && buffer.height == frame.height;
     if (skip && same) return;
     buffer.width = frame.width, buffer.height = frame.height;
-    buffer.blank.assign(static_cast<std::size_t>(tilesAcross(frame.width) * tilesDown(frame.height)), 0);
+    const auto tiles = static_cast<std::size_t>(tilesAcross(frame.width) * tilesDown(frame.height));
+    buffer.blank.assign(tiles, 0);
+    buffer.madeFor.assign(tiles, 0);
 }
 
 void fit(ColorImage& image, int width, int height) {

@@ -32,6 +32,9 @@ template <class T>
 struct Kept : T {
     int width = 0, height = 0;        // of the picture
     std::vector<std::uint8_t> blank;  // one per tile, rows top-down
+    // For each tile the number of the frame that it was made for: buffers with the same number hold the same pixels. 0:
+    // unknown. Empty in bands.
+    std::vector<std::uint64_t> madeFor;
 };
 
 // The buffers of a frame that is being made: new ones for stale stages, the last frame's for all others.
@@ -41,6 +44,7 @@ struct FrameBuffers {
     std::shared_ptr<Kept<ColorStage>> color;
     std::shared_ptr<ShadowStage> shadows;
     std::shared_ptr<LightStage> light;
+    std::uint64_t frames = 0;  // number of frames made with these buffers, the current one included
 };
 
 // Bytes per pixel of all stages but light; and of steps and reads.

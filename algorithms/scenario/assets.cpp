@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "images/tiled_heights.h"
 #include "relief/reliefs.h"
 #include "scenario/scenario.h"
@@ -34,10 +36,16 @@ std::shared_ptr<const HeightImage> loadHeights(const Pictures& pictures, Work& w
     return made;
 }
 
+// Most that filters take for the grey picture that stands for a colour picture, with its levels and bounds of heights
+// (greyPicture(), HeightBoundsMap), bytes; measured with elliptical-visible.
+constexpr std::size_t kGreyBytes = std::size_t{75} << 20;
+
 // Opens the height map by tiles. Three quarters of the memory hold tiles, the rest the upper levels of the pyramid
-// (TiledPyramid::mostBytes()).
+// (TiledPyramid::mostBytes()), besides what filters may need; of less than 300 MB that gets a quarter, which it may
+// exceed.
 void openTiles(const Pictures& pictures, Assets& assets) {
-    const std::size_t bytes = static_cast<std::size_t>(pictures.memory) << 20;
+    std::size_t bytes = static_cast<std::size_t>(pictures.memory) << 20;
+    if (pictures.color.empty()) bytes -= std::min(kGreyBytes, bytes / 4);
     assets.tiles = TiledHeights::open(pictures.height, bytes / 4 * 3);
     auto height = std::make_shared<HeightImage>();
     height->info.path = pictures.height;

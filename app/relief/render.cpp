@@ -21,7 +21,7 @@ namespace relief::app {
 
 namespace {
 
-// Largest .tif and .exr, in pixels, that is not written in tiles unless --tiled is given.
+// Largest picture, in pixels, that is not written in tiles unless --tiled is given, if its format has tiles.
 constexpr std::int64_t kMostWholePixels = std::int64_t{1} << 26;
 // Largest side of a .jpg, .bmp or .hdr, pixels.
 constexpr int kMaxOtherSide = 1 << 15;
@@ -160,10 +160,15 @@ void renderTiled(OnePicture& picture, const RenderOptions& options, const PartNu
     done->journal->finish();
 }
 
+// Returns true if pictures with this file name ending can be written in tiles.
+bool canTile(const std::string& ending) {
+    return ending == "tif" || ending == "tiff" || ending == "exr";
+}
+
 // Throws InputError if the format cannot hold the picture.
 void checkSides(const Scenario& scenario, const std::string& output) {
     const std::string ending = fileEnding(output);
-    if (ending == "png" || ending == "tif" || ending == "tiff" || ending == "exr") return;
+    if (ending == "png" || canTile(ending)) return;
     if (std::max(scenario.width, scenario.height) <= kMaxOtherSide) return;
     throw InputError(output, Message(MessageId::PictureSidesOf, {{"width", scenario.width},
                                                                  {"height", scenario.height},
@@ -200,7 +205,7 @@ int runRender(const RenderOptions& options, Session& session) {
     checkSides(scenario, output);
     const bool huge = std::int64_t{scenario.width} * scenario.height > kMostWholePixels;
     OnePicture picture(options.scenario, scenario, layers, options.report.has_value(), session);
-    if (options.tiled || (huge && fileEnding(output) != "png" && !options.report)) {
+    if (options.tiled || (huge && canTile(fileEnding(output)) && !options.report)) {
         renderTiled(picture, options, number, output, session);
         picture.noteTilesRead();
         return 0;
@@ -248,7 +253,7 @@ void addRenderCommand(CLI::App& program, Commands& commands) {
             "write the picture (.tif, .exr) row of tiles by row of tiles as it is made, so that memory grows with its "
             "width only, and finished rows are kept in FILE.part and FILE.rows until the picture is complete; always "
             "so above " +
-                std::to_string(kMostWholePixels) + " pixels, unless there is --report",
+                std::to_string(kMostWholePixels) + " pixels in these formats, unless there is --report",
             "Output");
     addText(
         *parser, "--part", options->part, "K/N",

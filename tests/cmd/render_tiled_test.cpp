@@ -175,6 +175,10 @@ TEST_P(RenderTiledTest, LargePicturesAreTiledByThemselves) {
     EXPECT_TRUE(picture("merged.tif") == picture("whole.tif"));
     runFine(render("tiled.tif", look));
     EXPECT_TRUE(read("tiled.tif") == bytes);
+    // Formats without tiles keep their own form.
+    runFine(render("x.jpg", {"--tracer", "flat", "--filter", "nearest"}));
+    EXPECT_EQ(read("x.jpg").substr(0, 2), "\xFF\xD8");
+    EXPECT_EQ(picture("x.jpg").width(), 8200);
 }
 
 // A disk that is too small is refused before anything is rendered, and left as it was.

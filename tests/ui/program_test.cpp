@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fstream>
 
+#include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTranslator>
@@ -65,6 +67,40 @@ TEST(Program, HelpAndVersion) {
         EXPECT_TRUE(help.out.contains(QString::fromStdString(' ' + kind.name))) << kind.name;
     }
     EXPECT_TRUE(start({QStringLiteral("--version")}, false).out.startsWith(QStringLiteral("reliefscope ")));
+}
+
+TEST(Program, LessonsAreCheckedWithoutADisplay) {
+    const auto run = [](const char* text) { return start(QString::fromUtf8(text).split(QLatin1Char(' ')), false); };
+    const Ran good = run("--lesson 301 --check");
+    EXPECT_EQ(good.status, 0) << good.err.toStdString();
+    EXPECT_TRUE(good.out.startsWith(QStringLiteral("301 holds: "))) << good.out.toStdString();
+    // A folder of two lessons, one whose claim is wrong, one that cannot be read.
+    const QTemporaryDir folder;
+    const auto copied = [&](const char* name, const QByteArray& from, const QByteArray& to) {
+        const QDir source(QStringLiteral(RELIEF_SOURCE "/ui/lessons/301"));
+        QDir(folder.path()).mkdir(QLatin1String(name));
+        for (const QString& file : source.entryList(QDir::Files)) {
+            QFile read(source.filePath(file)), write(folder.filePath(QLatin1String(name) + QLatin1Char('/') + file));
+            EXPECT_TRUE(read.open(QIODevice::ReadOnly) && write.open(QIODevice::WriteOnly));
+            write.write(file.endsWith(QStringLiteral(".json")) ? read.readAll().replace(from, to) : read.readAll());
+        }
+    };
+    copied("wrong", "\"trace.error > 1\"", "\"trace.error > 1000\"");
+    Ran ran = start({QStringLiteral("--lesson"), folder.path(), QStringLiteral("--check")}, false);
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_TRUE(ran.out.contains(QStringLiteral("trace.error > 1000 ("))) << ran.out.toStdString();
+    copied("unread", "\"lesson\": 1", "\"lesson\": 7");
+    ran = start({QStringLiteral("--lesson"), folder.path(), QStringLiteral("--check")}, false);
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(ran.out.contains(QStringLiteral("wrong FAILS"))) << ran.out.toStdString();
+    for (const char* const text :
+         {"--lesson 3o1 --check", "--check", "--html -o x.html", "--lesson 301 --html", "--lesson 301 --html -o x.txt",
+          "--lesson 301 --check --html -o x.html", "--lesson 301 --export profile -o x.svg", "--lesson 301 a.png"}) {
+        const Ran bad = run(text);
+        EXPECT_EQ(bad.status, 2) << text;
+        EXPECT_TRUE(oneLine(bad.err)) << text << ": " << bad.err.toStdString();
+    }
+    EXPECT_TRUE(run("--lesson 3o1 --check").err.contains(QStringLiteral("301"))) << "the name that was meant";
 }
 
 TEST(Program, BadUsage) {

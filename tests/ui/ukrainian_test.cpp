@@ -84,6 +84,8 @@ const std::set<QString>& allowedWords() {
                  "Reliefscope reliefscope relief bench tracers trace render merge stress map tile "  // commands
                  "Alt Ctrl End Enter Esc Home Shift Tab "
                  "English "  // in the menu of languages, each in its own
+                 "certify export rays "
+                 "outcome unknown sRGB textureGrad textureLod "  // of files, of other programs
                  "CPU DIST17 FLIP MIP MIP18 MPI OpenGL GLX PERSP PSNR RMSE SIMD TEX "
                  "CSV JSON PDF PNG SVG TIFF csv exr json "
                  "DISPLAY HI LO auto beyond border clamp double error false float full random reads repeat true "

@@ -8,12 +8,24 @@ namespace relief {
 
 namespace {
 
+// start: of a level, in the array of `count` depths.
+template <class Start>
+void setGathered(DepthPyramid& depths, int first, std::size_t count, const Start& start) {
+    if (count >= kGatheredDepths) return;
+    depths.firstGathered = first;
+    for (int l = first; l <= depths.top; ++l) {
+        depths.offsets[static_cast<std::size_t>(l)] = static_cast<std::int32_t>(start(l));
+    }
+}
+
 DepthPyramid buildDepths(const MaxPyramidMap& map, Work& work) {
     DepthPyramid depths;
     depths.top = map.top();
     depths.highest = static_cast<double>(map.highest());
     if (map.tiled) {
         depths.tiled = map.tiled;
+        setGathered(depths, map.tiled->firstKept(), map.tiled->keptCount(),
+                    [&](int level) { return map.tiled->start(level); });
         return depths;
     }
     depths.cells = map.pyramid.level(0).width();
@@ -22,11 +34,7 @@ DepthPyramid buildDepths(const MaxPyramidMap& map, Work& work) {
         depths.starts[static_cast<std::size_t>(l)] = count;
         count += map.pyramid.level(l).size();
     }
-    depths.gathered = map.top() < kGatheredLevels && count < kGatheredDepths;
-    if (depths.gathered) {
-        std::transform(depths.starts.begin(), depths.starts.begin() + kGatheredLevels, depths.offsets.begin(),
-                       [](std::size_t start) { return static_cast<std::int32_t>(start); });
-    }
+    setGathered(depths, 0, count, [&](int level) { return depths.starts[static_cast<std::size_t>(level)]; });
     depths.depths.resize(count + 2);
     for (int l = 0; l <= map.top(); ++l) {
         const FloatImage& level = map.pyramid.level(l);

@@ -14,8 +14,8 @@
 
 namespace relief {
 
-// Levels and depths that SIMD gathers by offsets of 32 bits in bytes. Larger pyramids, and those of tiles, are read
-// lane by lane.
+// Levels and depths that SIMD gathers by offsets of 32 bits in bytes. Larger pyramids, and levels of tiles that are not
+// kept in memory, are read lane by lane.
 inline constexpr int kGatheredLevels = 16;
 inline constexpr std::size_t kGatheredDepths = std::size_t{1} << 30;
 
@@ -23,14 +23,18 @@ struct DepthPyramid {
     static constexpr RayClass kRays = RayClass::AnyRays;
     std::vector<std::uint16_t> depths;  // padded by two, since SIMD loads four bytes
     std::array<std::size_t, kMaxLevels> starts{};
-    std::array<std::int32_t, kGatheredLevels> offsets{};  // the same, if gathered
-    int cells = 0;                                        // of a row
+    // Of the levels that are gathered, in gatheredDepths().
+    std::array<std::int32_t, kMaxLevels> offsets{};
+    int firstGathered = kMaxLevels;  // the levels from this one up are gathered
+    int cells = 0;                   // of a row
     int top = 0;
     double highest = 0;
-    bool gathered = false;
     std::shared_ptr<const TiledPyramid> tiled{};  // in place of the array
 
     std::size_t bytes() const { return depths.size() * sizeof(std::uint16_t); }
+    // Whether all levels are gathered, by a table of kGatheredLevels offsets.
+    bool gathered() const { return firstGathered == 0 && top < kGatheredLevels; }
+    const std::uint16_t* gatheredDepths() const { return tiled ? tiled->keptDepths() : depths.data(); }
     // Depth of a node in units of kDepthUnit.
     std::uint16_t depth(int level, int x, int y) const {
         if (tiled) return tiled->depth(level, x, y);

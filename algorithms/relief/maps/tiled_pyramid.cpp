@@ -23,9 +23,9 @@ TiledPyramid::TiledPyramid(const HeightField& field, Work& work)
     int source = 0;
     while (texels(source) > kSourceTexels && source + 1 < tiles.levels()) ++source;
     firstKept_ = source;
-    const std::size_t most = mostBytes(tiles) / sizeof(std::uint16_t);
+    const std::size_t most = mostBytes(tiles) / sizeof(std::uint16_t) - kPadding;
     while (nodesFrom(firstKept_) > most && firstKept_ + 1 < tiles.levels()) ++firstKept_;
-    depths_.resize(nodesFrom(firstKept_));
+    depths_.resize(nodesFrom(firstKept_) + kPadding);
     std::size_t start = 0;
     for (int l = firstKept_; l <= top_; ++l) {
         starts_[static_cast<std::size_t>(l)] = start;
@@ -44,6 +44,21 @@ TiledPyramid::TiledPyramid(const HeightField& field, Work& work)
             }
         });
     }
+}
+
+float TiledPyramid::covered(int source, int by, int x, int y) const {
+    if (by == 0) return lookedUp(source, x, y);
+    const TiledHeights& tiles = *tiles_;
+    const int width = tiles.width(source), height = tiles.height(source);
+    const Span across = span(grid_.x, nodes_, width, by, x), down = span(grid_.y, nodes_, height, by, y);
+    float highest = 0;
+    for (int j = down.first; j <= down.last; ++j) {
+        const int row = j == height ? 0 : j;
+        for (int i = across.first; i <= across.last; ++i) {
+            highest = std::max(highest, tiles.maximum(source, i == width ? 0 : i, row));
+        }
+    }
+    return highest;
 }
 
 // Goes through the file by blocks about as large as a tile, so that few tiles are read twice.

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "images/tiled_heights.h"
@@ -25,7 +25,7 @@ inline constexpr double kDepthUnit = 0x1p-16;
 // The depth 1 - maximum in units of kDepthUnit, rounded down.
 inline std::uint16_t depthOf(float maximum) {
     const double depth = (1 - static_cast<double>(maximum)) / kDepthUnit;
-    return static_cast<std::uint16_t>(std::clamp(std::floor(depth), 0.0, 65535.0));
+    return static_cast<std::uint16_t>(static_cast<int>(std::clamp(depth, 0.0, 65535.0)));
 }
 
 // Thread-safe.
@@ -40,10 +40,17 @@ class TiledPyramid {
     }
 
     int top() const { return top_; }
-    // The lowest level that is kept in memory; those below are read from the file.
-    int firstKept() const { return firstKept_; }
     float highest() const { return highest_; }
     std::size_t bytes() const { return depths_.size() * sizeof(std::uint16_t); }
+
+    // The levels kept in memory, from the lowest one up, and where each begins; those below are read from the file.
+    // SIMD may load two entries more.
+    int firstKept() const { return firstKept_; }
+    const std::uint16_t* keptDepths() const { return depths_.data(); }
+    std::size_t keptCount() const { return depths_.size() - kPadding; }
+    std::size_t start(int level) const { return starts_[static_cast<std::size_t>(level)]; }
+
+    const TiledHeights& tiles() const { return *tiles_; }
 
     float maximum(int level, int x, int y) const {
         if (level >= firstKept_) return static_cast<float>(1 - kept(level, x, y) * kDepthUnit);
@@ -57,6 +64,7 @@ class TiledPyramid {
     // Texels of the level from which the upper levels are made: reading them takes about a second.
     static constexpr std::size_t kSourceTexels = std::size_t{1} << 26;
     static constexpr std::size_t kLeastBytes = 4096;
+    static constexpr std::size_t kPadding = 2;
 
     // The part of the source level, on one axis, that contains the texels of nodes `node` of a level `by` higher. Under
     // repeat `last` may be the length of the level, which stands for texel 0.
@@ -76,7 +84,18 @@ class TiledPyramid {
                        static_cast<std::size_t>(y) * static_cast<std::size_t>(across(level)) +
                        static_cast<std::size_t>(x)];
     }
-    float lookedUp(int level, int x, int y) const { return covered(level, 0, x, y); }
+    // Heights of the file's level that lie on both sides of a node, on one axis.
+    static std::pair<int, int> around(const GridAxis& axis, int texels, int node) {
+        if (axis.wraps) return {node, node + 1 < texels ? node + 1 : 0};
+        return {std::max(node - 1, 0), std::min(node, texels - 1)};
+    }
+    float lookedUp(int level, int x, int y) const {
+        const TiledHeights& tiles = *tiles_;
+        if (!nodes_) return tiles.maximum(level, x, y);
+        const auto [i0, i1] = around(grid_.x, tiles.width(level), x);
+        const auto [j0, j1] = around(grid_.y, tiles.height(level), y);
+        return tiles.highest(level, i0, i1, j0, j1);
+    }
     // The largest value of the file's level `source` over the texels of a node of level `source + by`.
     float covered(int source, int by, int x, int y) const;
     void fillFirst(int source, Work& work);
@@ -90,20 +109,5 @@ class TiledPyramid {
     std::array<std::size_t, kMaxLevels> starts_{};
     std::vector<std::uint16_t> depths_;
 };
-
-inline float TiledPyramid::covered(int source, int by, int x, int y) const {
-    const TiledHeights& tiles = *tiles_;
-    if (!nodes_ && by == 0) return tiles.maximum(source, x, y);
-    const int width = tiles.width(source), height = tiles.height(source);
-    const Span across = span(grid_.x, nodes_, width, by, x), down = span(grid_.y, nodes_, height, by, y);
-    float highest = 0;
-    for (int j = down.first; j <= down.last; ++j) {
-        const int row = j == height ? 0 : j;
-        for (int i = across.first; i <= across.last; ++i) {
-            highest = std::max(highest, tiles.maximum(source, i == width ? 0 : i, row));
-        }
-    }
-    return highest;
-}
 
 }  // namespace relief

@@ -20,7 +20,7 @@ struct FloatScene {
     const float* heights = nullptr;  // null: the map is read by tiles
     std::int32_t stride = 0;
     const TiledHeights* tiles = nullptr;
-    // Whether SIMD gathers heights, by 32-bit indices; otherwise it reads them lane by lane, through heightAt().
+    // Whether SIMD gathers heights, by 32-bit indices; otherwise it reads them lane by lane, through cornersAt().
     bool gathered = true;
     // The four corner heights of each cell stored together (PackedCones::nodes); null: they are fetched from the
     // heights.
@@ -51,9 +51,12 @@ struct FloatScene {
         nodeStride = cones.stride;
     }
 
-    float heightAt(int i, int j) const {
-        if (heights == nullptr) return tiles->height(i, j);
-        return heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
+    // Heights at (i0, j0), (i1, j0), (i0, j1), (i1, j1).
+    std::array<float, 4> cornersAt(int i0, int i1, int j0, int j1) const {
+        if (heights == nullptr) return tiles->corners(i0, i1, j0, j1);
+        const float* const above = heights + static_cast<std::ptrdiff_t>(j0) * stride;
+        const float* const below = heights + static_cast<std::ptrdiff_t>(j1) * stride;
+        return {above[i0], above[i1], below[i0], below[i1]};
     }
 };
 

@@ -1,6 +1,8 @@
 // A bilinear height field for the SIMD evaluation of slopes; pointers are not owned.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "relief/height_source.h"
@@ -11,7 +13,7 @@ namespace relief {
 struct SlopeScene {
     const float* heights = nullptr;  // null: the map is read by tiles
     const TiledHeights* tiles = nullptr;
-    bool gathered = true;  // whether heights are fetched by 32-bit indices; otherwise lane by lane, through heightAt()
+    bool gathered = true;  // whether heights are fetched by 32-bit indices; otherwise lane by lane, through cornersAt()
     std::int32_t width = 0, height = 0;
     bool repeat = true;  // false: clamped, also under border
     // The four corner heights of each cell stored together (PackedCones::nodes), and the number of cells per row; null:
@@ -33,9 +35,12 @@ struct SlopeScene {
         nodeStride = cones.stride;
     }
 
-    float heightAt(int i, int j) const {
-        if (heights == nullptr) return tiles->height(i, j);
-        return heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)];
+    // Heights at (i0, j0), (i1, j0), (i0, j1), (i1, j1).
+    std::array<float, 4> cornersAt(int i0, int i1, int j0, int j1) const {
+        if (heights == nullptr) return tiles->corners(i0, i1, j0, j1);
+        const float* const above = heights + static_cast<std::ptrdiff_t>(j0) * width;
+        const float* const below = heights + static_cast<std::ptrdiff_t>(j1) * width;
+        return {above[i0], above[i1], below[i0], below[i1]};
     }
 };
 

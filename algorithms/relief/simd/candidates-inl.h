@@ -140,18 +140,20 @@ HWY_INLINE VD exitOf(const ExactInterval& interval) {
 }
 
 // For scenes whose heights are not gathered.
-HWY_NOINLINE inline VD exactHeightByLanes(const FloatScene& scene, VD i, VD j) {
+HWY_NOINLINE inline ExactNodes exactNodesApart(const FloatScene& scene, VD i0, VD i1, VD j0, VD j1) {
     const DD d;
-    HWY_ALIGN double x[kHalfLanes], y[kHalfLanes];
-    hn::Store(i, d, x), hn::Store(j, d, y);
-    for (std::size_t n = 0; n < kHalfLanes; ++n) {
-        x[n] = static_cast<double>(scene.heightAt(static_cast<int>(x[n]), static_cast<int>(y[n])));
-    }
-    return hn::Load(d, x);
+    const DHI di;
+    const auto all = hn::Not(hn::MaskFromVec(hn::Zero(di)));
+    const FourHeights<DHF> four = fourHeights(DHF(), scene, all, hn::DemoteTo(di, i0), hn::DemoteTo(di, i1),
+                                              hn::DemoteTo(di, j0), hn::DemoteTo(di, j1));
+    ExactNodes out;
+    out.h00 = hn::PromoteTo(d, four.h00), out.h10 = hn::PromoteTo(d, four.h10);
+    out.h01 = hn::PromoteTo(d, four.h01), out.h11 = hn::PromoteTo(d, four.h11);
+    return out;
 }
 HWY_INLINE VD exactHeight(const FloatScene& scene, VD i, VD j) {
-    if (HWY_UNLIKELY(!scene.gathered)) return exactHeightByLanes(scene, i, j);
     const DD d;
+    if (HWY_UNLIKELY(!scene.gathered)) return exactNodesApart(scene, i, i, j, j).h00;
     const VD at = hn::Add(hn::Mul(j, hn::Set(d, scene.stride)), i);
     return hn::PromoteTo(d, hn::GatherIndex(DHF(), scene.heights, hn::DemoteTo(DHI(), at)));
 }
@@ -181,7 +183,8 @@ HWY_INLINE ExactNodes exactNodes(const FloatScene& scene, VD cellX, VD cellY, co
     VD i0, i1, j0, j1;
     nodes(scene.grid.x, cellX, i0, i1);
     nodes(scene.grid.y, cellY, j0, j1);
-    if (HWY_LIKELY(scene.gathered && hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
+    if (HWY_UNLIKELY(!scene.gathered)) return exactNodesApart(scene, i0, i1, j0, j1);
+    if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(i1, hn::Add(i0, one))))) {
         heightPairs(scene, i0, j0, out.h00, out.h10);
         heightPairs(scene, i0, j1, out.h01, out.h11);
     } else {

@@ -9,6 +9,7 @@
 #endif
 
 #include "relief/simd/lane_trace-inl.h"
+#include "relief/simd/tile_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
@@ -143,24 +144,15 @@ HWY_INLINE Patch patchAt(const FloatScene& scene, MI who, VI realX, VI realY) {
     return out;
 }
 
-// patchAt() for scenes whose heights are not gathered. Other lanes than those of `who` are 0.
+// patchAt() for scenes whose heights are not gathered.
 template <Address kAddress>
-HWY_NOINLINE Patch patchByLanes(const FloatScene& scene, MI who, VI realX, VI realY) {
+HWY_NOINLINE Patch patchApart(const FloatScene& scene, MI who, VI realX, VI realY) {
     const DF d;
-    const DI di;
     VI i0, i1, j0, j1;
     cellNodes<kAddress>(scene.grid.x, realX, i0, i1);
     cellNodes<kAddress>(scene.grid.y, realY, j0, j1);
-    HWY_ALIGN std::int32_t active[kLanes], left[kLanes], right[kLanes], top[kLanes], bottom[kLanes];
-    hn::Store(hn::VecFromMask(di, who), di, active);
-    hn::Store(i0, di, left), hn::Store(i1, di, right), hn::Store(j0, di, top), hn::Store(j1, di, bottom);
-    HWY_ALIGN float h00[kLanes] = {}, h10[kLanes] = {}, h01[kLanes] = {}, h11[kLanes] = {};
-    for (std::size_t n = 0; n < kLanes; ++n) {
-        if (active[n] == 0) continue;
-        h00[n] = scene.heightAt(left[n], top[n]), h10[n] = scene.heightAt(right[n], top[n]);
-        h01[n] = scene.heightAt(left[n], bottom[n]), h11[n] = scene.heightAt(right[n], bottom[n]);
-    }
-    return {hn::Load(d, h00), hn::Load(d, h10), hn::Load(d, h01), hn::Load(d, h11)};
+    const FourHeights<DF> four = fourHeights(d, scene, who, i0, i1, j0, j1);
+    return {four.h00, four.h10, four.h01, four.h11};
 }
 
 // Whether the bilinear surface is certainly below the ray over the ray's whole interval in the patch's cell. That

@@ -26,8 +26,8 @@ class PyramidKernel {
         : scene_(scene),
           pyramid_(pyramid),
           rays_(rays),
-          base_(reinterpret_cast<const std::int32_t*>(pyramid.depths.data())),
-          gathers_(pyramid.gathered) {}
+          base_(reinterpret_cast<const std::int32_t*>(pyramid.gatheredDepths())),
+          gathers_(pyramid.gathered()) {}
 
     void run() {
         std::array<State, kVectors> states;
@@ -156,26 +156,66 @@ class PyramidKernel {
     }
 
     HWY_INLINE VF depthAt(MI who, VI kx, VI ky, VI mirrorX, VI mirrorY, VI level) const {
-        const VI one = hn::Set(di_, 1);
         const VI x = hn::Xor(kx, hn::Shr(mirrorX, level));
         const VI y = hn::Xor(ky, hn::Shr(mirrorY, level));
         const VF unit = hn::Set(df_, static_cast<float>(kDepthUnit));
-        if (HWY_UNLIKELY(!gathers_)) return hn::Mul(hn::ConvertTo(df_, depthsByLanes(who, x, y, level)), unit);
-        const VI width = hn::Add(hn::Shr(hn::Set(di_, scene_.grid.x.cells - 1), level), one);
-        const VI index = hn::Add(hn::Add(hn::Mul(y, width), x), offsetOf(level));
-        const VI word = hn::GatherOffset(di_, base_, hn::IfThenElseZero(who, hn::Add(index, index)));
-        return hn::Mul(hn::ConvertTo(df_, hn::And(word, hn::Set(di_, 0xFFFF))), unit);
+        if (HWY_UNLIKELY(!gathers_)) return hn::Mul(hn::ConvertTo(df_, someByLanes(who, x, y, level)), unit);
+        return hn::Mul(hn::ConvertTo(df_, gathered(who, x, y, level, offsetOf(level))), unit);
     }
-
-    // Other lanes than those of `who` are 0.
-    HWY_NOINLINE VI depthsByLanes(MI who, VI x, VI y, VI level) const {
-        HWY_ALIGN std::int32_t active[kLanes], xs[kLanes], ys[kLanes], levels[kLanes];
-        hn::Store(hn::VecFromMask(di_, who), di_, active);
-        hn::Store(x, di_, xs), hn::Store(y, di_, ys), hn::Store(level, di_, levels);
-        for (std::size_t n = 0; n < kLanes; ++n) {
-            xs[n] = active[n] == 0 ? 0 : pyramid_.depth(levels[n], xs[n], ys[n]);
+    // Lanes other than those of `who` have any depth.
+    HWY_INLINE VI gathered(MI who, VI x, VI y, VI level, VI offset) const {
+        const VI width = hn::Add(hn::Shr(hn::Set(di_, scene_.grid.x.cells - 1), level), hn::Set(di_, 1));
+        const VI index = hn::Add(hn::Add(hn::Mul(y, width), x), offset);
+        const VI word = hn::GatherOffset(di_, base_, hn::IfThenElseZero(who, hn::Add(index, index)));
+        return hn::And(word, hn::Set(di_, 0xFFFF));
+    }
+    // The same where only some levels are gathered, or none.
+    HWY_NOINLINE VI someByLanes(MI who, VI x, VI y, VI level) const {
+        MI byLane = hn::And(who, hn::Lt(level, hn::Set(di_, pyramid_.firstGathered)));
+        const MI others = hn::AndNot(byLane, who);
+        VI depths = hn::Zero(di_);
+        if (!hn::AllFalse(di_, others)) {
+            const VI known = hn::IfThenElseZero(others, level);
+            depths = gathered(others, x, y, level, hn::GatherIndex(di_, pyramid_.offsets.data(), known));
         }
-        return hn::Load(di_, xs);
+        if (kSurface == Surface::Bilinear && pyramid_.tiled) {
+            byLane = hn::AndNot(fromTiles(byLane, x, y, hn::IfThenElseZero(byLane, level), depths), byLane);
+        }
+        if (hn::AllFalse(di_, byLane)) return depths;
+        HWY_ALIGN std::int32_t chosen[kLanes], xs[kLanes], ys[kLanes], levels[kLanes], found[kLanes];
+        hn::Store(hn::VecFromMask(di_, byLane), di_, chosen);
+        hn::Store(x, di_, xs), hn::Store(y, di_, ys), hn::Store(level, di_, levels), hn::Store(depths, di_, found);
+        for (std::size_t n = 0; n < kLanes; ++n) {
+            if (chosen[n] != 0) found[n] = pyramid_.depth(levels[n], xs[n], ys[n]);
+        }
+        return hn::Load(di_, found);
+    }
+    // TiledPyramid::depth() of levels that are not kept in memory. Sets the depths of the lanes that it returns.
+    HWY_INLINE MI fromTiles(MI who, VI x, VI y, VI level, VI& depths) const {
+        const TiledHeights& tiles = pyramid_.tiled->tiles();
+        const TileAccess& access = tiles.access();
+        const VI one = hn::Set(di_, 1), zero = hn::Zero(di_);
+        const auto nodes = [&](VI node, int texels, VI& before, VI& after) HWY_ATTR {
+            const VI last = hn::Shr(hn::Set(di_, texels - 1), level);
+            if constexpr (kAddress == Address::Repeat) {
+                before = node, after = hn::IfThenElseZero(hn::Lt(node, last), hn::Add(node, one));
+            } else {
+                before = hn::Max(hn::Sub(node, one), zero), after = hn::Min(node, last);
+            }
+        };
+        VI i0, i1, j0, j1;
+        nodes(x, tiles.width(), i0, i1);
+        nodes(y, tiles.height(), j0, j1);
+        FourHeights<DF> four;
+        const MI done = heightsInTiles(df_, access, who, hn::GatherIndex(di_, access.firstGroup.data(), level),
+                                       hn::GatherIndex(di_, access.groupsAcross.data(), level), i0, i1, j0, j1, four);
+        const VF highest = hn::Max(hn::Max(four.h00, four.h10), hn::Max(four.h01, four.h11));
+        // depthOf(): scaling by a power of two is exact, and floor(n - x) = n - ceil(x) for whole n.
+        constexpr int kUnits = static_cast<int>(1 / kDepthUnit);
+        const VI units = hn::ConvertTo(di_, hn::Ceil(hn::Mul(highest, hn::Set(df_, static_cast<float>(kUnits)))));
+        const VI depth = hn::Min(hn::Sub(hn::Set(di_, kUnits), units), hn::Set(di_, kUnits - 1));
+        depths = hn::IfThenElse(done, hn::Max(depth, zero), depths);
+        return done;
     }
 
     HWY_INLINE VI offsetOf(VI level) const {
@@ -334,7 +374,7 @@ class PyramidKernel {
         VF in = hn::Max(lambdaAt(state.x, state.x.k), lambdaAt(state.y, state.y.k));
         in = hn::Min(hn::Max(hn::Sub(in, state.tie), hn::Zero(df_)), out);
         const Patch patch = HWY_LIKELY(scene_.gathered) ? patchAt<kAddress>(scene_, whoI, cellX, cellY)
-                                                        : patchByLanes<kAddress>(scene_, whoI, cellX, cellY);
+                                                        : patchApart<kAddress>(scene_, whoI, cellX, cellY);
         const MF below = patchBelow<Arithmetic>(patch, state.x, state.y, nx, ny, in, out, state.tie);
         const MF candidates = hn::AndNot(below, who);
         finishCandidates(state, candidates);

@@ -112,16 +112,12 @@ HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
 HWY_INLINE Slope slopeByLanes(const SlopeScene& scene, V s, V t) {
     const D d;
     const DI di;
-    const auto height = [&](VI i, VI j) HWY_ATTR {
-        HWY_ALIGN std::int32_t across[kLanes], down[kLanes];
-        HWY_ALIGN double heights[kLanes];
-        hn::Store(i, di, across), hn::Store(j, di, down);
-        for (std::size_t n = 0; n < kLanes; ++n) {
-            heights[n] = static_cast<double>(scene.heightAt(across[n], down[n]));
-        }
-        return hn::Load(d, heights);
-    };
-    return slopeBy(scene, s, t, height);
+    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
+    const auto all = hn::Not(hn::MaskFromVec(hn::Zero(di)));
+    const hn::Rebind<float, D> df;
+    const auto four = fourHeights(df, scene, all, x.first, x.second, y.first, y.second);
+    return slopeOf(hn::PromoteTo(d, four.h00), hn::PromoteTo(d, four.h10), hn::PromoteTo(d, four.h01),
+                   hn::PromoteTo(d, four.h11), x, y);
 }
 // The same heights, stored together for each cell: one load per lane instead of four.
 HWY_INLINE Slope slopeByNodes(const SlopeScene& scene, V s, V t) {

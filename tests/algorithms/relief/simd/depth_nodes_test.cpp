@@ -4,7 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/images/temporary_folder.h"
+#include "images/height_rows.h"
+#include "images/recipe_rows.h"
+#include "images/tiled_heights.h"
+#include "images/tiled_writer.h"
 #include "lanes.h"
+#include "relief/files.h"
 #include "relief/methods/max_pyramid.h"
 
 namespace relief::test {
@@ -67,6 +73,38 @@ TEST(DepthNodes, simdVisitsThoseThatTheReferenceLogs) {
     onAwkwardMaps(kSeed, kRays,
                   [&](const HeightField& field, const RayBlock& rays) { compare(field, rays, true, seen); });
     std::printf("%zu steps of %zu rays\n", seen.steps, seen.rays);
+    EXPECT_GT(seen.steps, 50000U);
+}
+
+// Of a map that is read by tiles: codes of 8 and 16 bits, and floats; with bounds of memory within which the heights'
+// tiles stay, or are dropped again and again. The lower levels of the pyramid are read from the tiles.
+TEST(DepthNodes, simdVisitsThemInMapsReadByTiles) {
+    constexpr int kWidth = 1000, kHeight = 700;
+    const testing::TemporaryFolder folder;
+    Work work;
+    const FloatImage heights = makeRelief("fractal", kWidth, kHeight, kSeed);
+    ColorImage grey(kWidth, kHeight);
+    std::transform(heights.pixels().begin(), heights.pixels().end(), grey.pixels().begin(),
+                   [](float h) { return Color(h); });
+    writeColor(folder / "8.png", grey);
+    writeHeight(folder / "16.png", heights);
+    writeHeight(folder / "float.exr", heights, true);
+    Seen seen;
+    for (const char* name : {"8.png", "16.png", "float.exr"}) {
+        SCOPED_TRACE(name);
+        TiledWriter(*pictureHeightRows(folder / name, {}), folder / "map.tif", {}).write(work);
+        for (const std::size_t megabytes : {1U, 5U}) {
+            const std::shared_ptr<const TiledHeights> tiles = TiledHeights::open(folder / "map.tif", megabytes << 20U);
+            for (const Address address : allAddresses()) {
+                const HeightField field(tiles, Surface::Bilinear, address, 0.05);
+                EXPECT_GT(TiledPyramid(field, work).firstKept(), 0);
+                Random random(kSeed);
+                RayBlock rays;
+                for (int n = 0; n < 100; ++n) rays.push(randomRay(random, field, 0.3));
+                compare(field, rays, true, seen);
+            }
+        }
+    }
     EXPECT_GT(seen.steps, 50000U);
 }
 
