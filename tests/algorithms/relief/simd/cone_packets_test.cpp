@@ -1,4 +1,6 @@
 // Packets of neighbouring rays find the candidates that each ray finds by itself.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "cone_cells.h"
@@ -47,7 +49,8 @@ void expectSame(const HeightField& field, const RayBlock& rays, Counts& counts) 
             counts.misses += hits[i].outcome == Outcome::Miss ? 1 : 0;
             if (!lanes[i].candidate) continue;
             ++counts.inPackets;
-            // The readable form, begun in the candidate cell before the hit, tests this cell and no other.
+            // The readable form, begun in the candidate cell before the hit, tests this cell. At corners it may reject
+            // it, as the leaf does for the packet, and hit in the next one.
             const GridRay exact(walk.scene().grid, rays[i]);
             const auto [x, y] = *lanes[i].candidate;
             const CellGrid& grid = walk.scene().grid;
@@ -67,10 +70,12 @@ void expectSame(const HeightField& field, const RayBlock& rays, Counts& counts) 
             LogSink sink;
             const Hit hit = walk.trace(rays[i], (in + hits[i].lambda) / 2, sink, sink);
             EXPECT_TRUE(sameBits(hit, hits[i])) << i;
-            const Step& last = sink.steps.back();
-            EXPECT_EQ(last.decision, Decision::Hit);
-            EXPECT_EQ(std::int64_t{last.i} - grid.x.firstName + std::int64_t{last.periodX} * grid.x.cells, x);
-            EXPECT_EQ(std::int64_t{last.j} - grid.y.firstName + std::int64_t{last.periodY} * grid.y.cells, y);
+            const bool tests = std::ranges::any_of(sink.steps, [&](const Step& step) {
+                return (step.decision == Decision::Hit || step.decision == Decision::Test) &&
+                       std::int64_t{step.i} - grid.x.firstName + std::int64_t{step.periodX} * grid.x.cells == x &&
+                       std::int64_t{step.j} - grid.y.firstName + std::int64_t{step.periodY} * grid.y.cells == y;
+            });
+            EXPECT_TRUE(tests) << describe(field) << ", ray " << i << ": " << describe(rays[i]);
             ++counts.decided;
         }
     });
