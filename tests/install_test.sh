@@ -52,7 +52,10 @@ cp "$sources/app/run" "$sources/app/setup.sh" "$folder/fresh/app"
 grep -q '^Usage: app/run' "$folder/help" || fail "app/run --help explains nothing"
 [ "$(ls "$folder/fresh")" = app ] || fail "app/run --help makes $(ls "$folder/fresh")"
 
+[ -s "$prefix/share/doc/reliefscope/lesson.schema.json" ] || fail "the schema of lessons is not installed"
 [ -s "$prefix/share/doc/reliefscope/scenario.schema.json" ] || fail "the schema of scenarios is not installed"
+
+[ -s "$prefix/share/reliefscope/recorder/relief_recorder.h" ] || fail "the recorder is not installed"
 
 # The programs run without access to the checkout's folders. Neither loads OpenImageIO or its dependencies at start.
 cd "$folder"
@@ -103,6 +106,7 @@ becomes --address relief render --addr
 becomes rocks.png relief render --height roc
 
 if [ -e "$prefix/bin/reliefscope" ]; then
+    "$prefix/bin/reliefscope" --lesson 301 --check | grep -F '301 holds'
     # Without a file it shows the stone wall, whose pictures it finds relative to its own location.
     export HOME=$folder
     [ -n "$(find "$share/man/man1" -name 'reliefscope.1*')" ] || fail "reliefscope has no manual page"

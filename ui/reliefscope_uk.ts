@@ -1254,6 +1254,191 @@
     </message>
 </context>
 <context>
+    <name>reliefui::LessonMenu</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Урок</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder of lessons…</source>
+        <translation>&amp;Відкрити теку уроків…</translation>
+    </message>
+    <message>
+        <source>A lesson, or a folder of lessons, of your own</source>
+        <translation>Власний урок або тека уроків</translation>
+    </message>
+    <message>
+        <source>&amp;Make a lesson of this…</source>
+        <translation>&amp;Зробити з цього урок…</translation>
+    </message>
+    <message>
+        <source>A new lesson whose first page is what the window shows now</source>
+        <translation>Новий урок, перша сторінка якого – те, що вікно показує зараз</translation>
+    </message>
+    <message>
+        <source>&amp;Write as a page for browsers…</source>
+        <translation>&amp;Записати як сторінку для браузера…</translation>
+    </message>
+    <message>
+        <source>The open lesson as one HTML file, which needs no program and no network</source>
+        <translation>Відкритий урок як один файл HTML, якому не потрібні ні програма, ні мережа</translation>
+    </message>
+    <message>
+        <source>Lecturer’s &amp;notes</source>
+        <translation>&amp;Нотатки викладача</translation>
+    </message>
+    <message>
+        <source>Notes on the page in a window of their own, for a second screen</source>
+        <translation>Нотатки до сторінки в окремому вікні, для другого екрана</translation>
+    </message>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>&amp;Лекція</translation>
+    </message>
+    <message>
+        <source>Page Down: answer, then next page; Page Up: back; 1 to 9: count a guess; B: black screen</source>
+        <translation>Page Down: відповідь, потім наступна сторінка; Page Up: назад; 1–9: зарахувати здогад; B: чорний екран</translation>
+    </message>
+    <message>
+        <source>Folder of lessons</source>
+        <translation>Тека уроків</translation>
+    </message>
+    <message>
+        <source>Folder of the new lesson</source>
+        <translation>Тека нового уроку</translation>
+    </message>
+    <message>
+        <source>my lesson</source>
+        <translation>мій урок</translation>
+    </message>
+    <message>
+        <source>The new lesson is in %1: write its texts there.</source>
+        <translation>Новий урок – у теці %1: напишіть там його тексти.</translation>
+    </message>
+    <message>
+        <source>No lesson is open</source>
+        <translation>Жодного уроку не відкрито</translation>
+    </message>
+    <message>
+        <source>Lecturer’s notes</source>
+        <translation>Нотатки викладача</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::LessonPane</name>
+    <message>
+        <source>Text of the lesson</source>
+        <translation>Текст уроку</translation>
+    </message>
+    <message>
+        <source>Your number, then Enter</source>
+        <translation>Ваше число, потім Enter</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Ваше число</translation>
+    </message>
+    <message>
+        <source>Knob of the lesson</source>
+        <translation>Регулятор уроку</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Попередня сторінка</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Зміст</translation>
+    </message>
+    <message>
+        <source>Contents of the course</source>
+        <translation>Зміст курсу</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Наступна сторінка</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <source>No lesson is open. The menu “Lessons” has them.</source>
+        <translation>Жодного уроку не відкрито. Їх містить меню «Уроки».</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>сторінка %1 з %2</translation>
+    </message>
+    <message>
+        <source>Question.</source>
+        <translation>Запитання.</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Підказка</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Відповідь</translation>
+    </message>
+    <message>
+        <source>Right.</source>
+        <translation>Правильно.</translation>
+    </message>
+    <message>
+        <source>Not so.</source>
+        <translation>Ні.</translation>
+    </message>
+    <message>
+        <source>It is %1.</source>
+        <translation>Це %1.</translation>
+    </message>
+    <message>
+        <source>The scene was changed, so that none of the answers is the only right one.</source>
+        <translation>Сцену змінено, тому жодна відповідь не є єдиною правильною.</translation>
+    </message>
+    <message>
+        <source>You changed the scene: the numbers are those of what you see.</source>
+        <translation>Ви змінили сцену: числа відповідають тому, що ви бачите.</translation>
+    </message>
+    <message>
+        <source>Back to the page’s scene</source>
+        <translation>Повернутися до сцени сторінки</translation>
+    </message>
+    <message>
+        <source>Remember.</source>
+        <translation>Запам’ятайте.</translation>
+    </message>
+    <message>
+        <source>Notes for the lecturer</source>
+        <translation>Нотатки для викладача</translation>
+    </message>
+    <message>
+        <source>The answer:</source>
+        <translation>Відповідь:</translation>
+    </message>
+    <message>
+        <source>The lesson takes %1 minutes.</source>
+        <translation>Урок триває %1 хв.</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Далі: %1</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::LessonPlayer</name>
+    <message>
+        <source>Lesson %1</source>
+        <translation>Урок %1</translation>
+    </message>
+    <message>
+        <source>Knob of the lesson</source>
+        <translation>Регулятор уроку</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::Lessons</name>
     <message>
         <source>A search in vain: a hit is possible but not confirmed ([MIP18])</source>
@@ -2157,6 +2342,18 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>cancel the running work; without any, leave guessing, a filled pane or the projector</source>
         <translation>зупинити поточну роботу; якщо її немає, завершити «Де перетин?», панель на все вікно чи режим проєктора</translation>
+    </message>
+    <message>
+        <source>S&amp;hare the pane as a page…</source>
+        <translation>По&amp;ділитися панеллю як сторінкою…</translation>
+    </message>
+    <message>
+        <source>The pane in use as one HTML file with a slider over the steps, for any browser</source>
+        <translation>Поточна панель як один файл HTML з повзунком кроків, для будь-якого браузера</translation>
+    </message>
+    <message>
+        <source>&amp;Short scenes</source>
+        <translation>&amp;Короткі сцени</translation>
     </message>
 </context>
 <context>
@@ -3271,6 +3468,21 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Guarantee of the method with these options, the surfaces that it supports, and the memory of its maps besides the heights</source>
         <translation>Гарантія методу з цими параметрами, поверхні, які він підтримує, і пам’ять його карт, окрім висот</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::Share</name>
+    <message>
+        <source>Page for browsers</source>
+        <translation>Сторінка для браузера</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Сторінки (*.html)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,8 @@ class CheckedOutput : public OIIO::Filesystem::IOProxy {
 OIIO::ImageSpec specOf(int width, int height, const std::vector<std::string>& channels, OIIO::TypeDesc type) {
     OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), type);
     spec.channelnames = channels;
+    // No channel is coverage, by which OpenImageIO would divide the others.
+    if (std::find(channels.begin(), channels.end(), "A") != channels.end()) spec.attribute("oiio:UnassociatedAlpha", 1);
     // Level 4 is twice as fast as zlib's default 6 and makes files a tenth larger. Only the PNG writer reads this
     // attribute.
     spec.attribute("png:compressionLevel", 4);

@@ -32,7 +32,9 @@ BandFile readBandFile(const std::string& path);
 void joinBands(const std::vector<std::string>& bands, const std::string& path, Work& work);
 
 // Writes a picture of info's size, channels, type and colour space. numbers: samples row by row, channels interleaved,
-// of info's type, but float where that is half. Throws WorkError, InputError for an unknown extension.
-void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers);
+// of info's type, but float where that is half. description: if not empty, stored in the file (PNG, TIFF, EXR). Throws
+// WorkError, InputError for an unknown extension.
+void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers,
+                  const std::string& description = {});
 
 }  // namespace relief

@@ -109,16 +109,18 @@ class PngGrammar {
         if (type == "IDAT") return keepIf(data_ = colorType_ != 3 || palette_);
         if (type == "IEND") return keepIf(data_);
         if ((static_cast<unsigned char>(type[0]) & 0x20U) == 0) return Verdict::Damaged;  // an unknown critical chunk
-        const bool needed = type == "tRNS" || type == "sRGB" || type == "gAMA" || (type == "tEXt" && ofBand(data));
+        const bool needed = type == "tRNS" || type == "sRGB" || type == "gAMA" || (type == "tEXt" && ofOurs(data));
         return needed && !data_ ? Verdict::Keep : Verdict::Drop;
     }
 
   private:
     static Verdict keepIf(bool fits) { return fits ? Verdict::Keep : Verdict::Damaged; }
 
-    static bool ofBand(View data) {
+    // The text of a band, or the description of a map: what this program wrote, and no other text.
+    static bool ofOurs(View data) {
         const std::size_t end = kBandAttribute.size();
-        return startsWith(data, kBandAttribute) && data.size() > end && data[end] == 0;
+        if (startsWith(data, kBandAttribute) && data.size() > end && data[end] == 0) return true;
+        return startsWith(data, "Description\0{\"format\":\"reliefscope"sv);
     }
 
     bool header(View data) {

@@ -27,9 +27,9 @@ struct DeclaredSize {
 // "jpeg2000", "gif", "png". std::nullopt for other formats or if the header is truncated. The first 64 kB are enough.
 std::optional<DeclaredSize> declaredSize(std::string_view format, std::span<const unsigned char> head);
 
-// Verifies every checksum of a PNG file and returns the file reduced to the chunks that its pixels need and a band's
-// text (writeColor()). std::nullopt if it is damaged or truncated: libpng would report that on stderr. Cost: one pass
-// over the bytes, about 1 GB/s.
+// Verifies every checksum of a PNG file and returns the file reduced to the chunks that its pixels need, a band's
+// text (writeColor()), and the description of a map of this program. std::nullopt if it is damaged or truncated:
+// libpng would report that on stderr. Cost: one pass over the bytes, about 1 GB/s.
 std::optional<Bytes> cleanPng(std::span<const unsigned char> file);
 
 // Returns the file without metadata that the pixels do not need (colour profiles, EXIF, IPTC, XMP): OpenImageIO 2.4

@@ -128,10 +128,12 @@ void writeColor(const std::string& path, const ColorImage& image, const std::str
     writeBlock(path, format, std::move(block), colorNumbers(image, false).data());
 }
 
-void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers) {
+void writeNumbers(const std::string& path, const ImageInfo& info, const std::byte* numbers,
+                  const std::string& description) {
     const Format& format = formatOf(path);
     PictureBlock block{info.width, info.height, info.channels, info.type, {}, {}};
     setColorSpace(block.attributes, format, info.colorSpace);
+    if (!description.empty()) block.attributes.emplace_back("ImageDescription", description);
     writeBlock(path, format, std::move(block), numbers);
 }
 

@@ -306,6 +306,9 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     const std::uint32_t changed = changedSince(request), stale = staleStages(changed);
     const std::unique_ptr<FrameSetup> setup = madeSetup(request, changed, stale, work);
     const std::shared_ptr<Frame>& frame = setup->frame;
+    if (changed == bit(Input::Heights)) {
+        setup->kept = keptTiles(request, last_->field, frame_, *frame, setup->visible, stale);
+    }
 
     if (!spare_) spare_ = std::make_shared<FrameBuffers>();
     const FrameBuffers buffers = allocateBuffers(*frame, frame_.get(), *spare_, request, setup->mesh != nullptr, stale);
@@ -324,6 +327,10 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     }
     totals.nanoseconds[static_cast<std::size_t>(Stage::Shadows)] += setup->horizonTime.count();
     report(*frame, request, setup->visible, totals, stale, setup->mesh != nullptr);
+    if (setup->kept) {
+        frame->counters[MessageId::CountTiles] = static_cast<double>(setup->kept->stale.size());
+        frame->counters[MessageId::CountTilesKept] = static_cast<double>(setup->kept->kept());
+    }
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);
     }

@@ -53,7 +53,9 @@ void report(Frame& frame, const FrameRequest& request, const VisiblePolygons& vi
     if (has(stale, Stage::Rays)) count(MessageId::CountSky, pixels - static_cast<double>(totals.covered));
     count(MessageId::CountRaysTraced, static_cast<double>(totals.traced));
     if (has(stale, Stage::Hits)) {
-        count(MessageId::CountRays, static_cast<double>(totals.covered));
+        // Rays that are kept are not counted as they are made.
+        const std::int64_t kept = totals.traced + totals.flatRays + totals.parallaxRays;
+        count(MessageId::CountRays, static_cast<double>(has(stale, Stage::Rays) ? totals.covered.load() : kept));
         count(MessageId::CountRaysFlat, static_cast<double>(totals.flatRays));
         if (request.bounded > 0) count(MessageId::CountRaysParallax, static_cast<double>(totals.parallaxRays));
         count(MessageId::CountHits, static_cast<double>(totals.hits));

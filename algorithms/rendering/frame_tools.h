@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/parallel.h"
@@ -23,10 +24,12 @@ struct FrameSetup {
     std::unique_ptr<const FlatGround> ground{};
     std::unique_ptr<const PackedConeHits> coneHits{};
     std::vector<std::shared_ptr<const HorizonBounds>> horizons{};
+    std::optional<KeptTiles> kept{};
     std::chrono::steady_clock::duration horizonTime{};  // of making them, times the number of threads
 
     FrameTools tools() const {
-        return {visible, *tracer, mesh.get(), query.get(), ground.get(), coneHits.get(), horizons};
+        return {visible,      *tracer,        mesh.get(), query.get(),
+                ground.get(), coneHits.get(), horizons,   kept ? &*kept : nullptr};
     }
 };
 

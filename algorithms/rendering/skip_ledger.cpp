@@ -21,8 +21,14 @@ struct Entry {
     MessageId why;
 };
 
-constexpr std::array<Entry, 14> kEntries{{
+constexpr std::array<Entry, 15> kEntries{{
     {Ledger::Lossless, "stages", MessageId::CountStagesKept, {}, MessageId::SkipStages, MessageId::SkipStagesWhy},
+    {Ledger::Lossless,
+     "tiles-kept",
+     MessageId::CountTilesKept,
+     {MessageId::CountTiles},
+     MessageId::SkipTiles,
+     MessageId::SkipTilesWhy},
     {Ledger::Lossless,
      "maps",
      MessageId::CountMapsNotNeeded,

@@ -161,20 +161,20 @@ void TileWorker::fillSky(const PixelArea& tile) const {
 
 void TileWorker::shade(const PixelArea& tile, Work& work) const {
     const PixelArea lit{tile.x0, std::max(tile.y0, frame_.lit.begin), tile.x1, std::min(tile.y1, frame_.lit.end)};
-    if (!covered(tile)) return timed(Stage::Light, [&] { fillSky(lit); });
-    timed(Stage::Color, [&] { colorHits(tile, work); });
+    if (!covered(tile)) return timed(Stage::Light, tile, [&] { fillSky(lit); });
+    timed(Stage::Color, tile, [&] { colorHits(tile, work); });
     // Shadows and light read the same cosines; whenever shadows are stale, so is the light.
     Borrowed<FacingWork> kept;
     const std::span<double> facing(kept->facing);
     const auto rowOf = [&](int y) {
         return facing.subspan(static_cast<std::size_t>(y - tile.y0) * kTileWidth, kTileWidth);
     };
-    timed(Stage::Light, [&] {
+    timed(Stage::Light, tile, [&] {
         for (int y = tile.y0; y < tile.y1; ++y) faceLight(tile, y, rowOf(y));
     });
-    timed(Stage::Shadows,
+    timed(Stage::Shadows, tile,
           [&] { overRayBlocks(tile, [&](const PixelArea& part) { castShadows(part, rowOf(part.y0).data(), work); }); });
-    if (lit.y0 < lit.y1) timed(Stage::Light, [&] { lightHits(lit, rowOf(lit.y0).data()); });
+    if (lit.y0 < lit.y1) timed(Stage::Light, tile, [&] { lightHits(lit, rowOf(lit.y0).data()); });
 }
 
 // facing: rows of kTileWidth, the first for tile.y0.

@@ -51,19 +51,45 @@ TileWorker::TileWorker(const FrameRequest& request, const Frame& frame, const Fr
     sloped_ = frame.shadedByRelief(request) && request.field.surface() == Surface::Bilinear;
 }
 
+// Copies the tile's stages that are not made again from the last frame.
+void TileWorker::keep(const PixelArea& tile) const {
+    const std::uint32_t kept = stale_ & ~staleOf(tile);
+    const Frame& last = *tools_.kept->last;
+    const auto copy = [&](const auto& from, auto&& to) {
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            const auto first = static_cast<std::ptrdiff_t>(frame_.index(tile.x0, y));
+            std::copy_n(from.begin() + first, tile.x1 - tile.x0, to.begin() + first);
+        }
+    };
+    const bool blank = !covered(tile);
+    // The buffer of a blank tile may hold the same blank values already.
+    if (has(kept, Stage::Hits) && !(blank && !needsClearing(buffers_.hits, tile))) {
+        const HitBlock& from = last.hits->hits;
+        HitBlock& to = buffers_.hits->hits;
+        copy(from.outcome, to.outcome), copy(last.hits->by, buffers_.hits->by);
+        copy(from.lambda, to.lambda), copy(from.s, to.s), copy(from.t, to.t);
+    }
+    if (has(kept, Stage::Color) && !(blank && !needsClearing(buffers_.color, tile))) {
+        copy(last.color->color.pixels(), buffers_.color->color.pixels());
+    }
+    if (has(kept, Stage::Shadows) && request_.shadows) copy(last.shadows->shadowed, buffers_.shadows->shadowed);
+    if (has(kept, Stage::Light)) copy(last.light->color.pixels(), buffers_.light->color.pixels());
+}
+
 // Clears data of an earlier frame from the buffers; the light stage is not cleared, since every pixel of it is set.
 void TileWorker::clear(const PixelArea& tile) const {
+    const std::uint32_t stale = staleOf(tile);
     const auto rows = [&](auto&& data, const auto& value) {
         for (int y = tile.y0; y < tile.y1; ++y) {
             const auto first = data.begin() + static_cast<std::ptrdiff_t>(frame_.index(tile.x0, y));
             std::fill(first, first + (tile.x1 - tile.x0), value);
         }
     };
-    if (needsClearing(buffers_.rays, tile)) {
+    if (has(stale, Stage::Rays) && needsClearing(buffers_.rays, tile)) {
         rows(buffers_.rays->polygon, kNoPolygon);
         rows(buffers_.rays->inverseDepth, 0.0F);
     }
-    if (needsClearing(buffers_.hits, tile)) {
+    if (has(stale, Stage::Hits) && needsClearing(buffers_.hits, tile)) {
         HitBlock& hits = buffers_.hits->hits;
         rows(hits.outcome, Outcome::Unset);
         rows(buffers_.hits->by, HitBy::Traced);
@@ -72,13 +98,19 @@ void TileWorker::clear(const PixelArea& tile) const {
             for (auto* column : {&hits.lambda, &hits.s, &hits.t}) rows(*column, kNoPosition);
         }
     }
-    if (needsClearing(buffers_.color, tile)) rows(buffers_.color->color.pixels(), Color(0));
-    if (buffers_.shadows && !buffers_.shadows->shadowed.empty()) rows(buffers_.shadows->shadowed, std::uint8_t{0});
+    if (has(stale, Stage::Color) && needsClearing(buffers_.color, tile)) {
+        rows(buffers_.color->color.pixels(), Color(0));
+    }
+    if (has(stale, Stage::Shadows) && !buffers_.shadows->shadowed.empty()) {
+        rows(buffers_.shadows->shadowed, std::uint8_t{0});
+    }
 }
 
 // Clears the rays and hits of pixels that see no polygon; all other pixels are set by the stages.
 void TileWorker::clearUncovered(const PixelArea& tile) const {
-    const bool rays = needsClearing(buffers_.rays, tile), met = needsClearing(buffers_.hits, tile);
+    const std::uint32_t stale = staleOf(tile);
+    const bool rays = has(stale, Stage::Rays) && needsClearing(buffers_.rays, tile);
+    const bool met = has(stale, Stage::Hits) && needsClearing(buffers_.hits, tile);
     if (!rays && !met) return;
     const std::uint8_t* polygon = frame_.rays->polygon.data();
     const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);

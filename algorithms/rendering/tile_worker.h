@@ -14,6 +14,7 @@
 #include "relief/methods/slope_scene.h"
 #include "relief/visibility/any_hit.h"
 #include "relief/visibility/horizon_bounds.h"
+#include "rendering/edited_tiles.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame_buffers.h"
 #include "rendering/mesh_raster.h"
@@ -43,6 +44,7 @@ struct FrameTools {
     const PackedConeHits* coneHits = nullptr;  // null: the tracer itself traces
     // By polygon number; null: all its shadow rays are traced.
     std::span<const std::shared_ptr<const HorizonBounds>> horizons{};
+    const KeptTiles* kept = nullptr;  // null: all stale stages of all tiles are made
 };
 
 // Keeps references to its arguments. One worker serves all tiles and may be called from any thread.
@@ -59,11 +61,12 @@ class TileWorker {
     }
     bool hitsFirst() const { return hitsFirst(frame_, request_, stale_); }
     void findHits(const PixelArea& tile, Work& work) const {
+        if (tools_.kept != nullptr) keep(tile);
         clear(tile);
-        timed(Stage::Rays, [&] { makeRays(tile); });
+        timed(Stage::Rays, tile, [&] { makeRays(tile); });
         clearUncovered(tile);
         markBlank(tile);
-        timed(Stage::Hits, [&] {
+        timed(Stage::Hits, tile, [&] {
             if (tools_.mesh != nullptr) return drawMesh(tile);
             overRayBlocks(tile, [&](const PixelArea& part) { traceRays(part, work); });
         });
@@ -71,9 +74,13 @@ class TileWorker {
     void shade(const PixelArea& tile, Work& work) const;
 
   private:
+    // Returns the stages to make in this tile.
+    std::uint32_t staleOf(const PixelArea& tile) const {
+        return tools_.kept == nullptr ? stale_ : tools_.kept->stale[number(tile)];
+    }
     template <class Body>
-    void timed(Stage stage, const Body& body) const {
-        if (!has(stale_, stage)) return;
+    void timed(Stage stage, const PixelArea& tile, const Body& body) const {
+        if (!has(staleOf(tile), stage)) return;
         const auto begin = std::chrono::steady_clock::now();
         body();
         totals_.nanoseconds[static_cast<std::size_t>(stage)] += (std::chrono::steady_clock::now() - begin).count();
@@ -118,6 +125,7 @@ class TileWorker {
     }
     // Returns true if any of the tile's pixels sees a polygon.
     bool covered(const PixelArea& tile) const;
+    void keep(const PixelArea& tile) const;
     void clear(const PixelArea& tile) const;
     void clearUncovered(const PixelArea& tile) const;
     void markBlank(const PixelArea& tile) const;

@@ -16,7 +16,7 @@ namespace relief {
 namespace {
 
 constexpr int kDigits = 17;
-constexpr std::size_t kHitsAPiece = 8192;
+constexpr std::size_t kLinesAPiece = 8192;
 
 ViewRay parseRay(std::string_view text, const std::string& fileName, std::size_t line) {
     std::array<double, 4> numbers{};
@@ -144,11 +144,15 @@ void appendHitLines(std::string& out, const HitBlock& hits, std::size_t first, s
     }
 }
 
-std::string hitLines(const HitBlock& hits, Work& work) {
-    std::vector<std::string> pieces((hits.size() + kHitsAPiece - 1) / kHitsAPiece);
+namespace {
+
+// Formats lines [first, last) by `append` in parallel; the text is the same for any number of threads.
+template <class Append>
+std::string joinedLines(std::size_t count, Work& work, const Append& append) {
+    std::vector<std::string> pieces((count + kLinesAPiece - 1) / kLinesAPiece);
     parallelFor(work, pieces.size(), [&](std::size_t p) {
-        const std::size_t first = p * kHitsAPiece;
-        appendHitLines(pieces[p], hits, first, std::min(first + kHitsAPiece, hits.size()));
+        const std::size_t first = p * kLinesAPiece;
+        append(pieces[p], first, std::min(first + kLinesAPiece, count));
     });
     std::size_t bytes = 0;
     for (const std::string& piece : pieces) bytes += piece.size();
@@ -156,6 +160,28 @@ std::string hitLines(const HitBlock& hits, Work& work) {
     out.reserve(bytes);
     for (const std::string& piece : pieces) out += piece;
     return out;
+}
+
+}  // namespace
+
+std::string hitLines(const HitBlock& hits, Work& work) {
+    return joinedLines(hits.size(), work, [&](std::string& out, std::size_t first, std::size_t last) {
+        appendHitLines(out, hits, first, last);
+    });
+}
+
+std::string rayLines(const RayBlock& rays, Work& work) {
+    return joinedLines(rays.size(), work, [&](std::string& out, std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r) {
+            const ViewRay ray = rays[r];
+            appendNumber(out, ray.s0);
+            for (const double value : {ray.t0, ray.a, ray.b}) {
+                out += ',';
+                appendNumber(out, value);
+            }
+            out += '\n';
+        }
+    });
 }
 
 void appendStepLines(std::string& out, const StepLog& log, std::size_t inLog, std::size_t ray) {

@@ -34,6 +34,11 @@ inline constexpr std::string_view kStepsHeader =
 // Parses a header and one ray per line. fileName: for messages. Throws InputError with the line's number for another
 // header, a line that is not four numbers, or a number that is not finite. Blank lines are accepted only at the end.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
+// Parses a hit of each ray. The header begins with outcome,lambda; further columns may be s, t (texels) and steps (a
+// whole number), which may be empty, and others, which are ignored. Without s and t they are NaN, without steps 0.
+// Throws InputError with the line for another header, wrong columns, an unknown outcome, a number that is not finite,
+// and a hit whose lambda is outside [0, 1].
+HitBlock parseHits(std::string_view text, const std::string& fileName);
 // Parses steps of `rays` rays, numbered from 0, in the formats written below: CSV, or JSON if the text begins with "[".
 // The rays may be in any order and some may be missing; the steps of one ray must be consecutive and numbered from 1.
 // phase, i, j, k, z_in, z_out and all values of the kind may be left out in JSON, the columns from `kind` on in CSV;
@@ -49,6 +54,9 @@ void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField&
                 std::size_t number);
 // Returns the answer with which a ray's log ends; Limit if it ends without hit or miss.
 Hit answerOf(const std::vector<Step>& steps, const ViewRay& ray);
+
+// Returns the lines of all rays, without the header, formatted in parallel. Throws Cancelled.
+std::string rayLines(const RayBlock& rays, Work& work);
 
 // Parses one ray as on the command line, "s0,t0,a,b". Throws InputError naming the option.
 ViewRay parseRayText(const std::string& text, const std::string& option);

@@ -1,10 +1,11 @@
 // relief certify PICTURE|SCENARIO.json [--map FILE.tif] [--tracer NAME] [--rays N] [--seed S] [-o FILE.json]
-#include <cmath>
-
+#include "certify_engine.h"
 #include "measuring/verify/certificate.h"
 #include "options_common.h"
 #include "output.h"
+#include "relief/maps/engine_map.h"
 #include "relief/tracers/map_choice.h"
+#include "witness.h"
 
 namespace relief::app {
 
@@ -14,29 +15,10 @@ constexpr std::int64_t kRaysAtMost = 1'000'000'000;
 
 struct CertifyOptions {
     ScenarioOptions scenario;
+    EngineOptions engine;
     OptionText rays, seed, output;
     RunOptions run;
 };
-
-// Returns the scenario that reproduces the ray as its central pixel: the camera lies behind the ray's entry into the
-// relief and looks along the ray. Rounding moves the pixel's ray by about 1e-13 of the picture.
-Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray) {
-    constexpr double kAway = 1.5;
-    // Odd, so that the centre of a pixel lies in the centre of the picture.
-    scenario.width = 801;
-    scenario.height = 601;
-    scenario.scene = SceneKind::Floor;
-    const double texel = 1.0 / field.width();
-    const glm::dvec3 entry(ray.s0 * texel - 0.5, 0, (ray.t0 - field.height() * 0.5) * texel);
-    const glm::dvec3 along(ray.a * texel, -field.reliefDepth(), ray.b * texel);
-    const double length = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
-    scenario.camera.kind = Camera::Kind::Free;
-    scenario.camera.target = entry;
-    scenario.camera.eye = entry - along * (kAway / length);
-    scenario.pixel = PixelChoice{scenario.width / 2, scenario.height / 2};
-    scenario.step = 0;
-    return scenario;
-}
 
 // Returns true if the pixel's ray of the witness scenario shows the violation as well: rounding may have moved it.
 bool shows(const Scenario& scenario, const Assets& assets, MapCache& maps, Work& work) {
@@ -83,6 +65,24 @@ struct Written {
     }
 };
 
+// Returns true if the map is one that an engine reads. Throws InputError for options that such a map excludes.
+bool isForEngine(const CertifyOptions& options) {
+    const std::string given = options.engine.given();
+    if (!options.scenario.map()) {
+        if (!given.empty()) throw InputError(given, Message(MessageId::NeedsArgument, {{"other", "--map"}}));
+        return false;
+    }
+    if (given.empty() && !isEngineMap(*options.scenario.map())) return false;
+    for (const auto& [present, name] :
+         {std::pair(options.scenario.tracerGiven(), "--tracer"), std::pair(options.output.has_value(), "--output")}) {
+        if (present) {
+            throw InputError(name,
+                             Message(MessageId::ArgumentsExclude, {{"other", "--map " + *options.scenario.map()}}));
+        }
+    }
+    return true;
+}
+
 int runCertify(const CertifyOptions& options, Session& session) {
     options.run.apply(session);
     if (options.output) checkOutput(*options.output, {"json"});
@@ -91,6 +91,7 @@ int runCertify(const CertifyOptions& options, Session& session) {
         rayOptions.rays = static_cast<std::uint64_t>(parseWhole(*options.rays, "--rays", 0, kRaysAtMost));
     }
     if (options.seed) rayOptions.seed = parseSeed(*options.seed, "--seed");
+    if (isForEngine(options)) return certifyEngineMap(options.scenario, options.engine, rayOptions, session);
     Scenario scenario = options.scenario.scenario();
     scenario.method = withStoredMap(scenario.method);
     Work& work = session.work();
@@ -122,13 +123,20 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
         "that is computed independently; if no value violates its bound, the map is proven safe for all rays for which "
         "it is valid. In addition, seeded rays that are likely to fail (grazing, along walls, into walls, at edges) "
         "are traced with the method and with exact. Interpolated maps, and methods without a map, are checked with "
-        "these rays only, which can refute safety but not prove it. The first violation is printed with its ray and "
+        "these rays only, which can refute safety but not prove it. "
+        "A --map for engines, by its description or by options of the group Maps of engines, is certified as a shader "
+        "reads it: its numbers are decoded, heights interpolated, cones fetched as told, and the ray steps to the edge "
+        "of the cone on the surface below it. The picture's own heights are the surface if it has any; then no height "
+        "map need be given. The first violation is printed with its ray and "
         "the command that traces it. Methods without a guarantee may end up to half a texel past the hit.\n"
         "Exit status: 0 proven safe, 1 not safe, 2 wrong usage or input, 3 not decided: neither proof nor violation, "
         "or the check could not be carried out.",
         "  relief certify heights.png --tracer cone-dummer -o witness.json\n"
-        "  relief certify heights.png --map refined.tif");
+        "  relief certify heights.png --map refined.tif\n"
+        "  relief certify --map cone.png\n"
+        "  relief certify --map theirs.png --convention relaxed-cone-map --relief-depth 0.05");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::None);
+    options->engine.addForReading(*parser);
     addText(*parser, "--rays", options->rays, "N",
             "number of rays compared with exact; 0: only the map's values are checked. Default " +
                 std::to_string(CertificateOptions{}.rays),

@@ -10,6 +10,7 @@
 
 #include "filtering/filters/filter_choice.h"
 #include "manual.h"
+#include "map_engine.h"
 #include "relief/maps/pyramid_files.h"
 #include "relief/reliefs.h"
 #include "relief/tracers.h"
@@ -70,7 +71,7 @@ Words valuesOf(const std::string& command, const std::string& option, const std:
     const Words filters = nameWords(filterList());
     const Words reliefs = nameWords(reliefRecipes());
     const Words rows = nameWords(rowMethodList());
-    const Words maps = both(mapKinds(), pyramidMapKinds());
+    const Words maps = both(both(mapKinds(), pyramidMapKinds()), engineOnlyKinds());
     const std::map<std::string, Words> known{{"--tracer", tracers},
                                              {"--tracers", tracers},
                                              {"--filter", filters},
@@ -78,6 +79,7 @@ Words valuesOf(const std::string& command, const std::string& option, const std:
                                              {"--relief", reliefs},
                                              {"--layer", layerNames()},
                                              {"--layers", layerNames()},
+                                             {"--convention", nameWords(namedConventions())},
                                              {"--mapping", rows},
                                              {"--mappings", rows},
                                              {"--variants", rows},
@@ -85,6 +87,7 @@ Words valuesOf(const std::string& command, const std::string& option, const std:
                                              {"--filter-set", optionWords(filterList())},
                                              {"make", reliefs},
                                              {"map", maps},
+                                             {"export", {"shader"}},
                                              {"bench", {"tracers", "rows", "filters"}},
                                              {"list", both(both(tracers, filters), both(reliefs, maps))}};
     const auto found = known.find(option.empty() ? command : option);

@@ -4,10 +4,12 @@
 
 #include "filtering/filters/filter_choice.h"
 #include "help_formatter.h"
+#include "map_engine.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/maps/pyramid_files.h"
 #include "relief/reliefs.h"
+#include "relief/shaders/shader_export.h"
 #include "relief/tracers/form_note.h"
 #include "relief/tracers/map_choice.h"
 #include "relief/visibility/any_hit.h"
@@ -34,6 +36,11 @@ std::string_view optionKindName(OptionKind kind) {
             break;
     }
     return "method";
+}
+
+bool hasShader(const MethodDescription& method) {
+    const std::vector<std::string> names = shaderTracers();
+    return std::find(names.begin(), names.end(), method.name) != names.end();
 }
 
 bool isNumber(const OptionDescription& option) {
@@ -84,6 +91,7 @@ Json methodJson(const MethodDescription& method) {
               {"addresses", Json::array()},
               {"maps", method.maps},
               {"tiled", method.tiled},
+              {"shader", hasShader(method)},
               {"options", Json::array()}};
     for (const Surface surface : method.surfaces) json["surfaces"].push_back(surfaceName(surface));
     for (const Address address : method.addresses) json["addresses"].push_back(addressName(address));
@@ -134,6 +142,15 @@ Json listJson() {
     }
     for (const std::string& kind : mapKinds()) json["maps"].push_back({{"name", kind}, {"tracer", methodOfMap(kind)}});
     for (const std::string& kind : pyramidMapKinds()) json["maps"].push_back({{"name", kind}});
+    for (const std::string& kind : engineOnlyKinds()) json["maps"].push_back({{"name", kind}});
+    for (const NamedConvention& one : namedConventions()) {
+        const EngineConventions& c = one.conventions;
+        json["conventions"].push_back({{"name", one.name},
+                                       {"help", one.summary},
+                                       {"pack", enginePackText(c.channels)},
+                                       {"unit", coneUnitName(c.cone.unit)},
+                                       {"relaxed", c.relaxed}});
+    }
     json["layers"] = layerNames();
     return json;
 }
@@ -176,6 +193,7 @@ std::string methodText(const MethodDescription& method) {
     out += entry("rays", std::string(rayClassName(method.rayClass)), 6, 12);
     if (!method.maps.empty()) out += entry("maps", commaList(method.maps), 6, 12);
     if (method.tiled) out += entry("tiles", "maps larger than memory, by --memory", 6, 12);
+    if (hasShader(method)) out += entry("shader", "GLSL and HLSL, by relief export shader", 6, 12);
     if (!method.source.empty()) out += entry("source", method.source, 6, 12);
     for (const OptionDescription& option : method.options) {
         out += entry("--set " + option.name + "=..", optionText(option, method.defaults.at(option.name)), 6, 22);
@@ -248,7 +266,18 @@ std::vector<Section> sections() {
     for (const std::string& kind : pyramidMapKinds()) {
         maps.entries.emplace_back(kind, entry(kind, "for other programs, as a picture with MIP levels", 2, 24));
     }
+    for (const std::string& kind : engineOnlyKinds()) {
+        maps.entries.emplace_back(kind, entry(kind, "for engines only, as a picture (-o FILE.png)", 2, 24));
+    }
     all.push_back(std::move(maps));
+    Section conventions{"conventions",
+                        "conventions",
+                        "Conventions of maps for engines (relief map, relief certify --convention NAME)",
+                        {}};
+    for (const NamedConvention& one : namedConventions()) {
+        conventions.entries.emplace_back(one.name, entry(one.name, one.summary, 2, 24));
+    }
+    all.push_back(std::move(conventions));
     Section rows{"rows",
                  "rows",
                  "Row methods: texture coordinates along a row (relief bench rows --variants NAME:OPTION=VALUE)",

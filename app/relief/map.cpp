@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "map_engine.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/maps/pyramid_files.h"
@@ -16,6 +17,7 @@ namespace {
 struct MapOptions {
     OptionText kind, output, at;
     ScenarioOptions scenario;
+    EngineOptions engine;
     RunOptions run;
 };
 
@@ -71,8 +73,9 @@ bool isOneOf(const std::string& kind, const std::vector<std::string>& kinds) {
 // Returns the kind without its options; throws InputError if it is unknown.
 std::string checkedKind(const std::string& text) {
     const std::string kind = splitMethodChoice(text, "KIND").name;
-    if (isOneOf(kind, mapKinds()) || isOneOf(kind, pyramidMapKinds())) return kind;
-    const std::string known = commaList(mapKinds()) + ", " + commaList(pyramidMapKinds());
+    if (isOneOf(kind, mapKinds()) || isOneOf(kind, pyramidMapKinds()) || isOneOf(kind, engineOnlyKinds())) return kind;
+    const std::string known =
+        commaList(mapKinds()) + ", " + commaList(pyramidMapKinds()) + ", " + commaList(engineOnlyKinds());
     throw InputError("", unknownName({"what", MessageId::WordMap}, kind, known));
 }
 
@@ -107,15 +110,25 @@ int runMap(const MapOptions& options, Session& session) {
     const std::string& text = needed(options.kind, "KIND", "map");
     const std::string kind = checkedKind(text);
     const bool isPyramid = isOneOf(kind, pyramidMapKinds());
-    if (isPyramid && kind != text) {
+    const bool forEngines = isOneOf(kind, engineOnlyKinds());
+    if ((isPyramid || kind == "normals") && kind != text) {
         const MethodChoice given = splitMethodChoice(text, "KIND");
         throw InputError(text, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})},
                                            given.options.begin()->first, {}));
     }
-    if (isPyramid && options.at) {
-        throw InputError("--at", Message(MessageId::ArgumentsExclude, {{"other", kind}}));
+    const std::string engineOption = options.engine.given();
+    if (options.at && (isPyramid || forEngines || !engineOption.empty())) {
+        throw InputError("--at",
+                         Message(MessageId::ArgumentsExclude, {{"other", engineOption.empty() ? kind : engineOption}}));
     }
-    if (!options.at) checkOutput(needed(options.output, "--output", "map"), {"tif", "tiff"});
+    if (!options.at) {
+        const std::string& output = needed(options.output, "--output", "map");
+        const std::string ending = fileEnding(output);
+        if (forEngines || !engineOption.empty() || ending == "png" || ending == "exr") {
+            return writeMapForEngine(kind, text, options.scenario, options.engine, output, session);
+        }
+        checkOutput(output, {"tif", "tiff", "png", "exr"});
+    }
     if (isPyramid) return writePyramid(options, kind, *options.output, session);
     ScenarioOptions chosen = options.scenario;
     chosen.chooseTracer(methodOfMap(kind) + text.substr(kind.size()), text);
@@ -148,19 +161,30 @@ void addMapCommand(CLI::App& program, Commands& commands) {
     for (const std::string& kind : pyramidMapKinds()) pyramids += (pyramids.empty() ? "" : " and ") + kind;
     CLI::App* parser = addCommand(
         program, "map", "build a distance map, a cone map or a pyramid and store it",
-        "Builds one of the maps that tracers use and writes it as a TIFF that holds all layers in one picture, with "
-        "its meaning in the picture's description. The map is valid only for this height map with this surface, "
+        "Builds one of the maps that tracers use. FILE.tif is stored for this program: a TIFF that holds all layers in "
+        "one picture, with its meaning in the picture's description. The map is valid only for this height map with "
+        "this surface, "
         "addressing and depth, and is refused with any other. trace and render read it with --map. The kinds: " +
             kinds + "; each has the options of its tracer (relief list KIND). " + pyramids +
             " are written for other programs, which read them as a picture with MIP levels: tiles of 32-bit floats, "
-            "with the heights as level 0; the description of each level defines its texels.",
+            "with the heights as level 0; the description of each level defines its texels.\n"
+            "FILE.png, FILE.exr, and FILE.tif with an option of the group Maps of engines, are pictures for engines: "
+            "by default the height in R and the cone in G. The conventions are written to FILE.json, as in "
+            "cone.png.json, and into the picture. If the picture holds heights, the map is built for them as rounded; "
+            "values are rounded to the safe side. Conservative cones are then built for shaders that step from the "
+            "surface below the ray, however they fetch the cones; relief certify proves it for the picture. "
+            "relaxed-cone-robust (relaxed cones as corrected by Ban et al. 2024) and normals are written for engines "
+            "only.",
         "  relief map refined:layers=16:precision=u8 heights.png -o refined.tif\n"
         "  relief trace heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
-        "  relief map refined heights.png --at 10,20,0.6");
+        "  relief map refined heights.png --at 10,20,0.6\n"
+        "  relief map cone heights.png --bits 8 --unit sqrt-ratio --pack R=height,G=cone,B=normal-x,A=normal-y -o "
+        "cone.png");
     addArgument(*parser, "KIND", options->kind,
                 "kind of map, with options as KIND:OPTION=VALUE, such as refined:layers=16");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::Heights);
-    addOutput(*parser, options->output, "file of the map: .tif");
+    options->engine.addForWriting(*parser);
+    addOutput(*parser, options->output, "file of the map: .tif, or .png, .exr for engines");
     addText(*parser, "--at", options->at, "s,t,z",
             "write no map, but print the distances at this point (texels, texels, height): the Euclidean distance, the "
             "refined distance for rays from above that reach the point, and the ray that determines it",

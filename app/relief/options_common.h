@@ -137,6 +137,8 @@ class ScenarioOptions {
     Scenario scenario() const { return scenario(file_); }
     // The same for another file, a scenario or a height map; std::nullopt: for the default scenario.
     Scenario scenario(const OptionText& file) const;
+    // The default scenario with the options of method and surface applied, for commands that need no heights.
+    Scenario withoutHeights() const;
     const OptionText& file() const { return file_; }
     bool heightsGiven() const { return file_ || height_ || recipe_; }
     // Sets the method, instead of an option --tracer. argument: the argument that determined it, for messages.
@@ -147,6 +149,11 @@ class ScenarioOptions {
     // the map was built with. follow: if neither --tracer nor a scenario file is given, selects the tracer that uses
     // such maps.
     void useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work, bool follow = false) const;
+    // The file of --map.
+    const OptionText& map() const { return map_; }
+    bool tracerGiven() const { return tracer_.has_value(); }
+    // Sets those of --surface, --address and --relief-depth that were given.
+    void applyRelief(Surface& surface, Address& address, double& reliefDepth) const;
     // Returns " --map FILE" as it was given, quoted for a shell; empty without it.
     std::string mapArgument() const;
     // Returns a hash of the stored map's file; empty without --map. Throws InputError.
@@ -158,6 +165,7 @@ class ScenarioOptions {
     void addView(CLI::App& parser, OptionGroups groups);
     void applyPictures(Scenario& scenario) const;
     void applyMethod(Scenario& scenario) const;
+    void applyRelief(Scenario& scenario) const;
     void applyTracer(MethodChoice& method) const;
     void applyFilter(Scenario& scenario) const;
     void applyView(Scenario& scenario) const;

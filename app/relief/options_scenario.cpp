@@ -255,6 +255,12 @@ Scenario ScenarioOptions::scenario(const OptionText& file) const {
     return scenario;
 }
 
+Scenario ScenarioOptions::withoutHeights() const {
+    Scenario scenario;
+    applyMethod(scenario);
+    return scenario;
+}
+
 void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, MapCache& maps, Work& work,
                                    bool follow) const {
     if (!map_) return;
@@ -263,6 +269,14 @@ void ScenarioOptions::useStoredMap(Scenario& scenario, const Assets& assets, Map
     if (follow && !tracer_ && !(file_ && isScenarioFile(shippedFile(*file_))))
         scenario.method.name = methodOfMap(mapKindName(map));
     scenario.method = useMap(*map_, map, scenario.method, field, maps);
+}
+
+void ScenarioOptions::applyRelief(Surface& surface, Address& address, double& reliefDepth) const {
+    Scenario scenario;
+    applyRelief(scenario);
+    if (surface_) surface = scenario.surface;
+    if (address_) address = scenario.address;
+    if (reliefDepth_) reliefDepth = scenario.reliefDepth;
 }
 
 std::string ScenarioOptions::mapArgument() const {
@@ -322,13 +336,17 @@ void ScenarioOptions::applyMethod(Scenario& scenario) const {
     applyTracer(scenario.method);
     applySettings(scenario.method.options, settings_, "--set", "layers=64");
     if (!settings_.empty()) checkMethod(scenario.method, "--set");
+    applyRelief(scenario);
+    applyFilter(scenario);
+}
+
+void ScenarioOptions::applyRelief(Scenario& scenario) const {
     if (reliefDepth_) {
         const std::string option = "--relief-depth";
         setScenarioNumber(scenario, "relief-depth", parseNumber(*reliefDepth_, option), option);
     }
     if (address_) scenario.address = parseAddress(*address_);
     if (surface_) scenario.surface = parseSurface(*surface_);
-    applyFilter(scenario);
 }
 
 void ScenarioOptions::applyFilter(Scenario& scenario) const {

@@ -122,9 +122,11 @@ void buildParser(CLI::App& program, Commands& commands) {
         "Exit status:\n"
         "  0    done\n"
         "  1    the work failed, or a check has found a violation (certify, compare --max-flip, recommend --check,\n"
-        "       stress, merge of stress tests)\n"
+        "       stress, merge of stress tests), or diagnose has found a fault\n"
         "  2    wrong usage, unusable input, or not enough memory\n"
-        "  3    not decided: certify could neither prove nor refute that the map is safe\n"
+        "  3    not decided: certify could neither prove nor refute that the map is safe, or diagnose does not know "
+        "the\n"
+        "       fault\n"
         "  129, 130, 143    ended by a hang-up, by Ctrl-C, by a request to terminate (128 + the signal's number);\n"
         "       141 if the reader of standard output has ended, as after | head\n"
         "With status 2, and with 1 unless a check explains itself on standard output, one line on standard error gives "
@@ -136,12 +138,14 @@ void buildParser(CLI::App& program, Commands& commands) {
     addListCommand(program, commands);
     addMapCommand(program, commands);
     addTileCommand(program, commands);
+    addExportCommand(program, commands);
     addRenderCommand(program, commands);
     addTraceCommand(program, commands);
     addCompareCommand(program, commands);
     addBenchCommand(program, commands);
     addStressCommand(program, commands);
     addCertifyCommand(program, commands);
+    addDiagnoseCommand(program, commands);
     addRecommendCommand(program, commands);
     addClaimsCommand(program, commands);
     addMergeCommand(program, commands);

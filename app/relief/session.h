@@ -86,8 +86,10 @@ void addTraceCommand(CLI::App& program, Commands& commands);
 void addCompareCommand(CLI::App& program, Commands& commands);
 void addStressCommand(CLI::App& program, Commands& commands);
 void addCertifyCommand(CLI::App& program, Commands& commands);
+void addDiagnoseCommand(CLI::App& program, Commands& commands);
 void addBenchCommand(CLI::App& program, Commands& commands);
 void addRecommendCommand(CLI::App& program, Commands& commands);
+void addExportCommand(CLI::App& program, Commands& commands);
 void addMergeCommand(CLI::App& program, Commands& commands);
 
 }  // namespace relief::app

@@ -8,7 +8,7 @@
 #include "relief/memory.h"
 #include "rendering/frame.h"
 #include "rendering/pixel_coefficients.h"
-#include "rendering/visible_polygons.h"
+#include "rendering/view_rays.h"
 #include "scenario/ray_files.h"
 #include "tiles_report.h"
 
@@ -141,18 +141,9 @@ std::string coefficientLines(const std::vector<PixelChoice>& pixels, const Frame
     return text;
 }
 
-// Returns the rays of all pixels of the view that see a polygon.
 RaySelection raysOfView(const FrameRequest& request) {
-    const VisiblePolygons visible =
-        visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
-                        request.width, request.height, request.field.reliefDepth(), request.mapping);
     RaySelection selection;
-    for (int y = 0; y < request.height; ++y) {
-        for (int x = 0; x < request.width; ++x) {
-            const VisiblePolygon* const polygon = visible.at(x, y, request.width);
-            if (polygon != nullptr) selection.rays.push(polygon->entry(x, y).ray);
-        }
-    }
+    selection.rays = viewRays(request).rays;
     selection.answers = selection.rays.size();
     return selection;
 }

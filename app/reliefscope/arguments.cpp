@@ -91,6 +91,12 @@ Arguments parseArguments(int count, char** arguments) {
         } else if (argument == "--memory") {
             parsed.memory = wholeNumber(value(), argument);
             reliefui::requireRange(argument, parsed.memory, 1, kMostTileMemory);
+        } else if (argument == "--lesson") {
+            parsed.lesson = value();
+        } else if (argument == "--check") {
+            parsed.check = true;
+        } else if (argument == "--html") {
+            parsed.html = true;
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
         } else if (argument == "--export") {
@@ -153,7 +159,18 @@ Arguments parseArguments(int count, char** arguments) {
     };
     const Message view(MessageId::WordExportOption);
     needs(!parsed.figure.empty() && parsed.output.empty(), "--export", Message(MessageId::WordOutputOption));
-    needs(!parsed.output.empty() && parsed.figure.empty(), "-o", view);
+    const bool lesson = !parsed.lesson.empty();
+    const Message lessonOption(MessageId::WordLessonOption);
+    needs(parsed.check && !lesson, "--check", lessonOption);
+    needs(parsed.html && !lesson && parsed.figure.empty(), "--html", lessonOption);
+    needs(parsed.html && parsed.output.empty(), "--html", Message(MessageId::WordOutputOption));
+    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html, "-o", view);
+    const auto excludes = [](bool both, const char* option, const char* other) {
+        if (both) throw InputError(option, Message(MessageId::ArgumentsExclude, {{"other", other}}));
+    };
+    excludes(lesson && !parsed.figure.empty(), "--lesson", "--export");
+    excludes(lesson && !parsed.file.empty(), "--lesson", "SCENARIO.json");
+    excludes(parsed.check && parsed.html, "--check", "--html");
     needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", plainText("--export result"));
     const bool figure = !parsed.figure.empty();
     needs(parsed.memory > 0 && parsed.file.empty(), "--memory", plainText("SCENARIO.json | PICTURE"));
@@ -194,6 +211,13 @@ Options, with defaults in parentheses
                         Pyramid and Distance and the comparison of heights, which need all heights, say so
   --size WxH|N          size of the window, pixels; N: N x N
   --screenshot FILE     open the window, save it as a PNG, and exit
+  --lesson NAME         open a lesson, such as 302, or the folder of one
+  --lesson NAME|all --check
+                        check what its texts say, without a window; a line per lesson; needs no display
+  --lesson NAME --html -o FILE.html
+                        write the lesson as one page for any browser; all: a folder of pages with contents
+  --export VIEW --html -o FILE.html
+                        write a view as a page with a slider over the steps of the ray
   --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
@@ -226,9 +250,10 @@ Options, with defaults in parentheses
   --log                 when the window is closed, print the work that blocked it longest to stderr
   --version, --help
 
-Exit status: 0 done, 1 the work failed, 2 wrong usage or input, or no display.
+Exit status: 0 done, 1 the work failed or a lesson's claim does not hold, 2 wrong usage or input, or no display.
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
+          reliefscope --lesson all --check
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";
 }

@@ -15,6 +15,8 @@
 
 #include "arguments.h"
 #include "end_signals.h"
+#include "lesson_command.h"
+#include "lessons/lesson_player.h"
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
@@ -24,16 +26,20 @@
 #include "panes/rows/rows_drawing.h"
 #include "panes/rows/rows_state.h"
 #include "relief/errors.h"
+#include "relief/files.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/variation.h"
 #include "windows/application.h"
 #include "windows/display_check.h"
+#include "windows/lesson_html.h"
+#include "windows/lesson_menu.h"
 #include "windows/main_window.h"
 #include "windows/pane_list.h"
 #include "windows/program.h"
 #include "windows/restore_offer.h"
 #include "workspace/language.h"
 #include "workspace/last_state.h"
+#include "workspace/layer_names.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 #include "workspace/resized_snapshot.h"
@@ -129,12 +135,9 @@ std::shared_ptr<const reliefui::Figure> paretoChart(const Arguments& arguments) 
 
 reliefui::Layer chosenLayer(const std::string& name) {
     if (name.empty()) return reliefui::Layer::Color;
-    // Names as in `relief render`, in the order of reliefui::Layer.
-    static const std::vector<std::string> kNames{"color",  "steps", "error",     "outcome", "depth",
-                                                 "normal", "uv",    "footprint", "hidden"};
-    const auto at = std::find(kNames.begin(), kNames.end(), name);
-    if (at != kNames.end()) return static_cast<reliefui::Layer>(at - kNames.begin());
-    throw InputError("--layer", unknownName({"what", MessageId::WordLayer}, name, commaList(kNames)));
+    if (const auto layer = reliefui::layerNamed(name)) return *layer;
+    const std::vector<std::string> known(reliefui::kLayerNames.begin(), reliefui::kLayerNames.end());
+    throw InputError("--layer", unknownName({"what", MessageId::WordLayer}, name, commaList(known)));
 }
 
 // Command-line arguments take precedence over the scenario.
@@ -244,7 +247,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     page.caption = arguments.caption;
     page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     page.style.language = reliefui::uiLanguage();
-    reliefui::checkPage(page, arguments.output, kind.vectors);
+    if (!arguments.html) reliefui::checkPage(page, arguments.output, kind.vectors);
+    if (arguments.html && !kind.make) {
+        throw InputError("--html", Message(MessageId::ArgumentsExclude, {{"other", "--export " + arguments.figure}}));
+    }
     checkArguments(arguments);
     if (!kind.make) {
         const auto chart = paretoChart(arguments);
@@ -269,6 +275,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     Work work;
     const auto snapshot = maker.make(order, work);
     if (arguments.slice >= 0) reliefui::checkSlice(*snapshot, arguments.slice, "--slice", work);
+    if (arguments.html) {
+        writeTextFile(arguments.output, reliefui::viewPage(kind, snapshot, reliefui::installPageLanguage, work));
+        return 0;
+    }
     const auto figure = kind.make(snapshot, snapshot->scenario);
     reliefui::writeFigure(*figure, page, arguments.output, work);
     return 0;
@@ -294,7 +304,11 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
-    if (!shot) window.welcome(arguments.anew);
+    if (!shot && arguments.lesson.empty()) window.welcome(arguments.anew);
+    if (!arguments.lesson.empty()) {
+        const NamedLessons named = namedLessons(arguments.lesson, shippedPictures());
+        window.findChild<reliefui::LessonMenu*>()->open(QString::fromStdString(named.folders.front()));
+    }
     // When the first pictures are ready, brings a lesson's pane to the front, or adds the opened file to the recent
     // files.
     const QString file = shot ? QString() : QString::fromStdString(arguments.file);
@@ -307,6 +321,10 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
 }
 
 int run(int count, char** values, const Arguments& arguments) {
+    if (arguments.check) return checkLessons(arguments, shippedPictures());
+    if (arguments.html && arguments.figure.empty()) {
+        return writeLessonPages(count, values, arguments, shippedPictures());
+    }
     if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
@@ -342,6 +360,8 @@ int run(int count, char** values, const Arguments& arguments) {
         QObject::connect(&*keeper, &reliefui::StateKeeper::problem, &workspace, &reliefui::Workspace::problem);
     }
     int status = 0;
+    // The page of the open lesson, which the window in the other language opens again.
+    std::optional<reliefui::LessonPlayer::Place> lesson;
     for (bool first = true; first || status == kOtherLanguage; first = false) {
         reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
         shown = &window;
@@ -354,8 +374,10 @@ int run(int count, char** values, const Arguments& arguments) {
             window.takeLayout(layout);
             window.show();
             window.showLesson();
+            if (lesson) window.findChild<reliefui::LessonMenu*>()->open(lesson->folder, lesson->page);
         }
         status = QApplication::exec();
+        lesson = window.findChild<reliefui::LessonMenu*>()->player()->place();
         layout = window.layoutNow();
         if (offer != nullptr) left = offer->unanswered();
         if (status != kOtherLanguage && keeper) {

@@ -75,6 +75,7 @@ advice() {
 printed recommend advice
 if command -v mpirun >/dev/null && [ -x /usr/bin/time ]; then printed ranks tests/benchmarks/ranks.sh "${2:-build}"; fi
 printed sizes tests/benchmarks/sizes.py --build "${2:-build}"
+if [ -x "$bin/relief_changes" ]; then printed changes "$bin/relief_changes"; fi
 printed steps "$bin/relief_claims" steps
 printed wrong "$bin/relief_claims" --rays 100000 wrong
 printed gain "$bin/relief_claims" --rays 100000 gain

@@ -11,7 +11,7 @@ INSTANTIATE_TEST_SUITE_P(Places, HelpTest, testing::ValuesIn(everyPlace()), plac
 TEST_P(HelpTest, EveryCommandExplainsItself) {
     const std::string page = runFine({"--help"});
     for (const std::string command : {"info", "make", "list", "map", "render", "trace", "compare", "bench", "stress",
-                                      "certify", "recommend", "claims", "merge", "tile", "help"}) {
+                                      "certify", "diagnose", "export", "recommend", "claims", "merge", "tile", "help"}) {
         EXPECT_NE(page.find("\n  " + command + " "), std::string::npos) << command;
         const std::string help = runFine({command, "--help"});
         EXPECT_NE(help.find("Usage: relief " + command), std::string::npos) << help;
@@ -85,8 +85,8 @@ TEST_P(HelpTest, HelpAndListExplainOneThing) {
     expectRefusal({"list", "briks"}, 2, {"did you mean \"bricks\""});
     // The whole list is the concatenation of its sections.
     std::string all;
-    for (const std::string kind : {"tracers", "shading", "meshes", "any-hit", "maps", "rows", "filters", "reliefs",
-                                   "numbers", "render-layers"}) {
+    for (const std::string kind : {"tracers", "shading", "meshes", "any-hit", "maps", "conventions", "rows", "filters",
+                                   "reliefs", "numbers", "render-layers"}) {
         all += (all.empty() ? "" : "\n") + runFine({"list", kind});
     }
     EXPECT_TRUE(runFine({"list"}) == all);

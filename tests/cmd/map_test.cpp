@@ -108,7 +108,7 @@ TEST_P(MapTest, WrongUse) {
     const auto before = files();
     expectRefusal({"map", "refind", "--height", height, "-o", path("m.tif")}, 2, {"\"refind\"", "refined"});
     expectRefusal({"map", "refined", "--height", height}, 2, {"--output"});
-    expectRefusal({"map", "refined", "--height", height, "-o", path("m.png")}, 2, {"m.png"});
+    expectRefusal({"map", "refined", "--height", height, "-o", path("m.bmp")}, 2, {"m.bmp"});
     expectRefusal({"map", "cone", "--height", height, "--set", "layers=3", "-o", path("m.tif")}, 2, {"layers"});
     expectRefusal({"map", "refined", "--height", height, "--address", "clamp", "-o", path("m.tif")}, 2, {"clamp"});
     expectRefusal({"map", "euclidean", "--relief", "hills:8192x8192", "--set", "layers=1024", "-o", path("m.tif")}, 2,
@@ -129,7 +129,7 @@ TEST_P(MapTest, PyramidsAreWrittenAsPictures) {
     }
     expectRefusal({"map", "max-pyramid", "--height", height, "--set", "base=1", "-o", path("b.tif")}, 2,
                   {"--set", "\"base\""});
-    expectRefusal({"map", "max-pyramid", "--height", height, "-o", path("b.png")}, 2, {"b.png"});
+    expectRefusal({"map", "max-pyramid", "--height", height, "-o", path("b.bmp")}, 2, {"b.bmp"});
 }
 
 }  // namespace relief::test

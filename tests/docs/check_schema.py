@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Validates scenarios against the JSON Schema, and the schema against the program.
+"""Validates scenarios and lessons against their JSON Schemas, and the schemas against the program.
 
     check_schema.py SOURCES BIN
 
@@ -10,6 +10,7 @@ import copy
 import glob
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -33,6 +34,10 @@ def read(path):
     return content.get("scenario", content)
 
 
+def read_lesson(path):
+    return json.load(open(path, encoding="utf-8"))
+
+
 def expect_valid(scenario, what):
     for error in validator.iter_errors(scenario):
         faults.append(f"{what}: {'/'.join(map(str, error.path))}: {error.message}")
@@ -48,7 +53,7 @@ def objects(scenario, path=()):
 
 
 patterns = ["tests/files/v1/*.json", "tests/files/v1/*/*.json", "ui/lessons/*.json", "app/manual/*.json"]
-files = [f for p in patterns for f in glob.glob(os.path.join(root, p)) if "/traced/" not in f and "/tables/" not in f]
+files = [f for p in patterns for f in glob.glob(os.path.join(root, p)) if "/traced/" not in f and "/tables/" not in f and not f.endswith("/course.json")]
 for file in files:
     expect_valid(read(file), os.path.relpath(file, root))
 if len(files) < 60:
@@ -98,6 +103,39 @@ with tempfile.TemporaryDirectory() as folder:
             faults.append(f"the schema takes {path} = {value}")
         refused += 1
 
+# Lessons: lesson.json of the shipped ones with the scenarios in it; changed ones, which schema and program refuse.
+lesson_schema = json.load(open(os.path.join(root, "algorithms/scenario/lesson.schema.json"), encoding="utf-8"))
+jsonschema.Draft7Validator.check_schema(lesson_schema)
+lesson_validator = jsonschema.Draft7Validator(lesson_schema)
+lessons = sorted(glob.glob(os.path.join(root, "ui/lessons/*/lesson.json")))
+for file in lessons:
+    lesson, what = read_lesson(file), os.path.relpath(file, root)
+    for error in lesson_validator.iter_errors(lesson):
+        faults.append(f"{what}: {'/'.join(map(str, error.path))}: {error.message}")
+    expect_valid(lesson["scenario"], what)
+reliefscope = os.path.join(os.path.dirname(relief), "reliefscope")
+if os.path.exists(reliefscope):
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(os.path.join(root, "ui/lessons/302"), os.path.join(folder, "302"))
+        file = os.path.join(folder, "302", "lesson.json")
+        good = read_lesson(file)
+        for path, value in {("lesson",): 2, ("minutes",): 0, ("unknown",): 1, ("pages",): [], ("pages", 0, "unknown"): 1,
+                            ("pages", 0, "pane"): "profil", ("pages", 0, "step"): 0, ("pages", 0, "name"): "a b",
+                            ("pages", 0, "layer"): "colour", ("pages", 0, "claims"): [1], ("variants", "a b"): {},
+                            ("pages", 2, "knob", "values"): ["8"], ("pages", 2, "knob", "set"): "method",
+                            ("pages", 2, "knob", "watch", 0, "trend"): "grows",
+                            ("pages", 1, "question"): {"ask": 1}}.items():
+            changed = copy.deepcopy(good)
+            place = changed
+            for key in path[:-1]:
+                place = place[key]
+            place[path[-1]] = value
+            json.dump(changed, open(file, "w", encoding="utf-8"))
+            if subprocess.run([reliefscope, "--lesson", os.path.dirname(file), "--check"], capture_output=True).returncode != 2:
+                faults.append(f"the program takes {path} = {value}")
+            if lesson_validator.is_valid(changed):
+                faults.append(f"the schema of lessons takes {path} = {value}")
+
 # Names of the lists.
 listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=True, text=True, check=True).stdout)
 for key, names in (("tracers", schema["definitions"]["method"]["properties"]["name"]["enum"]),
@@ -110,5 +148,5 @@ for key, names in (("tracers", schema["definitions"]["method"]["properties"]["na
                       f"    {json.dumps(program)}")
 
 print("\n".join(faults))
-print(f"{len(files)} scenarios of files and {len(given)} written are valid, {refused} changed ones refused: {len(faults)} faults")
+print(f"{len(lessons)} lessons, {len(files)} scenarios of files and {len(given)} written are valid, {refused} changed ones refused: {len(faults)} faults")
 sys.exit(1 if faults else 0)

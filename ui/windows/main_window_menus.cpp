@@ -26,6 +26,7 @@
 #include "windows/home_view.h"
 #include "windows/layout_menu.h"
 #include "windows/main_window.h"
+#include "windows/share.h"
 #include "windows/status_line.h"
 #include "windows/step_bar.h"
 #include "windows/time_pane.h"
@@ -87,6 +88,15 @@ void MainWindow::makeFileMenu() {
     auto* const figure = addAction(menu, tr("&Export the pane…"), QKeySequence(QStringLiteral("Ctrl+E")),
                                    tr("Export the pane that has the keyboard focus as SVG, PDF or PNG"));
     connect(figure, &QAction::triggered, this, &MainWindow::exportFocused);
+    auto* const page = addAction(menu, tr("S&hare the pane as a page…"), {},
+                                 tr("The pane in use as one HTML file with a slider over the steps, for any browser"));
+    connect(page, &QAction::triggered, this, [this] {
+        const QDockWidget* const active = activePane();
+        for (const Pane& pane : panes_) {
+            if (pane.dock != active || pane.kind.figures.empty()) continue;
+            askPanePage(this, workspace_, QString::fromStdString(pane.kind.figures.front().name));
+        }
+    });
     menu->addSeparator();
     auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     connect(quit, &QAction::triggered, this, &QWidget::close);

@@ -1,4 +1,7 @@
 // The main window's menus about rays: notable pixels, bookmarks, another program's tracer.
+#include <algorithm>
+
+#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -8,6 +11,7 @@
 #include "panes/file_dialogs.h"
 #include "scenario/variation.h"
 #include "windows/bookmarks.h"
+#include "windows/lesson_menu.h"
 #include "windows/main_window.h"
 #include "windows/other_bar.h"
 #include "windows/status_line.h"
@@ -54,11 +58,26 @@ void MainWindow::makeDuelMenu(QMenu* menu) {
 
 void MainWindow::makeLessonMenu() {
     QMenu* const menu = menuBar()->addMenu(tr("&Lessons"));
+    LessonMenu::Ways ways;
+    ways.focusPane = [this](const QString& name) { focusPane(name); };
+    ways.left = [this] { return front(DockPlace::Left); };
+    ways.activePane = [this] {
+        const QDockWidget* const active = activePane();
+        const auto found =
+            std::find_if(panes_.begin(), panes_.end(), [&](const Pane& pane) { return pane.dock == active; });
+        return found == panes_.end() ? QString() : found->kind.name;
+    };
+    ways.addAction = [this, menu](const QString& text, const QString& keys, const QString& help) {
+        return addAction(menu, text, QKeySequence(keys), help);
+    };
+    new LessonMenu(workspace_, datasets_, menu, this, std::move(ways));
+    menu->addSeparator();
+    QMenu* const scenes = menu->addMenu(tr("&Short scenes"));
     int number = 0;
     for (const Lesson& lesson : lessons()) {
         // Only the first nine have a key: "1" would also match the tenth.
         const QString key = ++number < 10 ? QStringLiteral("&%1  %2") : QStringLiteral("%1  %2");
-        auto* const action = addAction(menu, key.arg(number).arg(lesson.title), {}, lesson.about);
+        auto* const action = addAction(scenes, key.arg(number).arg(lesson.title), {}, lesson.about);
         action->setObjectName(QStringLiteral("lesson-") + lesson.name);
         connect(action, &QAction::triggered, this, [this, name = lesson.name] { openLesson(name); });
     }

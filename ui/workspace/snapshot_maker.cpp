@@ -58,9 +58,39 @@ double buildSeconds(relief::Work& work) {
     return found != counted.end() ? found->second : 0;
 }
 
+// Layers of a picture with at most this many pixels are kept until their stages change; of larger ones only the colours
+// and the layer shown.
+constexpr std::size_t kKeepLayers = std::size_t{1} << 22;
+
+// Returns true if the layer of both frames is the same. normals: whether they have the same normal map.
+bool sameLayer(Layer layer, const relief::Frame& a, const relief::Frame& b, bool normals) {
+    const bool hits = a.rays == b.rays && a.hits == b.hits;
+    switch (layer) {
+        case Layer::Color:
+            return a.light == b.light;
+        case Layer::Hidden:
+            return hits && a.color == b.color;
+        case Layer::Normals:
+            return hits && normals;
+        default:
+            return hits;
+    }
+}
+
 }  // namespace
 
 SnapshotMaker::SnapshotMaker(relief::AssetStore store) : store_(std::move(store)), renderer_(maps_, kMovingSeconds) {}
+
+// Both frames are alive, so that a stage that they share has not been written again.
+void SnapshotMaker::Shown::dropStale(const relief::Frame* before, bool normals) {
+    const relief::Frame& now = *drawn.frame;
+    std::erase_if(
+        layers, [&](const auto& entry) { return before == nullptr || !sameLayer(entry.first, *before, now, normals); });
+    const bool filtered = before != nullptr && before->hits == now.hits && before->color == now.color;
+    if (filtered) return;
+    bounded.reset();
+    ellipseOff.reset();
+}
 
 bool SnapshotMaker::Shown::is(const relief::Scenario& other, const relief::Assets& of) const {
     return scenario && sameFrame(*scenario, other) && assets.heights == of.heights && assets.tiles == of.tiles &&
@@ -90,17 +120,30 @@ bool SnapshotMaker::draw(Shown& shown, const SnapshotOrder& order, const relief:
     if (same && shown.is(order.scenario, assets)) return false;
     shown.scenario.reset();              // set again when complete, because drawing may be cancelled
     if (&shown == &full_) coarse_ = {};  // frees memory: may be as large as the full one
+    const std::shared_ptr<const relief::Frame> before = shown.drawn.frame;
+    const bool normals = shown.assets.normals == assets.normals;
     shown.drawn = order.moving ? renderer_.draw(request, level_, work) : renderer_.atRest(request, work);
     shown.assets = assets;
-    shown.layer = makeLayer(Layer::Color, *shown.drawn.frame, *shown.drawn.request, *maps_, work);
-    shown.picture = shown.layer.image;
-    shown.bounded.reset();
-    if (request.bounded > 0 && &shown == &full_) {
+    shown.dropStale(before.get(), normals);
+    layerOf(shown, Layer::Color, work);
+    if (request.bounded > 0 && &shown == &full_ && !shown.bounded) {
         shown.bounded = relief::measureBounded(*shown.drawn.frame, request, *maps_, work);
     }
-    shown.ellipseOff = &shown == &full_ ? relief::ellipseError(*shown.drawn.frame, request, work) : 0;
+    if (!shown.ellipseOff) {
+        shown.ellipseOff = &shown == &full_ ? relief::ellipseError(*shown.drawn.frame, request, work) : 0;
+    }
     shown.scenario = order.scenario;
     return true;
+}
+
+LayerPicture& SnapshotMaker::layerOf(Shown& shown, Layer layer, relief::Work& work) {
+    const relief::Frame& frame = *shown.drawn.frame;
+    const auto found = shown.layers.find(layer);
+    if (found != shown.layers.end()) return found->second;
+    if (frame.light->color.size() > kKeepLayers) {
+        std::erase_if(shown.layers, [](const auto& entry) { return entry.first != Layer::Color; });
+    }
+    return shown.layers[layer] = makeLayer(layer, frame, *shown.drawn.request, *maps_, work);
 }
 
 const OtherFiles* SnapshotMaker::otherFiles(const relief::Scenario& scenario) {
@@ -128,19 +171,17 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     const bool drawn = draw(shown, order, fullRequest, snapshot->assets, work);
     relief::ProgressiveRenderer::Picture& picture = shown.drawn;
     if (order.layer == Layer::Steps) picture.frame = renderer_.counted(picture, work);
-    if (shown.layer.layer != order.layer) {
-        shown.layer = makeLayer(order.layer, *picture.frame, *picture.request, *maps_, work);
-    }
+    LayerPicture& layer = layerOf(shown, order.layer, work);
     if (const auto of = rangeOf(order.layer)) {
         const ColorRange range = rangesOf(scenario).of(*of);
-        if (range != shown.layer.range) colorLayer(shown.layer, range);
+        if (range != layer.range) colorLayer(layer, range);
     }
     snapshot->request = picture.request;
     snapshot->frame = picture.frame;
-    snapshot->picture = shown.picture;
-    snapshot->layer = shown.layer;
+    snapshot->picture = shown.layers.at(Layer::Color).image;
+    snapshot->layer = layer;
     snapshot->bounded = shown.bounded;
-    snapshot->ellipseOff = shown.ellipseOff;
+    snapshot->ellipseOff = *shown.ellipseOff;
     snapshot->tracer = picture.tracer;
     snapshot->guarantee = picture.tracer->guarantee();
     snapshot->methodBytes = picture.tracer->bytes();

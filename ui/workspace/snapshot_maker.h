@@ -2,6 +2,7 @@
 // thread and reuses what has not changed.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -46,18 +47,22 @@ class SnapshotMaker {
         relief::ProgressiveRenderer::Picture drawn;
         std::optional<relief::Scenario> scenario;
         relief::Assets assets;
-        QImage picture;
-        LayerPicture layer;  // the layer rendered last
+        std::map<Layer, LayerPicture> layers;  // those made of this frame, the colours among them
         std::optional<relief::BoundedError> bounded;
-        double ellipseOff = 0;
+        std::optional<double> ellipseOff;
 
         bool is(const relief::Scenario& other, const relief::Assets& of) const;
+        // Drops what depends on stages that the frame drawn does not share with the one before, which is null if there
+        // was none. normals: whether both have the same normal map.
+        void dropStale(const relief::Frame* before, bool normals);
     };
 
     relief::FrameRequest request(const SnapshotOrder& order, const relief::Assets& assets);
     // Draws the picture unless `shown` already holds it; returns whether it was drawn.
     bool draw(Shown& shown, const SnapshotOrder& order, const relief::FrameRequest& request,
               const relief::Assets& assets, relief::Work& work);
+    // Returns a layer of the frame shown, which is made when first needed.
+    LayerPicture& layerOf(Shown& shown, Layer layer, relief::Work& work);
     // Builds the pyramids of a small relief; after an edit, unchanged levels are shared with the previous ones.
     void makePyramids(const relief::HeightField& field, relief::Work& work);
     void describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work);

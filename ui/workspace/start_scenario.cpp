@@ -40,6 +40,15 @@ std::string datasetsFolder(const std::string& programFolder) {
     return {};
 }
 
+std::string lessonsFolder(const std::string& datasets) {
+    const fs::path above = fs::path(datasets).parent_path();
+    for (const fs::path& place : {above / "lessons", above / "ui" / "lessons"}) {
+        std::error_code error;
+        if (!datasets.empty() && fs::is_directory(place, error)) return place.string();
+    }
+    return {};
+}
+
 relief::Pictures picturesIn(const std::string& folder) {
     relief::Pictures pictures;
     pictures.height = firstOf(folder, "height");

@@ -10,6 +10,8 @@ namespace reliefui {
 // Folder of the shipped pictures: next to the installed program, or in the source tree; empty if not found.
 // programFolder: folder of the running program.
 std::string datasetsFolder(const std::string& programFolder);
+// Folder of the shipped lessons, which is next to that of the pictures; empty if not found.
+std::string lessonsFolder(const std::string& datasets);
 
 // Uses procedural bricks if the shipped pictures are missing.
 relief::Scenario startScenario(const std::string& datasets);

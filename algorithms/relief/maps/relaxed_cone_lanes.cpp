@@ -81,13 +81,10 @@ class Profile {
         for (int j = 1; j < count; ++j) {
             M open = hn::Gt(hn::Sub(at(j), apex), hn::Mul(slope, hn::Set(d, j)));
             const V ray = hn::Div(hn::Sub(at(j), one), hn::Set(d, j));
-            M inside = hn::Lt(one, one);  // none
-            for (int k = j; k < count && !hn::AllFalse(d, open); ++k) {
+            for (int k = j + 1; k < count && !hn::AllFalse(d, open); ++k) {
                 const V here = hn::Add(one, hn::Mul(ray, hn::Set(d, k)));
-                const M below = hn::Lt(here, at(k));
-                const M out = hn::And(open, hn::AndNot(below, inside));
+                const M out = hn::AndNot(hn::Lt(here, at(k)), open);
                 slope = hn::IfThenElse(out, hn::Max(slope, hn::Div(hn::Sub(here, apex), hn::Set(d, k))), slope);
-                inside = hn::Or(inside, below);
                 open = hn::AndNot(out, open);
             }
         }
@@ -112,19 +109,19 @@ class Profile {
             if (hn::AllFalse(d, open)) continue;
             const V heightAfter = at(j + 1);
             const M below = hn::Lt(here, heightAfter);
-            const M out = hn::And(open, hn::AndNot(below, hn::Lt(hn::Add(one, hn::Mul(ray, distance)), height)));
+            const M out = hn::AndNot(below, open);
             slope = hn::IfThenElse(out, hn::Max(slope, hn::Div(hn::Sub(here, apex), next)), slope);
             open = hn::AndNot(out, open);
             if (j + 2 < count) {
                 after = hn::Div(hn::Sub(heightAfter, one), next);
                 known = j + 1;
                 const V second = hn::Add(one, hn::Mul(after, hn::Set(d, j + 2)));
-                // The ray through the next sample is no lower, and is in the surface behind it as this one is: it
-                // leaves it no later and no lower.
+                // The ray through the next sample is no lower, and is in the surface behind it: it leaves it no later
+                // and no lower.
                 const M hidden = hn::And(hn::And(below, hn::Ge(after, ray)), hn::Lt(second, at(j + 2)));
                 open = hn::AndNot(hidden, open);
             }
-            if (!hn::AllFalse(d, open)) slope = followed(slope, apex, ray, open, below, j + 2, count);
+            if (!hn::AllFalse(d, open)) slope = followed(slope, apex, ray, open, j + 2, count);
         }
         return slope;
     }
@@ -147,8 +144,8 @@ class Profile {
     V at(int n) const { return hn::LoadU(d, heights_ + static_cast<std::size_t>(n) * hn::Lanes(d)); }
     void store(int n, V height) { hn::StoreU(height, d, heights_ + static_cast<std::size_t>(n) * hn::Lanes(d)); }
 
-    // Follows the `open` rays from sample k on to where they leave the surface. inside: they have entered it.
-    V followed(V slope, V apex, V ray, M open, M inside, int k, int count) const {
+    // Follows the `open` rays, which are in the surface, from sample k on to where they leave it.
+    V followed(V slope, V apex, V ray, M open, int k, int count) const {
         for (; k < count; ++k) {
             const V distance = hn::Set(d, k);
             const V here = hn::Add(hn::Set(d, 1), hn::Mul(ray, distance));
@@ -156,9 +153,7 @@ class Profile {
             // Farther exits are lower.
             open = hn::And(open, hn::Gt(rise, hn::Mul(lowered(slope), distance)));
             if (hn::AllFalse(d, open)) break;
-            const M below = hn::Lt(here, at(k));
-            const M out = hn::And(open, hn::AndNot(below, inside));
-            inside = hn::Or(inside, below);
+            const M out = hn::AndNot(hn::Lt(here, at(k)), open);
             if (hn::AllFalse(d, out)) continue;
             slope = hn::IfThenElse(out, hn::Max(slope, hn::Div(rise, distance)), slope);
             open = hn::AndNot(out, open);

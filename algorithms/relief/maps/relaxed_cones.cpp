@@ -25,13 +25,12 @@ double slopeOfProfile(const std::vector<double>& h) {
     for (int j = 1; j < count; ++j) {
         // The ray leaves the surface no nearer than j and no higher than h[j].
         if (h[static_cast<std::size_t>(j)] - h.front() <= kappa * j) continue;
-        // The ray from (0, 1) to (j, h[j]); it leaves where it is above the profile again.
+        // The ray from (0, 1) to (j, h[j]), where it is on the surface, and so in it; it leaves at the first sample
+        // behind that is not above it. A ray that only touches a peak leaves it at the next sample.
         const double slope = (h[static_cast<std::size_t>(j)] - 1) / j;
-        bool inside = false;
-        for (int k = j; k < count; ++k) {
+        for (int k = j + 1; k < count; ++k) {
             const double ray = 1 + slope * k;
-            if (ray < h[static_cast<std::size_t>(k)]) inside = true;
-            if (!inside || ray < h[static_cast<std::size_t>(k)]) continue;
+            if (ray < h[static_cast<std::size_t>(k)]) continue;
             const double rise = ray - h.front();
             if (rise > 0) kappa = std::max(kappa, rise / k);
             break;

@@ -168,8 +168,8 @@ void leadBeams(const FloatScene& scene, const PackedCones& cones, std::uint32_t 
     BeamWalk<kAddress>(scene, cones, quadrant).lead(x, y, beams, starts.data());
     constexpr std::size_t kGroups = kBeamRays / kLaneGroup;
     for (std::size_t n = 0; n < beams; ++n) {
-        const auto first = rays.start.begin() + static_cast<std::ptrdiff_t>(n * kGroups);
-        std::fill_n(first, kGroups, std::max(starts[n] - kStartSlack, scene.start));
+        double* first = rays.start.data() + n * kGroups;
+        for (std::size_t k = 0; k < kGroups; ++k) first[k] = std::max(starts[n] - kStartSlack, first[k]);
     }
 }
 

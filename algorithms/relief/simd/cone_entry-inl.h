@@ -12,6 +12,7 @@
 
 #include "relief/simd/candidates-inl.h"
 #include "relief/simd/cone_beams-inl.h"
+#include "relief/simd/cone_packets-inl.h"
 #include "relief/simd/cone_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,6 +22,11 @@ namespace relief::HWY_NAMESPACE {
 // thread.
 inline WalkColumns& columnsOfThread() {
     static thread_local const auto columns = std::make_unique<WalkColumns>();
+    return *columns;
+}
+
+inline PacketColumns& packetsOfThread() {
+    static thread_local const auto columns = std::make_unique<PacketColumns>();
     return *columns;
 }
 
@@ -50,8 +56,25 @@ void traceConesIn(const FloatScene& scene, const PackedCones& cones, const doubl
         // the order of neighbouring pixels.
         const std::size_t common = commonQuadrant(given[2], given[3], scratch.count);
         if (common < kQuadrants) {
-            leadBeams<kAddress>(scene, cones, static_cast<std::uint32_t>(common), given, scratch);
+            const auto quadrant = static_cast<std::uint32_t>(common);
             scattered = false;
+            if constexpr (kLanes >= kLeastPacket) {
+                PacketColumns& columns = packetsOfThread();
+                PacketWalk<kAddress, kSurface, Arithmetic> packets(scene, cones, quadrant, given, scratch, columns);
+                packets.run();
+                const std::size_t left = scratch.count - packets.taken();
+                if (8 * left > scratch.count) leadBeams<kAddress>(scene, cones, quadrant, given, scratch);
+                if (left > 0) {
+                    ConeKernel<kAddress, kSurface, Arithmetic> singles(scene, WalkMap(cones, false), given, scratch,
+                                                                       false, walk);
+                    singles.only(columns.left);
+                    singles.run();
+                }
+                packets.keep();
+                resolveCandidates<kAddress, kSurface>(scene, given, scratch, hits, firstHit);
+                return;
+            }
+            leadBeams<kAddress>(scene, cones, quadrant, given, scratch);
         }
     }
     ConeKernel<kAddress, kSurface, Arithmetic>(scene, WalkMap(cones, scattered), given, scratch, false, walk).run();

@@ -22,6 +22,9 @@ inline constexpr auto kWholeBits = std::bit_cast<std::int32_t>(kWhole);
 // Prefetch distance of ray data, in rays.
 inline constexpr std::size_t kRaysAhead = 2 * kLaneChunk;
 
+// A bit for each ray of a chunk.
+using RayBits = std::array<std::uint64_t, kLaneChunk / 64 + 1>;
+
 // A column, padded because vectors are stored from any index on.
 template <class T>
 using WalkColumn = std::array<T, kWalkSlots + 2 * kLanes>;
@@ -106,6 +109,9 @@ class WalkSlots {
           resumes_(resumes),
           end_(rays.count) {}
 
+    // Walks only some of the rays.
+    void only(const RayBits& left) { left_ = &left; }
+
   protected:
     // Constants for setting up rays on one axis.
     struct EntryFrame {
@@ -130,14 +136,23 @@ class WalkSlots {
         MF back;
     };
 
+    // Bits of a vector of rays.
+    HWY_INLINE std::uint64_t leftOf(std::size_t from) const {
+        const std::uint64_t bits = (*left_)[from / 64] >> from % 64;
+        return kLanes < 64 ? bits & ((std::uint64_t{1} << kLanes) - 1) : bits;
+    }
+
     // Appends new rays to those in flight, in whole vectors as far as there is room. Rays that resume are taken only
     // when all others have ended.
     HWY_INLINE void fill() {
-        const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes * kLanes;
-        const std::size_t taken = std::min(room, end_ - next_);
-        for (std::size_t k = 0; k < taken; k += kLanes) take(next_ + k, used_ + k, std::min(kLanes, taken - k));
-        next_ += taken;
-        used_ += taken;
+        const std::size_t room = resumes_ && used_ > 0 ? 0 : (kWalkSlots - used_) / kLanes;
+        for (std::size_t n = 0; n < room && next_ < end_; next_ = std::min(next_ + kLanes, end_)) {
+            if (left_ != nullptr && leftOf(next_) == 0) continue;
+            const std::size_t count = std::min(kLanes, end_ - next_);
+            take(next_, used_, count);
+            used_ += count;
+            ++n;
+        }
         hn::StoreU(hn::Set(di_, kEnded), di_, columns_.state.data() + used_);
         // The entries of the two vectors beyond the last are fetched, and the state of the first of them.
         const std::size_t behind = hwy::RoundUpTo(used_, kLanes);
@@ -188,6 +203,10 @@ class WalkSlots {
         prefetchRays(from);
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
+        if (left_ != nullptr) {
+            const std::uint64_t bits = leftOf(from);
+            starting = hn::And(starting, hn::LoadMaskBits(di_, reinterpret_cast<const std::uint8_t*>(&bits)));
+        }
         Entry x, y;
         if (HWY_LIKELY(!resumes_ && entry(frameX_, columns[0], columns[2], begin, x) &&
                        entry(frameY_, columns[1], columns[3], begin, y))) {
@@ -420,6 +439,7 @@ class WalkSlots {
     WalkMap map_;
     EntryFrame frameX_, frameY_;
     bool resumes_;
+    const RayBits* left_ = nullptr;  // rays to be walked; null: all
     std::size_t next_ = 0, end_;
     std::size_t used_ = 0;                   // slots in use, including those of ended rays
     std::size_t walking_ = 0, waiting_ = 0;  // numbers of rays

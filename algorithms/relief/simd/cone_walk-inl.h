@@ -41,6 +41,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     using typename Slots::EntryFrame;
 
   public:
+    using Slots::only;
     using Slots::Slots;
 
     void run() {

@@ -157,8 +157,8 @@ HWY_NOINLINE Patch patchApart(const FloatScene& scene, MI who, VI realX, VI real
 
 // Whether the bilinear surface is certainly below the ray over the ray's whole interval in the patch's cell. That
 // interval is within [in, out]: `in` is early by at most one tie, `out` late by at most half a tie. nx, ny: the cell's
-// n on each axis.
-template <class Arithmetic = FastArithmetic>
+// n on each axis. kTurned: the patch has been turned so that all rays run forwards.
+template <class Arithmetic = FastArithmetic, bool kTurned = false>
 HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneAxisState& y, VF nx, VF ny, VF in,
                          VF out, VF tie) {
     const DF d;
@@ -167,7 +167,7 @@ HWY_INLINE MF patchBelow(const Patch& patch, const LaneAxisState& x, const LaneA
     const auto within = [&](const LaneAxisState& axis, VF n, VF lambda) {
         const VF along = Arithmetic::mulSub(hn::Sub(lambda, axis.base), axis.run, n);
         const VF clamped = hn::Min(hn::Max(along, zero), one);
-        return hn::IfThenElse(axis.mirrored, hn::Sub(one, clamped), clamped);
+        return kTurned ? clamped : hn::IfThenElse(axis.mirrored, hn::Sub(one, clamped), clamped);
     };
     const VF uIn = within(x, nx, in), vIn = within(y, ny, in);
     const VF uOut = within(x, nx, out), vOut = within(y, ny, out);

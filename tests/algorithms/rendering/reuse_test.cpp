@@ -27,6 +27,12 @@ Heights relief(const std::string& name, int width = 24, int height = 20) {
     return share(makeRelief(name, width, height, 1));
 }
 
+Heights oneTexelHigher(const Heights& heights) {
+    FloatImage image = *heights;
+    image(12, 10) = 1 - 0.5F * image(12, 10);
+    return share(std::move(image));
+}
+
 FrameRequest request() {
     FrameRequest request(HeightField(relief("bricks"), Surface::Bilinear, Address::Repeat, 0.3));
     request.width = 32;
@@ -73,6 +79,7 @@ std::multimap<std::string, Change> changes() {
         {"field", heightsOf(constantHeights(24, 20, 1))},
         {"field", heightsOf(constantHeights(24, 20, 0.25F))},
         {"field", heightsOf(relief("bricks", 20, 24))},
+        {"field", heightsOf(oneTexelHigher(relief("bricks")))},
         {"method", [](FrameRequest& r) { r.method.name = "layers"; }},
         {"method", [](FrameRequest& r) { r.method.options["base"] = "2"; }},
         {"color", [](FrameRequest& r) { r.color = colors(2); }},

@@ -26,6 +26,10 @@ namespace fs = std::filesystem;
 const fs::path kVersion1 = fs::path(RELIEF_FILES) / "v1";
 constexpr double kSameHit = 1e-9;      // in lambda
 constexpr double kSamePicture = 0.01;  // mean difference of linear colours: a filter may be improved
+// Relaxed cones that are built today end behind every spike that a ray touches, not only where rounding had it so: only
+// a map stored then gives the hits of then.
+constexpr const char* kBuiltOtherwise = "relaxed-cone";
+constexpr double kSamePictureBuiltOtherwise = 0.03;
 constexpr std::size_t kMapBytes = 1 << 24;
 
 // Returns the files in a folder ("" for the root) with that ending; sorted.
@@ -78,7 +82,8 @@ void expectSamePicture(const Scenario& scenario, const fs::path& before) {
             for (int c = 0; c < 3; ++c) difference += std::abs(std::clamp(now(x, y)[c], 0.0F, 1.0F) - then(x, y)[c]);
         }
     }
-    EXPECT_LT(difference / (3.0 * now.width() * now.height()), kSamePicture);
+    const bool otherwise = scenario.method.name == kBuiltOtherwise;
+    EXPECT_LT(difference / (3.0 * now.width() * now.height()), otherwise ? kSamePictureBuiltOtherwise : kSamePicture);
 }
 
 // Files traced/hits-NAME.csv and traced/steps-NAME.* were written by `relief trace` with this method over
@@ -328,6 +333,7 @@ TEST_F(OldFiles, HitsAreThoseOfToday) {
         if (!file.filename().string().starts_with("hits-")) continue;
         SCOPED_TRACE(file.filename());
         const Traced& how = traced().at(nameOf(file));
+        if (how.method.name == kBuiltOtherwise) continue;
         MapCache maps;
         expectHits(hitsBy(how.method, field(how.address), maps), how, file);
     }
@@ -344,6 +350,7 @@ TEST_F(OldFiles, MapsGiveTheHitsThatTheyGaveAndThoseOfMapsBuiltNow) {
         const MethodChoice choice = useMap(file.string(), map, how.method, on, stored);
         const HitBlock hits = hitsBy(choice, on, stored);
         expectHits(hits, how, kVersion1 / "traced" / ("hits-" + file.stem().string() + ".csv"));
+        if (how.method.name == kBuiltOtherwise) continue;
         MapCache fresh;
         const HitBlock now = hitsBy(how.method, on, fresh);
         for (std::size_t r = 0; r < hits.size(); ++r) {

@@ -279,14 +279,13 @@ TEST(RelaxedCones, AreTheReferenceOnLevelGround) {
 
 // The apex is the greatest float below the height at which a ray over a wall leaves it.
 TEST(RelaxedCones, AreTheReferenceWhereRoundingDecides) {
-    const float top = 0.25000075F;
-    const double exit = 1 + (static_cast<double>(top) - 1) / 6 * 8;
     float least = 1;
     for (int n = 0; n < 20; ++n) {
+        const float top = 0.142858F + 1e-7F * static_cast<float>(n);
+        const double exit = 1 + (static_cast<double>(top) - 1) / 6 * 7;
         FloatImage image(30, 1, 0.0F);
         image(10, 0) = std::nextafter(static_cast<float>(exit), 0.0F);
         image(15, 0) = image(16, 0) = top;
-        image(17, 0) = 0.13F + 0.001F * static_cast<float>(n);
         const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
         least = std::min(least, expectTheReference(field, 4, 64));
     }
@@ -299,8 +298,29 @@ TEST(RelaxedCones, EndWhereARayLeavesAWall) {
     FloatImage image(64, 1, 0.0F);
     for (int x = 15; x < 18; ++x) image(x, 0) = 0.5F;
     const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
-    // The highest such ray passes the last but one texel of the top, at a distance of 6, and is outside at 8.
-    EXPECT_FLOAT_EQ(relaxedSlopes(field, 4, 64, 1)[10], static_cast<float>((1 - 0.5 / 6 * 8) / 8));
+    // The highest such ray enters at the last texel of the top, at a distance of 7, and is outside at 8.
+    EXPECT_FLOAT_EQ(relaxedSlopes(field, 4, 64, 1)[10], static_cast<float>((1 - 0.5 / 7 * 8) / 8));
+}
+
+// A ray that touches the top of a spike is on the surface there, whatever the rounding of its height: the spike bounds
+// the cones of all texels in its row, also where it is higher than the middle of the slab.
+TEST(RelaxedCones, EndBehindEverySpike) {
+    for (const Surface surface : allSurfaces()) {
+        for (int n = 1; n <= 40; ++n) {
+            const float top = 0.025F * static_cast<float>(n);
+            FloatImage image(96, 1, 0.0F);
+            image(48, 0) = top;
+            const HeightField field(share(std::move(image)), surface, Address::Clamp, 0.3);
+            const std::vector<float> slopes = relaxedSlopes(field, 4, 64, 1);
+            for (int away = 2; away <= 40; ++away) {
+                const double height = 1 + (static_cast<double>(top) - 1) / away * (away + 1);
+                const double needed = height / (away + 1);
+                for (const int x : {48 - away, 48 + away}) {
+                    EXPECT_GE(slopes[static_cast<std::size_t>(x)], needed * (1 - 1e-6)) << top << " " << x;
+                }
+            }
+        }
+    }
 }
 
 }  // namespace

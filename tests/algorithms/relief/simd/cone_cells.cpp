@@ -19,6 +19,15 @@ struct Visit {
     std::int32_t slot, x, y;
     std::uint32_t word;
 };
+// A ray that left a packet: its index in the chunk, and its candidate cell.
+struct Candidate {
+    std::size_t ray;
+    std::int64_t x, y;
+};
+inline std::vector<Candidate>& candidates() {
+    static std::vector<Candidate> all;
+    return all;
+}
 inline std::vector<Visit>& visits() {
     static std::vector<Visit> all;
     return all;
@@ -50,6 +59,16 @@ struct Noting : Base {
             };
             test::visits().push_back(
                 {slots[k], forth(x[k], columns.x), forth(y[k], columns.y), static_cast<std::uint32_t>(words[k])});
+        }
+    }
+    static void leavePacket(const PacketColumns& columns, std::size_t packet, bool periods) {
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            const std::size_t i = packet * kLanes + k;
+            if ((columns.ended[packet] >> k & 1U) == 0) continue;
+            if (columns.end[i] != static_cast<std::int32_t>(LaneEnd::Candidate)) continue;
+            test::candidates().push_back({columns.first[packet] + k,
+                                          columns.cellX[i] + (periods ? columns.periodX[i] : 0),
+                                          columns.cellY[i] + (periods ? columns.periodY[i] : 0)});
         }
     }
 };
@@ -117,6 +136,12 @@ void sortVisits(const double* const* given, const LaneRays& rays) {
             {std::int64_t{rays.x.cell[slot]} + visit.x, std::int64_t{rays.y.cell[slot]} + visit.y, visit.word});
     }
     visits().clear();
+    for (const Candidate& each : candidates()) {
+        const std::size_t n = each.ray;
+        const std::size_t number = noted().numbers.at({given[0][n], given[1][n], given[2][n], given[3][n]});
+        noted().rays[number].candidate = {each.x, each.y};
+    }
+    candidates().clear();
 }
 
 void trace(const FloatScene& scene, const PackedCones& cones, const RayBlock& rays, std::size_t first, std::size_t last,

@@ -1,6 +1,8 @@
 // Records the cells and map entries that the SIMD cone traversal visits, ray by ray.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "relief/simd/cone_lanes.h"
@@ -15,10 +17,12 @@ struct VisitedCell {
     bool operator==(const VisitedCell&) const = default;
 };
 
-// begin: lambda at which the ray left its packet.
+// begin: lambda to which a beam of neighbouring rays led this one. candidate: the cell in which the ray left its
+// packet, before addressing; such a ray visits no cells by itself unless that was a false candidate.
 struct VisitedRay {
     double begin = 0;
     std::vector<VisitedCell> cells;
+    std::optional<std::array<std::int64_t, 2>> candidate;
 };
 
 // Traces the rays with a recording instance of the SIMD traversal. asTheReference: an instance that rounds as the

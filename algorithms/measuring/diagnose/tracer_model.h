@@ -1,0 +1,103 @@
+// A model of somebody's tracer: what it does differently from `exact`. The doctor compares the tracer's answers with
+// those that a model predicts.
+//
+// Frame and units: ray.h.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "measuring/diagnose/fault.h"
+#include "relief/height_field.h"
+#include "relief/ray.h"
+#include "relief/work.h"
+
+namespace relief {
+
+// How the model finds the surface along its ray. Exact: the first hit. Layers: the first of `layers` equal layers at or
+// below the surface. Secant: the line between that layer and the one before. OneSample: the height at the entry.
+enum class ModelSearch : std::uint8_t { Exact, Layers, Secant, OneSample };
+
+struct TracerModel {
+    // The direction: axes swapped, then multiplied by the signs, then turned by `turn` radians, then scaled by
+    // runScale; limited: and by slab / |(a, b, slab)|, as if the direction were not divided by its height.
+    bool swapped = false;
+    double signA = 1;
+    double signB = 1;
+    double turn = 0;
+    double runScale = 1;
+    bool limited = false;
+    // Where heights are read: shifted (texels), transposed, from the bottom row up.
+    double shiftS = 0;
+    double shiftT = 0;
+    bool transposed = false;
+    bool flipped = false;
+    // The heights: of this level of the mean pyramid; rounded (8) or cut off (-8) to 8 bits; decoded as sRGB values (1)
+    // or encoded (-1); then gain * h + lift, clamped to [0, 1].
+    int mip = 0;
+    int bits = 0;
+    int curve = 0;
+    double gain = 1;
+    double lift = 0;
+    std::optional<Address> address;
+    // Answers are this far in front of the hit: lambda; and texels along the ray, in the metric (s, t, slab z).
+    double bias = 0;
+    double biasTexels = 0;
+    ModelSearch search = ModelSearch::Exact;
+    int layers = 0;
+
+    bool operator==(const TracerModel&) const = default;
+};
+
+// The faults of a model, each with the number that describes it: layers, degrees, factor, heights, level; 0 if there is
+// none.
+struct ModelFault {
+    Fault fault;
+    double value = 0;
+};
+std::vector<ModelFault> modelFaults(const TracerModel& model, Address address);
+// Returns the model without one of its faults.
+TracerModel withoutFault(TracerModel model, Fault fault);
+
+// Makes the height fields that models read, and keeps them. Not thread-safe.
+class ModelFields {
+  public:
+    ModelFields(HeightField field, Work& work) : field_(std::move(field)), work_(work) {}
+
+    const HeightField& given() const { return field_; }
+    // The field, whose coordinates are those of the map at the model's level; scaleS, scaleT: its texels per texel of
+    // the given map.
+    struct Placed {
+        HeightField field;
+        double scaleS = 1;
+        double scaleT = 1;
+    };
+    const Placed& of(const TracerModel& model);
+
+  private:
+    using Key = std::tuple<int, int, int, double, double, Address>;
+    std::shared_ptr<const FloatImage> level(int mip);
+
+    HeightField field_;
+    Work& work_;
+    std::vector<std::shared_ptr<const FloatImage>> levels_;
+    std::map<Key, Placed> fields_;
+};
+
+// Returns the ray that the model follows, in the texels of its field.
+ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, const ViewRay& ray,
+                 const HeightField& given);
+
+// Returns how far the model's answer on the ray lies in front of its hit, lambda.
+double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightField& given);
+
+// Returns by how much an answer from one sample is shortened by offset limiting.
+double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given);
+
+// Returns the model's answers. s and t are left out: lambda alone is compared.
+std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFields& fields, Work& work);
+
+}  // namespace relief

@@ -1,0 +1,252 @@
+#include "measuring/lesson/measured_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "relief/files.h"
+#include "relief/maps/distance_map.h"
+#include "relief/tracers/map_choice.h"
+#include "rendering/pixel_coefficients.h"
+#include "scenario/ray_files.h"
+#include "scenario/step_sentence.h"
+
+namespace relief {
+
+namespace {
+
+// Gives bit for bit the results of `exact`, but is faster.
+constexpr const char* kExactTracer = "max-pyramid";
+// Largest number of rays whose logs are kept to count children.
+constexpr std::size_t kMostLogged = 4096;
+
+HitBlock traced(const Tracer& tracer, const ViewRay& ray, StepLog& log, Work& work) {
+    RayBlock rays;
+    rays.push(ray);
+    HitBlock hits;
+    tracer.trace(rays, hits, log, work);
+    return hits;
+}
+
+// The chosen ray of another tracer's files.
+SceneRay rayOfFiles(const OtherTracer& other, const HeightField& field) {
+    const RayBlock rays = parseRays(readTextFile(other.rays), other.rays);
+    const StepLog log = parseSteps(readTextFile(other.steps), other.steps, rays.size());
+    const auto number = static_cast<std::size_t>(other.ray);
+    if (number >= rays.size()) {
+        throw InputError(other.rays,
+                         Message(MessageId::OutOfRange, {{"what", MessageId::WordRay},
+                                                         {"value", number},
+                                                         {"range", rangeOf<std::size_t>(0, rays.size() - 1)}}));
+    }
+    SceneRay out;
+    out.ray = rays[number];
+    out.steps.assign(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[number]),
+                     log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[number + 1]));
+    placeSteps(out.steps, out.ray, field, other.steps, number);
+    out.hit = answerOf(out.steps, out.ray);
+    return out;
+}
+
+void requirePixel(const Scenario& scenario) {
+    if (!scenario.pixel) throw InputError("", Message(MessageId::LessonNoPixel));
+}
+
+// Where the pixel shows nothing of the relief.
+[[noreturn]] void failOffRelief(const Scenario& scenario) {
+    throw InputError("", Message(MessageId::LessonOffRelief, {{"x", scenario.pixel->x}, {"y", scenario.pixel->y}}));
+}
+
+}  // namespace
+
+Assets SceneStore::assets(const Pictures& pictures, Work& work) {
+    auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) { return entry.first == pictures; });
+    if (found == kept_.end()) {
+        // One that shares files with these pictures loads only the others.
+        found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& entry) {
+            return entry.first.height == pictures.height && entry.first.recipe == pictures.recipe;
+        });
+        AssetStore store = found == kept_.end() ? AssetStore() : found->second;
+        if (kept_.size() == kKept) kept_.erase(kept_.begin());
+        kept_.emplace_back(pictures, std::move(store));
+        found = kept_.end() - 1;
+    }
+    return found->second.load(pictures, work);
+}
+
+const FrameRequest& MeasuredScene::request(Work& work) {
+    if (!request_) {
+        request_ = frameRequest(scenario_, store_.assets(scenario_.pictures, work));
+        request_->counts = true;
+    }
+    return *request_;
+}
+
+const Frame& MeasuredScene::frame(Work& work) {
+    if (!frame_) {
+        FrameRenderer renderer(store_.maps());
+        frame_ = renderer.render(request(work), work);
+        tracer_ = renderer.tracer();
+    }
+    return *frame_;
+}
+
+const Tracer& MeasuredScene::tracer(Work& work) {
+    frame(work);
+    return *tracer_;
+}
+
+const ErrorLayer& MeasuredScene::errors(Work& work) {
+    if (!errors_) errors_ = errorAgainstExact(frame(work), request(work), *store_.maps(), work);
+    return *errors_;
+}
+
+const SceneRay& MeasuredScene::ray(Work& work) {
+    if (ray_) return *ray_;
+    SceneRay out;
+    std::string name = scenario_.method.name;
+    if (scenario_.other && scenario_.other.shown) {
+        out = rayOfFiles(scenario_.other, field(work));
+        name = scenario_.other.steps;
+    } else {
+        requirePixel(scenario_);
+        const auto found = pixelRay(request(work), scenario_.pixel->x, scenario_.pixel->y);
+        if (!found) failOffRelief(scenario_);
+        out.ray = *found;
+        StepLog log;
+        out.hit = traced(tracer(work), out.ray, log, work)[0];
+        out.steps = std::move(log.steps);
+        out.reads = log.reads.front();
+    }
+    StepLog unused;
+    out.exact = traced(*makeTracer({kExactTracer, {}}, field(work), *store_.maps(), work), out.ray, unused, work)[0];
+    out.judgement = judge({name, out.hit, out.steps}, out.exact, out.ray, field(work));
+    out.texels = answerError(out.hit, out.exact, out.ray);
+    ray_ = std::move(out);
+    return *ray_;
+}
+
+const PixelCoefficients& MeasuredScene::coefficients(Work& work) {
+    if (!coefficients_) {
+        requirePixel(scenario_);
+        coefficients_ = pixelCoefficients(request(work), scenario_.pixel->x, scenario_.pixel->y);
+        if (!coefficients_) failOffRelief(scenario_);
+    }
+    return *coefficients_;
+}
+
+const SceneFootprint& MeasuredScene::footprint(Work& work) {
+    if (footprint_) return *footprint_;
+    requirePixel(scenario_);
+    const Frame& shown = frame(work);
+    const VisiblePolygons visible = shown.visible(request(work));
+    const auto query = filterQuery(shown, request(work), visible, scenario_.pixel->x, scenario_.pixel->y);
+    if (!query) failOffRelief(scenario_);
+    SceneFootprint out;
+    const HeightField& heights = field(work);
+    const auto& color = request(work).color;
+    const glm::dvec2 perField{color ? static_cast<double>(color->width()) / heights.width() : 1.0,
+                              color ? static_cast<double>(color->height()) / heights.height() : 1.0};
+    if (shown.filter) shown.filter->color(*query, out.counts, work, &out.log);
+    const SemiAxes<double> axes = ellipseOf(scaled(query->jacobian, perField)).semiAxes();
+    out.major = axes.major;
+    out.minor = axes.minor;
+    footprint_ = std::move(out);
+    return *footprint_;
+}
+
+const std::vector<SkipRow>& MeasuredScene::skipped(Work& work) {
+    if (!skipped_) skipped_ = skipLedger(frame(work), request(work));
+    return *skipped_;
+}
+
+const ChildCounts& MeasuredScene::children(Work& work) {
+    if (children_) return *children_;
+    const Frame& shown = frame(work);
+    std::vector<std::size_t> covered;
+    for (std::size_t i = 0; i < shown.rays->polygon.size(); ++i) {
+        if (shown.rays->polygon[i] != kNoPolygon) covered.push_back(i);
+    }
+    RayBlock rays;
+    const std::size_t stride = covered.size() / kMostLogged + 1;
+    for (std::size_t n = 0; n < covered.size(); n += stride) rays.push(shown.rays->rays[covered[n]]);
+    HitBlock hits;
+    StepLog log;
+    tracer(work).trace(rays, hits, log, work);
+    ChildrenByLevel counts;
+    for (std::size_t ray = 0; ray < log.rays(); ++ray) {
+        addChildren(log.steps, log.begin[ray], log.begin[ray + 1], counts);
+    }
+    children_ = sumOf(counts);
+    return *children_;
+}
+
+const Certificate& MeasuredScene::certificate(std::uint64_t rays, Work& work) {
+    const auto found = certificates_.find(rays);
+    if (found != certificates_.end()) return found->second;
+    CertificateOptions options;
+    options.rays = rays;
+    return certificates_[rays] = certify(scenario_.method, field(work), options, *store_.maps(), work);
+}
+
+const Pyramid& MeasuredScene::pyramid(PyramidKind kind, Work& work) {
+    const auto found = pyramids_.find(kind);
+    if (found != pyramids_.end()) return found->second;
+    return pyramids_[kind] = Pyramid(kind, field(work).sharedHeights(), work);
+}
+
+PointDistances MeasuredScene::point(double s, double t, double z, Work& work) {
+    const auto used = usedMap(scenario_.method);
+    double flattest = DistanceParameters().flattest;
+    if (used && used->options.contains("flattest")) flattest = parseNumber(used->options.at("flattest"), "flattest");
+    return distancesAt(field(work), s, t, z, flattest, *store_.maps(), work);
+}
+
+PictureError MeasuredScene::pictureError(const ColorImage& truth, Work& work) {
+    FloatImage unused;
+    return relief::pictureError(truth, frame(work).light->color, kPixelsPerDegree, unused, work);
+}
+
+MeasuredScene& SceneCache::scene(const Scenario& scenario) {
+    // Step, breakpoints and the like change nothing that is kept here.
+    const std::string key = scenarioText(withNotesOf(scenario, Scenario()));
+    auto found = std::find_if(scenes_.begin(), scenes_.end(), [&](const auto& entry) { return entry.first == key; });
+    if (found == scenes_.end()) {
+        if (scenes_.size() == kKept) scenes_.erase(scenes_.begin());
+        scenes_.emplace_back(key, std::make_unique<MeasuredScene>(scenario, store_));
+    } else {
+        std::rotate(found, found + 1, scenes_.end());
+    }
+    return *scenes_.back().second;
+}
+
+const ColorImage& SceneCache::truth(const Scenario& scenario, int samples, PixelModel model, Work& work) {
+    Scenario best = scenario;
+    best.filter = FilterChoice();
+    best.filter.name = kSupersample;
+    best.filter.samples = samples;
+    best.filter.pixelModel = model;
+    if (findTracer(scenario.method.name).kind == MethodKind::Tracer) best.method = {kExactTracer, {}};
+    best.mapping = Scenario().mapping;
+    best.bounded = 0;
+    best.pixel.reset();
+    best.comparison = {};
+    return scene(best).frame(work).light->color;
+}
+
+const RowBenchRow& SceneCache::rows(const std::string& variant, std::int64_t width, double elevation,
+                                    RowPrecision precision, Work& work) {
+    const auto key = std::tuple(variant, width, elevation, precision);
+    const auto found = rows_.find(key);
+    if (found != rows_.end()) return found->second;
+    RowBenchOptions options;
+    options.methods = {parseRowMethod(variant, "rows")};
+    options.widths = {width};
+    options.elevations = {elevation};
+    options.precisions = {precision};
+    options.pixels = std::max<std::int64_t>(width, 1 << 16);
+    options.pass = BenchPass::Counts;
+    return rows_[key] = benchRows(options, work).at(0);
+}
+
+}  // namespace relief

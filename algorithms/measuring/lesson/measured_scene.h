@@ -1,0 +1,112 @@
+// What is measured of one scenario, each thing when it is first asked for: the picture, its errors, the ray of the
+// chosen pixel, its footprint, the certificate of its map.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "images/pyramid.h"
+#include "mapping/rows/coefficients.h"
+#include "measuring/bench/bench_rows.h"
+#include "measuring/bench/child_counts.h"
+#include "measuring/compare/duel.h"
+#include "measuring/compare/picture_error.h"
+#include "measuring/verify/certificate.h"
+#include "relief/tracers/point_distances.h"
+#include "rendering/error_layer.h"
+#include "rendering/frame.h"
+#include "rendering/skip_ledger.h"
+#include "scenario/scenario.h"
+
+namespace relief {
+
+// The ray of the chosen pixel, or of another tracer's files, as the window shows it.
+struct SceneRay {
+    ViewRay ray;
+    Hit hit;
+    std::vector<Step> steps;
+    std::uint32_t reads = 0;
+    Hit exact;
+    Judgement judgement;
+    double texels = 0;  // between hit and exact hit along the ray, infinite if the outcome differs
+};
+
+struct SceneFootprint {
+    FootprintLog log;
+    FootprintCounts counts;
+    double major = 0, minor = 0;  // semi-axes, texels of the colour picture
+};
+
+// Maps and pictures that scenes share.
+class SceneStore {
+  public:
+    Assets assets(const Pictures& pictures, Work& work);
+    const std::shared_ptr<MapCache>& maps() const { return maps_; }
+
+  private:
+    // The pictures loaded last; each store keeps one set.
+    static constexpr std::size_t kKept = 4;
+    std::vector<std::pair<Pictures, AssetStore>> kept_;
+    std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
+};
+
+// For one thread. All members throw InputError - also where the scenario has no such thing, such as a chosen pixel that
+// does not show the relief - and Cancelled.
+class MeasuredScene {
+  public:
+    MeasuredScene(Scenario scenario, SceneStore& store) : scenario_(std::move(scenario)), store_(store) {}
+
+    const Scenario& scenario() const { return scenario_; }
+    const HeightField& field(Work& work) { return request(work).field; }
+    const FrameRequest& request(Work& work);
+    const Frame& frame(Work& work);    // with counted steps
+    const Tracer& tracer(Work& work);  // that made the frame
+    const ErrorLayer& errors(Work& work);
+    const SceneRay& ray(Work& work);
+    const PixelCoefficients& coefficients(Work& work);
+    const SceneFootprint& footprint(Work& work);
+    const std::vector<SkipRow>& skipped(Work& work);
+    const ChildCounts& children(Work& work);
+    const Certificate& certificate(std::uint64_t rays, Work& work);
+    const Pyramid& pyramid(PyramidKind kind, Work& work);
+    PointDistances point(double s, double t, double z, Work& work);
+    // truth: the supersampled picture of the same view.
+    PictureError pictureError(const ColorImage& truth, Work& work);
+
+  private:
+    Scenario scenario_;
+    SceneStore& store_;
+    std::optional<FrameRequest> request_;
+    std::shared_ptr<const Frame> frame_;
+    std::shared_ptr<const Tracer> tracer_;
+    std::optional<ErrorLayer> errors_;
+    std::optional<SceneRay> ray_;
+    std::optional<PixelCoefficients> coefficients_;
+    std::optional<SceneFootprint> footprint_;
+    std::optional<std::vector<SkipRow>> skipped_;
+    std::optional<ChildCounts> children_;
+    std::map<std::uint64_t, Certificate> certificates_;
+    std::map<PyramidKind, Pyramid> pyramids_;
+};
+
+// Scenes by scenario, the latest ones, and measurements of rows, which need no scene.
+class SceneCache {
+  public:
+    MeasuredScene& scene(const Scenario& scenario);
+    // The same view, supersampled with samples x samples exactly traced rays a pixel.
+    const ColorImage& truth(const Scenario& scenario, int samples, PixelModel model, Work& work);
+    const RowBenchRow& rows(const std::string& variant, std::int64_t width, double elevation, RowPrecision precision,
+                            Work& work);
+
+  private:
+    static constexpr std::size_t kKept = 12;
+    SceneStore store_;
+    std::vector<std::pair<std::string, std::unique_ptr<MeasuredScene>>> scenes_;  // the latest one last
+    std::map<std::tuple<std::string, std::int64_t, double, RowPrecision>, RowBenchRow> rows_;
+};
+
+}  // namespace relief

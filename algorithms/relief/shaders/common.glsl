@@ -1,0 +1,58 @@
+//@header Heights: red of reliefMap, linear numbers (not sRGB) from 0 to 1; height 1 is the polygon's plane, 0 the slab's
+//@header floor; the number is the height (WHITE 0), or one minus it (WHITE 1). 8 bits give terraces; block compression
+//@header destroys green.
+//@header Addressing: every sampler as ADDRESS says (0 repeat, 1 clamp, 2 clamp, too, and what lies outside is
+//@header discarded); maps must be built with the same addressing. Linear filter, no MIP levels, unless said otherwise.
+//@header Axes: texel (0, 0) is the picture's upper left one; v grows with its rows, downwards, as in Direct3D and Vulkan.
+//@header If your pictures are stored with the last row first (OpenGL), flip them, or flip v and the signs of the tangent
+//@header frame's y. Tangent frame: x along u, y along v, z out of the polygon; lengths in widths of the texture on it.
+//@header Depth: the hit's, by relief.depthOfDistance; x = (f / (f - n)), y = -f n / (f - n) for planes n and f and a
+//@header depth buffer from 0 to 1. Sides: relief.size in texels, relief.depth in texture widths; texels are square.
+const int ADDRESS = 0;  // relief outside the map: 0 repeat, 1 clamp, 2 border (clamp the samplers; the rest is discarded)
+const int WHITE = 0;    // what white means in reliefMap: 0 high, 1 deep
+
+layout(std140, binding = 0) uniform Relief {
+    vec2 size;             // of the height map, texels
+    float depth;           // thickness of the slab, texture widths
+    float ambient;         // light in shadow
+    float intensity;       // light where it falls at right angles, besides ambient
+    vec2 depthOfDistance;  // depth buffer = x + y / distance: the projection's, distance along the view axis
+@uniforms@} relief;
+layout(binding = 1) uniform sampler2D reliefMap;  // red: height, 1 = the polygon's plane; linear filter
+layout(binding = 2) uniform sampler2D colorMap;
+
+// A ray that descends through the slab: at depth lambda (0 = the polygon's plane, 1 = the slab's floor) it is above
+// the texel coordinates start + lambda * run. Texel (i, j) has its centre at (i + 0.5, j + 0.5).
+struct Ray {
+    vec2 start;
+    vec2 run;
+    float from;  // depth at which the search begins
+};
+struct Hit {
+    bool found;    // false: the ray left the map (border)
+    float lambda;  // depth of the hit
+    int steps;     // decisions taken
+};
+
+vec2 placeAt(Ray ray, float lambda) {
+    return ray.start + lambda * ray.run;
+}
+
+bool inside(vec2 place) {
+    if (ADDRESS != 2) return true;
+    return place.x >= 0.0 && place.y >= 0.0 && place.x <= relief.size.x && place.y <= relief.size.y;
+}
+
+float heightOf(float stored) {
+    return WHITE == 0 ? stored : 1.0 - stored;
+}
+
+// Explicit level: the derivatives that texture() takes are wrong within loops and at silhouettes.
+float heightAt(vec2 place) {
+    return heightOf(textureLod(reliefMap, place / relief.size, 0.0).r);
+}
+
+// Surface minus ray, in heights: 0 or more where the ray has reached the surface.
+float gapAt(Ray ray, float lambda) {
+    return heightAt(placeAt(ray, lambda)) - (1.0 - lambda);
+}

@@ -1,0 +1,172 @@
+#include "relief/shaders/shader_export.h"
+
+#include <algorithm>
+#include <array>
+
+#include "relief/shaders/shader_texts.h"
+#include "relief/tracers.h"
+
+namespace relief {
+
+namespace {
+
+// Options for which the shader has one value only, in place of any default.
+struct FixedOption {
+    std::string_view tracer, option, value;
+};
+constexpr FixedOption kFixed[]{{"cone", "layout", kStoredLayout},
+                               {"cone", "sectors", "1"},
+                               {"distance", "map", "euclidean"},
+                               {"max-pyramid", "base", "0"}};
+
+constexpr double kShadowBias = 0.01;  // that of main.glsl
+constexpr std::array kConeUnitNames{"ratio", "sqrt-ratio", "slope", "texel-slope"};
+constexpr std::array kConeLengthNames{"uv", "width"};
+constexpr std::array kWhiteNames{"high", "deep"};
+constexpr std::array kLanguageNames{"glsl", "hlsl"};
+
+// Returns the index of the name. Throws InputError.
+template <std::size_t kCount>
+std::size_t indexOf(const std::array<const char*, kCount>& names, std::string_view text, MessageId what,
+                    const std::string& option) {
+    for (std::size_t i = 0; i < kCount; ++i) {
+        if (text == names[i]) return i;
+    }
+    throw InputError(option, unknownName({"what", what}, std::string(text), commaList({names.begin(), names.end()})));
+}
+
+std::string upperCase(std::string name) {
+    for (char& c : name) c = c == '-' ? '_' : static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    return name;
+}
+
+// Sets the constant, which has this form in both languages: "const int NAME = 64;". Returns false if there is none.
+bool setConstant(std::string& text, const std::string& name, const std::string& value) {
+    for (const char* type : {"int", "float"}) {
+        const std::string head = "const " + std::string(type) + " " + name + " = ";
+        const std::size_t at = text.find(head);
+        if (at == std::string::npos) continue;
+        const bool whole = type == std::string("int") || value.find_first_of(".e") != std::string::npos;
+        text.replace(at + head.size(), text.find(';', at) - at - head.size(), whole ? value : value + ".0");
+        return true;
+    }
+    return false;
+}
+
+// The value of an option as a number in the shader: for a choice, its place among the choices.
+std::string constantOf(const OptionDescription& option, const std::string& text) {
+    if (option.kind == OptionKind::Choice) {
+        const auto at = std::find(option.choices.begin(), option.choices.end(), text);
+        return std::to_string(at - option.choices.begin());
+    }
+    // Written anew: "1e2" is no integer for a compiler.
+    const double number = parseNumber(text, option.name);
+    return option.kind == OptionKind::Integer ? std::to_string(static_cast<int>(number))
+                                              : MessageValue("", number).text;
+}
+
+const FixedOption* fixedOption(const std::string& tracer, const std::string& option) {
+    const auto found = std::find_if(std::begin(kFixed), std::end(kFixed), [&](const FixedOption& fixed) {
+        return fixed.tracer == tracer && fixed.option == option;
+    });
+    return found == std::end(kFixed) ? nullptr : found;
+}
+
+// The value of an option. Throws InputError if the shader does not exist for it.
+std::string checkedValue(const MethodChoice& choice, const MethodDescription& method, const std::string& option) {
+    const auto given = choice.options.find(option);
+    const bool isGiven = given != choice.options.end();
+    const FixedOption* fixed = fixedOption(choice.name, option);
+    if (fixed == nullptr) return isGiven ? given->second : method.defaults.at(option);
+    std::string value(fixed->value);
+    if (!isGiven || given->second == value) return value;
+    throw InputError("--set " + option, Message(MessageId::ShaderOptionFixed,
+                                                {{"method", choice.name}, {"option", option}, {"value", value}}));
+}
+
+const ShaderText& findShader(const ShaderChoice& choice) {
+    const std::vector<ShaderText>& all = shaderTexts();
+    const std::string& name = choice.method.name;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const ShaderText& one) { return one.tracer == name; });
+    if (found == all.end()) {
+        throw InputError("--tracer",
+                         Message(MessageId::ShaderMissing, {{"method", name}, {"known", commaList(shaderTracers())}}));
+    }
+    if (choice.language == ShaderLanguage::Hlsl && found->hlsl.empty()) {
+        throw InputError("--lang", Message(MessageId::ShaderNoHlsl));
+    }
+    return *found;
+}
+
+}  // namespace
+
+ShaderLanguage parseShaderLanguage(std::string_view text, const std::string& option) {
+    return static_cast<ShaderLanguage>(indexOf(kLanguageNames, text, MessageId::WordShaderLanguage, option));
+}
+
+std::string_view shaderLanguageName(ShaderLanguage language) {
+    return kLanguageNames[static_cast<std::size_t>(language)];
+}
+
+ShaderConeUnit parseShaderConeUnit(std::string_view text, const std::string& option) {
+    return static_cast<ShaderConeUnit>(indexOf(kConeUnitNames, text, MessageId::WordValue, option));
+}
+
+ShaderConeLength parseShaderConeLength(std::string_view text, const std::string& option) {
+    return static_cast<ShaderConeLength>(indexOf(kConeLengthNames, text, MessageId::WordValue, option));
+}
+
+ShaderWhite parseShaderWhite(std::string_view text, const std::string& option) {
+    return static_cast<ShaderWhite>(indexOf(kWhiteNames, text, MessageId::WordValue, option));
+}
+
+std::vector<std::string> shaderTracers() {
+    std::vector<std::string> names;
+    for (const ShaderText& one : shaderTexts()) names.push_back(one.tracer);
+    return names;
+}
+
+bool readsCones(const std::string& tracer) {
+    return std::ranges::any_of(shaderTexts(), [&](const ShaderText& one) {
+        return one.tracer == tracer && one.glsl.find("CONE_UNIT") != std::string::npos;
+    });
+}
+
+std::string shaderText(const ShaderChoice& choice, const std::string& made) {
+    const ShaderText& shader = findShader(choice);
+    const MethodDescription& method = findTracer(shader.tracer);
+    std::string text = choice.language == ShaderLanguage::Glsl ? shader.glsl : shader.hlsl;
+    std::string command = "relief export shader --tracer " + shader.tracer;
+    std::string ofMap;
+    for (const OptionDescription& option : method.options) {
+        const std::string value = checkedValue(choice.method, method, option.name);
+        if (choice.method.options.contains(option.name)) command += " --set " + option.name + "=" + value;
+        if (setConstant(text, upperCase(option.name), constantOf(option, value))) continue;
+        ofMap += (ofMap.empty() ? "" : ", ") + option.name + "=" + value;
+    }
+    // The hit of layers lies up to one layer behind the surface, which must not shadow it.
+    if (shader.tracer == "layers") {
+        const double layers = parseNumber(checkedValue(choice.method, method, "layers"), "layers");
+        setConstant(text, "SHADOW_BIAS", numberText(std::max(kShadowBias, 1 / layers)));
+    }
+    const auto set = [&](const char* constant, const char* option, std::size_t index, std::string_view name) {
+        if (setConstant(text, constant, std::to_string(index))) command += std::string(option) + std::string(name);
+    };
+    const auto unit = static_cast<std::size_t>(choice.coneUnit), length = static_cast<std::size_t>(choice.coneLength);
+    const auto white = static_cast<std::size_t>(choice.white);
+    set("ADDRESS", " --address ", static_cast<std::size_t>(choice.address), addressName(choice.address));
+    set("WHITE", " --white ", white, kWhiteNames[white]);
+    set("CONE_UNIT", " --unit ", unit, kConeUnitNames[unit]);
+    set("CONE_LENGTH", " --length ", length, kConeLengthNames[length]);
+    const std::string scale = numberText(choice.coneScale);
+    if (setConstant(text, "CONE_SCALE", scale)) command += " --cone-scale " + scale;
+    command += " --lang " + std::string(shaderLanguageName(choice.language));
+    std::string opening = "// " + shader.tracer + ", " + method.title + " (" + method.source + "): " + method.help +
+                          "\n// Made by " + made + ": " + command + "\n//\n" + shader.header;
+    if (!method.maps.empty()) {
+        opening += "// Map: relief map " + method.maps.front() + (ofMap.empty() ? "" : " with " + ofMap) + ".\n";
+    }
+    return opening + text;
+}
+
+}  // namespace relief

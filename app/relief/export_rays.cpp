@@ -1,0 +1,50 @@
+// relief export rays PICTURE|SCENARIO.json [options of the view] -o FILE.csv
+#include "export.h"
+#include "output.h"
+#include "rays_view.h"
+#include "scenario/ray_files.h"
+
+namespace relief::app {
+
+namespace {
+
+int runRays(const ExportOptions& given, Session& session) {
+    const std::string& output = needed(given.output, "--output", "export rays");
+    checkOutput(output, {"csv"});
+    Scenario scenario = given.scenario.scenario();
+    // Rays depend on the size of the height map alone.
+    scenario.pictures.color.clear();
+    scenario.pictures.normal.clear();
+    Work& work = session.work();
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, work, true);
+    noteHeights(session, assets, scenario);
+    const FrameRequest request = frameRequest(scenario, assets);
+    const ViewRays view = viewRays(request);
+    if (view.rays.size() == 0) throw InputError("--camera", Message(MessageId::ViewNoRays));
+    const std::string path = raysViewPath(output);
+    TextOutput rays(output, session.stop());
+    TextOutput beside(path, session.stop());
+    rays.write(std::string(kRaysHeader) + "\n" + rayLines(view.rays, work));
+    beside.write(raysViewText(scenario, request, view, path));
+    session.eraseBar();
+    rays.commit();
+    beside.commit();
+    return kDone;
+}
+
+}  // namespace
+
+ExportKind addRaysExport(CLI::App&) {
+    return {
+        "rays",
+        "rays: writes the view ray of every pixel that sees the relief into FILE.csv, row by row from the top, with "
+        "the header s0,t0,a,b (texels), as relief trace --rays and relief diagnose read them. FILE.json holds the "
+        "view as a scenario, the matrices of camera and polygons, and the pixel and the polygon of each ray.",
+        "  relief export rays heights.png --scene wall --size 400x300 -o rays.csv",
+        {"FILE", "--height", "--relief", "--channel", "--invert", "--range", "--max-pixels", "--relief-depth",
+         "--address", "--surface", "--scene", "--camera", "--eye", "--target", "--fov", "--size", "--mapping"},
+        [](const ExportOptions& given, Session& session) { return runRays(given, session); }};
+}
+
+}  // namespace relief::app

@@ -1,0 +1,203 @@
+// The doctor names every fault that specimens have, alone and in pairs, and none that they have not.
+#include "measuring/diagnose/diagnose.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "measuring/diagnose/error_picture.h"
+#include "measuring/random_rays.h"
+#include "specimens.h"
+
+namespace relief::test {
+
+namespace {
+
+constexpr std::size_t kRays = 1500;
+
+std::set<std::string> namesIn(const Diagnosis& diagnosis) {
+    std::set<std::string> names;
+    for (const Finding& finding : diagnosis.findings) names.emplace(faultName(finding.fault.fault));
+    return names;
+}
+
+std::string listed(const std::set<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += name + " ";
+    return text;
+}
+
+// Expects that exactly these faults are named, or such as come with them.
+void expectFaults(const std::vector<Specimen>& faults, const std::string& relief, const Diagnosis& diagnosis) {
+    const std::set<std::string> found = namesIn(diagnosis);
+    std::set<std::string> allowed;
+    for (const Specimen& fault : faults) {
+        EXPECT_TRUE(found.contains(fault.name)) << relief << ": not " << fault.name << ", but " << listed(found);
+        allowed.insert(fault.name);
+        allowed.insert(fault.company.begin(), fault.company.end());
+    }
+    for (const std::string& name : found) {
+        EXPECT_TRUE(allowed.contains(name)) << relief << ": " << name << " beside " << listed(allowed);
+    }
+    EXPECT_FALSE(diagnosis.healthy());
+    EXPECT_FALSE(diagnosis.unknown());
+    for (std::size_t n = 1; n < diagnosis.findings.size(); ++n) {
+        EXPECT_GE(diagnosis.findings[n - 1].rays, diagnosis.findings[n].rays);
+    }
+    for (const Finding& finding : diagnosis.findings) {
+        EXPECT_GT(finding.texels, kRightTexels);
+        EXPECT_EQ(static_cast<float>(finding.texels), diagnosis.errors[finding.worst]);
+    }
+}
+
+class DiagnoseOn : public testing::TestWithParam<std::string> {
+  protected:
+    DiagnoseOn() : field_(specimenField(GetParam())), rays_(specimenRays(field_, kRays)) {}
+    Diagnosis of(const std::vector<Specimen>& faults) { return diagnose(record(faults, field_, rays_), field_, work_); }
+
+    HeightField field_;
+    RayBlock rays_;
+    Work work_;
+};
+INSTANTIATE_TEST_SUITE_P(Maps, DiagnoseOn, testing::Values("bricks", "fractal"),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+
+TEST_P(DiagnoseOn, EverySpecimen) {
+    EXPECT_EQ(specimens().size(), kFaultNames.size());
+    for (const Specimen& one : specimens()) {
+        SCOPED_TRACE(one.name);
+        expectFaults({one}, GetParam(), of({one}));
+    }
+}
+
+TEST_P(DiagnoseOn, Pairs) {
+    const std::vector<std::pair<const char*, const char*>> pairs{
+        {"swapped-axes", "inverted-heights"},   {"y-flipped", "stair-steps"},
+        {"relief-depth", "missed-spike"},       {"tangent-frame", "no-refinement"},
+        {"half-texel-shift", "8-bit-terraces"}, {"zero-level", "direction-sign"},
+        {"mip-level", "wrap-against-clamp"},    {"inverted-heights", "self-shadow-bias"},
+        {"direction-sign", "unsafe-map"},       {"swapped-axes", "step-limit"},
+        {"offset-limiting", "y-flipped"},       {"relief-depth", "inverted-heights"}};
+    for (const auto& [first, second] : pairs) {
+        SCOPED_TRACE(std::string(first) + " and " + second);
+        const std::vector<Specimen> both{specimen(first), specimen(second)};
+        expectFaults(both, GetParam(), of(both));
+    }
+}
+
+// Exact methods, also in other orders of operations, and a marcher in float with fine steps.
+TEST_P(DiagnoseOn, CorrectTracersHaveNoFault) {
+    for (const std::string name : {"exact", "max-pyramid", "cone", "distance-conservative"}) {
+        Specimen same{name, [&](Patient& p) { p.method = {name, {}}; }, {}};
+        const Diagnosis diagnosis = of({same});
+        EXPECT_TRUE(diagnosis.healthy()) << name << ": " << diagnosis.wrong << " wrong";
+        EXPECT_TRUE(diagnosis.findings.empty());
+    }
+    TracerRecord inFloat = record({}, field_, rays_);
+    const auto heightAt = [&](float s, float t) {
+        return static_cast<float>(field_.at(static_cast<double>(s), static_cast<double>(t)));
+    };
+    for (std::size_t r = 0; r < rays_.size(); ++r) {
+        const auto s0 = static_cast<float>(rays_.s0[r]), t0 = static_cast<float>(rays_.t0[r]);
+        const auto a = static_cast<float>(rays_.a[r]), b = static_cast<float>(rays_.b[r]);
+        const auto below = [&](float at) { return heightAt(s0 + at * a, t0 + at * b) >= 1 - at; };
+        constexpr int kSteps = 8192;
+        const float step = 1.0F / kSteps;
+        float at = 0;
+        while (at < 1 && !below(at)) at += step;
+        float low = std::max(at - step, 0.0F), high = at;
+        for (int n = 0; n < 12; ++n) {
+            const float middle = 0.5F * (low + high);
+            (below(middle) ? high : low) = middle;
+        }
+        inFloat.hits.set(r, Hit::at(rays_[r], static_cast<double>(std::min(high, 1.0F))));
+    }
+    const Diagnosis diagnosis = diagnose(inFloat, field_, work_);
+    EXPECT_TRUE(diagnosis.healthy()) << diagnosis.wrong << " wrong";
+}
+
+TEST_P(DiagnoseOn, NonsenseIsUnknown) {
+    TracerRecord nonsense = record({}, field_, rays_);
+    Random random(5);
+    for (double& lambda : nonsense.hits.lambda) lambda = random.unit();
+    const Diagnosis diagnosis = diagnose(nonsense, field_, work_);
+    EXPECT_TRUE(diagnosis.findings.empty()) << listed(namesIn(diagnosis));
+    EXPECT_TRUE(diagnosis.unknown());
+    EXPECT_FALSE(diagnosis.healthy());
+}
+
+// A fault that is not in the list: heights through another curve.
+TEST_P(DiagnoseOn, AForeignFaultIsUnknown) {
+    const Specimen bent{"bent",
+                        [](Patient& p) {
+                            for (float& h : p.heights.pixels()) h = h * h * h;
+                        },
+                        {}};
+    const Diagnosis diagnosis = of({bent});
+    EXPECT_TRUE(diagnosis.unknown()) << listed(namesIn(diagnosis));
+}
+
+TEST(Diagnose, ReportsLimitsAndMisses) {
+    const HeightField field = specimenField("bricks");
+    const RayBlock rays = specimenRays(field, 400);
+    TracerRecord stopped = record({}, field, rays);
+    for (std::size_t r = 0; r < 60; ++r) stopped.hits.set(r, Hit::none(Outcome::Limit));
+    Work work;
+    const Diagnosis diagnosis = diagnose(stopped, field, work);
+    ASSERT_EQ(diagnosis.findings.size(), 1U);
+    EXPECT_EQ(diagnosis.findings[0].fault.fault, Fault::StepLimit);
+    EXPECT_EQ(diagnosis.findings[0].rays, 60U);
+    EXPECT_TRUE(std::isinf(diagnosis.findings[0].texels));
+}
+
+TEST(Diagnose, LinesBeginWithTheNameInBothLanguages) {
+    const HeightField field = specimenField("bricks");
+    const RayBlock rays = specimenRays(field, 400);
+    Work work;
+    const auto name = [](std::size_t ray) { return Message(MessageId::DiagnosisRay, {{"ray", ray}}); };
+    const auto lines = diagnosisLines(diagnose(record({specimen("stair-steps")}, field, rays), field, work), name);
+    ASSERT_FALSE(lines.empty());
+    EXPECT_TRUE(sentence(lines[0]).starts_with("stair-steps: ")) << sentence(lines[0]);
+    EXPECT_NE(sentence(lines[0]).find("12 layers"), std::string::npos);
+    EXPECT_TRUE(sentence(lines[0], Language::Ukrainian).starts_with("stair-steps: "));
+    const auto healthy = diagnosisLines(diagnose(record({}, field, rays), field, work), name);
+    ASSERT_EQ(healthy.size(), 1U);
+    EXPECT_TRUE(sentence(healthy[0]).starts_with("no fault"));
+    for (std::size_t n = 0; n < kFaultNames.size(); ++n) {
+        EXPECT_FALSE(sentence(faultCause(static_cast<Fault>(n))).empty());
+        EXPECT_NE(sentence(faultCure(static_cast<Fault>(n))),
+                  sentence(faultCure(static_cast<Fault>(n)), Language::Ukrainian));
+    }
+}
+
+TEST(Diagnose, PicturesShowTheErrors) {
+    EXPECT_EQ(errorColor(0), errorColor(kRightTexels));
+    EXPECT_NE(errorColor(1), errorColor(2));
+    EXPECT_EQ(errorColor(100), errorColor(1000));
+    const ColorImage view = errorPicture(3, 2, {0, 2}, {0, 1}, {0.5F, INFINITY});
+    EXPECT_EQ(view(0, 0), errorColor(0.5));
+    EXPECT_EQ(view(2, 1), errorColor(INFINITY));
+    EXPECT_EQ(view(1, 1), Color(0));
+    const HeightField field = specimenField("bricks");
+    RayBlock rays(2);
+    rays.set(0, {3.5, 4.5, 1, 1});
+    rays.set(1, {3.7 - field.width(), 4.2, 1, 1});
+    EXPECT_EQ(errorPicture(field, rays, {1.0F, 3.0F})(3, 4), errorColor(3));
+}
+
+TEST(Chords, AreTheIntervalsBelowTheSurface) {
+    FloatImage heights(16, 1);
+    for (int i = 0; i < 16; ++i) heights(i, 0) = i == 4 || i == 9 ? 0.8F : 0.1F;
+    const HeightField field(std::make_shared<const FloatImage>(heights), Surface::Columns, Address::Clamp, 0.5);
+    // Enters the columns at 4 and 9, 0.5 and 0.9 of the way down; both are higher there.
+    const ViewRay ray{0, 0.5, 10, 0};
+    const auto chords = solidChords(field, ray, 0.4);
+    ASSERT_GE(chords.size(), 2U);
+    EXPECT_NEAR(chords[0].out, 0.5, 1e-6);
+    EXPECT_NEAR(chords[1].in, 0.9, 1e-6);
+    EXPECT_NEAR(chords[0].depth, 0.8 - 0.5, 0.01);
+}
+
+}  // namespace relief::test

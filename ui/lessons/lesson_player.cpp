@@ -1,0 +1,288 @@
+#include "lessons/lesson_player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include "relief/files.h"
+#include "workspace/change_name.h"
+#include "workspace/layer_names.h"
+
+namespace reliefui {
+
+namespace {
+
+// The lessons of which every page was shown.
+QString wholeKey() {
+    return QStringLiteral("lessons/whole");
+}
+
+QString folderOf(const relief::Course& course, const std::string& lesson) {
+    return QString::fromStdString((std::filesystem::path(course.folder) / lesson).string());
+}
+
+// All words of a page and of the lesson that can be shown with it.
+std::vector<std::string> wordsOf(const relief::LessonText& text, std::size_t page) {
+    const relief::PageText& words = text.pages[page];
+    std::vector<std::string> all{text.about,     text.remember, text.note,    text.source, words.title, words.text,
+                                 words.question, words.hint,    words.answer, words.knob,  words.note};
+    all.insert(all.end(), words.choices.begin(), words.choices.end());
+    return all;
+}
+
+}  // namespace
+
+LessonPlayer::LessonPlayer(Workspace* workspace, QString datasets, QObject* parent)
+    : QObject(parent),
+      workspace_(workspace),
+      datasets_(std::move(datasets)),
+      job_(this, {[](const QString&) {}, [](const QString&, double) {}}) {
+    connect(workspace_, &Workspace::snapshotChanged, this, &LessonPlayer::snapshotCame);
+    connect(workspace_, &Workspace::stepChanged, this, [this] { measure(); });
+    // A page that shows the same picture as the one before it makes no new snapshot.
+    connect(workspace_, &Workspace::busyChanged, this, [this](bool busy) {
+        if (!busy) snapshotCame();
+    });
+}
+
+bool LessonPlayer::open(const QString& folder, std::size_t page) {
+    try {
+        if (!lesson_ || QString::fromStdString(lesson_->folder) != folder) {
+            auto lesson = std::make_shared<const relief::Lesson>(
+                relief::readLesson(folder.toStdString(), datasets_.toStdString()));
+            course_ = relief::readCourse(QFileInfo(QFileInfo(folder).absoluteFilePath()).path().toStdString());
+            lesson_ = std::move(lesson);
+            seenPages_.clear();
+        }
+        show(std::min(page, lesson_->pages.size() - 1));
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
+        return false;
+    }
+    return true;
+}
+
+void LessonPlayer::close() {
+    job_.drop();
+    lesson_.reset();
+    Q_EMIT changedPage();
+}
+
+void LessonPlayer::show(std::size_t page) {
+    // Checked before anything changes.
+    const relief::Scenario scenario = lesson_->scenarioOf(page);
+    page_ = page;
+    measured_ = {};
+    chosen_.reset();
+    guessed_.reset();
+    revealed_ = hinted_ = false;
+    turns_.clear();
+    votes_.assign(this->page().question ? this->page().question->choices.size() : 0, 0);
+    stepDue_ = this->page().step.has_value();
+    seenPages_.insert(page_);
+    if (seenPages_.size() == lesson_->pages.size()) {
+        QSettings settings;
+        const QStringList whole = settings.value(wholeKey()).toStringList();
+        const QString name = QString::fromStdString(lesson_->name);
+        if (!whole.contains(name)) settings.setValue(wholeKey(), whole + QStringList(name));
+    }
+    workspace_->setGuessing(this->page().question && this->page().question->kind == relief::LessonQuestion::Kind::Hit);
+    workspace_->setLayer(layerNamed(this->page().layer).value_or(Layer::Color));
+    workspace_->show(scenario, changeName([title = QString::fromStdString(lesson_->name)] {
+                         return LessonPlayer::tr("Lesson %1").arg(title);
+                     }));
+    Q_EMIT changedPage();
+    if (!this->page().pane.empty()) Q_EMIT paneWanted(QString::fromStdString(this->page().pane));
+}
+
+void LessonPlayer::restore() {
+    if (lesson_) open(QString::fromStdString(lesson_->folder), page_);
+}
+
+void LessonPlayer::snapshotCame() {
+    if (!lesson_ || workspace_->loading()) return;
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot || snapshot->coarse || (workspace_->busy() && snapshot->version != workspace_->version())) return;
+    if (stepDue_ && !workspace_->guessing()) {
+        stepDue_ = false;
+        const PixelTrace& trace = snapshot->trace;
+        const bool departs = trace.judgement.kind != relief::Departure::None;
+        const auto step =
+            relief::stepOf(*page().step, trace.steps, departs ? std::optional(trace.judgement.step) : std::nullopt,
+                           trace.judgement.overshoot);
+        if (step && *step != workspace_->scenario().step) workspace_->chooseStep(*step);
+    }
+    measure();
+}
+
+void LessonPlayer::measure() {
+    if (!lesson_ || workspace_->loading()) return;
+    const auto result = std::make_shared<Measured>();
+    const auto work = [result, lesson = lesson_, page = page_, scenes = scenes_, scenario = workspace_->scenario(),
+                       language = workspace_->style().language,
+                       turned = page().knob.has_value() && turn() >= 0](relief::Work& w) {
+        const auto source = relief::lessonSource(*lesson, scenario, *scenes, w);
+        const auto guarded = [&](const auto& body) {
+            try {
+                body();
+            } catch (const relief::InputError& error) {
+                if (result->problem.isEmpty()) result->problem = QString::fromStdString(error.text(language));
+            }
+        };
+        for (const std::string& words : wordsOf(lesson->text(language), page)) {
+            for (const relief::ValueSlot& slot : relief::valueSlots(words)) {
+                guarded([&] { result->values[key(slot)] = relief::filledValue(slot, source); });
+            }
+        }
+        const relief::LessonPage& shown = lesson->pages[page];
+        if (shown.question && shown.question->kind == relief::LessonQuestion::Kind::Choose) {
+            // None is right where the reader has changed the scenario.
+            try {
+                result->right = relief::rightChoice(*shown.question, source);
+            } catch (const relief::InputError&) {
+                result->right.reset();
+            }
+        }
+        if (shown.question && shown.question->number) {
+            guarded([&] { result->number = std::get<double>(shown.question->number->value(source)); });
+        }
+        for (std::size_t n = 0; turned && n < shown.knob->watch.size(); ++n) {
+            guarded([&] { result->watched.push_back(std::get<double>(shown.knob->watch[n].value.value(source))); });
+        }
+    };
+    const int at = turn();
+    job_.start({work, [this, result, at] {
+                    measured_ = std::move(*result);
+                    if (at >= 0 && page().knob && measured_.watched.size() == page().knob->watch.size()) {
+                        turns_[at] = measured_.watched;
+                    }
+                    Q_EMIT changedState();
+                }});
+    Q_EMIT changedState();
+}
+
+QString LessonPlayer::html(const std::string& words) const {
+    return QString::fromStdString(relief::lessonHtml(words, [this](const relief::ValueSlot& slot) {
+        const auto found = measured_.values.find(key(slot));
+        return found == measured_.values.end() ? std::string("…") : found->second;
+    }));
+}
+
+bool LessonPlayer::changed() const {
+    if (!lesson_) return false;
+    const relief::Scenario own = lesson_->scenarioOf(page_);
+    return !(relief::withNotesOf(workspace_->scenario(), own) == own);
+}
+
+void LessonPlayer::choose(std::size_t choice) {
+    if (revealed_) return;
+    chosen_ = choice;
+    Q_EMIT changedState();
+}
+
+void LessonPlayer::guessNumber(double number) {
+    if (revealed_) return;
+    guessed_ = number;
+    Q_EMIT changedState();
+}
+
+void LessonPlayer::reveal() {
+    if (!lesson_ || !page().question || revealed_) return;
+    revealed_ = true;
+    workspace_->setGuessing(false);
+    Q_EMIT changedState();
+}
+
+bool LessonPlayer::guessIsRight() const {
+    if (chosen_) return chosen_ == measured_.right;
+    return guessed_ && measured_.number && std::abs(*guessed_ - *measured_.number) <= page().question->within;
+}
+
+void LessonPlayer::vote(std::size_t choice) {
+    if (revealed_ || choice >= votes_.size()) return;
+    ++votes_[choice];
+    Q_EMIT changedState();
+}
+
+void LessonPlayer::hint() {
+    hinted_ = true;
+    Q_EMIT changedState();
+}
+
+int LessonPlayer::turn() const {
+    if (!lesson_ || !page().knob) return -1;
+    const auto& knob = *page().knob;
+    const relief::Json now = relief::Json::parse(relief::scenarioText(workspace_->scenario()));
+    const relief::Json::json_pointer place(knob.set);
+    if (!now.contains(place)) return -1;
+    const auto found = std::find(knob.values.begin(), knob.values.end(), now[place]);
+    return found == knob.values.end() ? -1 : static_cast<int>(found - knob.values.begin());
+}
+
+void LessonPlayer::turnTo(int turn) {
+    if (!lesson_ || !page().knob || turn < 0 || turn >= static_cast<int>(page().knob->values.size())) return;
+    relief::Json now = relief::Json::parse(relief::scenarioText(workspace_->scenario()));
+    now[relief::Json::json_pointer(page().knob->set)] = page().knob->values[static_cast<std::size_t>(turn)];
+    workspace_->change(relief::parseScenario(now.dump(), lesson_->file()),
+                       changeName([] { return LessonPlayer::tr("Knob of the lesson"); }),
+                       QStringLiteral("lesson-knob"));
+}
+
+std::optional<LessonPlayer::Place> LessonPlayer::place() const {
+    if (!lesson_) return std::nullopt;
+    return Place{QString::fromStdString(lesson_->folder), page_};
+}
+
+std::optional<LessonPlayer::Place> LessonPlayer::after() const {
+    if (!lesson_) return std::nullopt;
+    if (page_ + 1 < lesson_->pages.size()) return Place{QString::fromStdString(lesson_->folder), page_ + 1};
+    const auto all = course_.lessons();
+    const auto here = std::find(all.begin(), all.end(), lesson_->name);
+    if (here == all.end() || here + 1 == all.end()) return std::nullopt;
+    return Place{folderOf(course_, *(here + 1)), 0};
+}
+
+std::optional<LessonPlayer::Place> LessonPlayer::before() const {
+    if (!lesson_) return std::nullopt;
+    if (page_ > 0) return Place{QString::fromStdString(lesson_->folder), page_ - 1};
+    const auto all = course_.lessons();
+    const auto here = std::find(all.begin(), all.end(), lesson_->name);
+    if (here == all.end() || here == all.begin()) return std::nullopt;
+    // The last page of the lesson before, whose number open() limits.
+    return Place{folderOf(course_, *(here - 1)), static_cast<std::size_t>(-1)};
+}
+
+void LessonPlayer::next() {
+    if (const auto place = after()) open(place->folder, place->page);
+}
+
+void LessonPlayer::previous() {
+    if (const auto place = before()) open(place->folder, place->page);
+}
+
+void LessonPlayer::forward() {
+    if (!lesson_) return;
+    page().question && !revealed_ ? reveal() : next();
+}
+
+bool LessonPlayer::seenLesson(const QString& lesson) {
+    return QSettings().value(wholeKey()).toStringList().contains(lesson);
+}
+
+QString lessonTitle(const QString& folder, relief::Language language) {
+    const bool ukrainian = language == relief::Language::Ukrainian;
+    for (const char* const name : {ukrainian ? "/text.uk.md" : "/text.en.md", "/text.en.md", "/text.uk.md"}) {
+        try {
+            return QString::fromStdString(
+                relief::parseLessonText(relief::readTextFile(folder.toStdString() + name), name).title);
+        } catch (const relief::InputError&) {
+            continue;
+        }
+    }
+    return {};
+}
+
+}  // namespace reliefui

@@ -1,0 +1,57 @@
+// Pages for any browser: one HTML file with everything in it, which needs no program and no network. Drawings are
+// inline SVG whose steps share their parts, pictures are data URIs. Without scripts the pages show the chosen step.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QImage>
+
+#include "panes/pane.h"
+
+namespace reliefui {
+
+inline constexpr std::array<relief::Language, 2> kPageLanguages{relief::Language::English, relief::Language::Ukrainian};
+// Suffix of keys and of CSS classes: "en", "uk".
+const char* languageCode(relief::Language language);
+
+// A word of the page in both languages.
+std::string inBoth(const std::string& english, const std::string& ukrainian);
+
+// The parts of all drawings of a page. Equal parts - most of what two steps show - are stored once.
+class HtmlParts {
+  public:
+    // Takes a drawing apart. Returns the numbers of its parts.
+    std::vector<int> add(const std::string& svg);
+    const std::string& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
+    // The script element that holds all parts, for the end of the page.
+    std::string script() const;
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    std::vector<std::string> parts_;
+    std::map<std::string, int> numbers_;
+    std::size_t bytes_ = 0;
+};
+
+// Draws the pane's figure at the steps of the snapshot's ray and returns it as a <figure> with a slider, or without one
+// if it is the same at all steps. About kMostFigureBytes of new parts at most: of longer rays, steps are left out.
+// installLanguage: makes the texts of figures those of a language.
+using LanguageSetter = std::function<void(relief::Language)>;
+// Installs the translation of a language; there must be no window.
+void installPageLanguage(relief::Language language);
+std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
+                        const LanguageSetter& installLanguage, relief::Work& work);
+inline constexpr std::size_t kMostFigureBytes = 700000;
+
+// An <img> with the picture in it; alt in the language of its surroundings.
+std::string pictureHtml(const QImage& picture, const std::string& alt);
+
+// The whole file: title in both languages, the body's content, the parts, and the script that moves the sliders.
+std::string wholePage(const std::string& english, const std::string& ukrainian, const std::string& body,
+                      const HtmlParts& parts);
+
+}  // namespace reliefui
