@@ -9,6 +9,7 @@
 #include "painting/drawing.h"
 #include "panes/figure.h"
 #include "relief/describe.h"
+#include "scenario/scenario.h"
 
 namespace relief::app {
 
@@ -88,12 +89,8 @@ Arguments parseArguments(int count, char** arguments) {
         } else if (argument == "--log") {
             parsed.log = true;
         } else if (argument == "--memory") {
-            // As said by the commands that read maps by tiles; the window's panes read whole ones.
-            throw InputError(
-                argument, Message(MessageId::TiledMethod, {{"method", "reliefscope"},
-                                                           {"known",
-                                                            "relief bench tracers, relief recommend --resident, relief "
-                                                            "render, relief trace"}}));
+            parsed.memory = wholeNumber(value(), argument);
+            reliefui::requireRange(argument, parsed.memory, 1, kMostTileMemory);
         } else if (argument == "--lesson") {
             parsed.lesson = value();
         } else if (argument == "--check") {
@@ -176,6 +173,7 @@ Arguments parseArguments(int count, char** arguments) {
     excludes(parsed.check && parsed.html, "--check", "--html");
     needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", plainText("--export result"));
     const bool figure = !parsed.figure.empty();
+    needs(parsed.memory > 0 && parsed.file.empty(), "--memory", plainText("SCENARIO.json | PICTURE"));
     needs(!parsed.pixel.empty() && !figure, "--pixel", view);
     needs(!parsed.tracers.empty() && !figure, "--tracers", view);
     needs(!parsed.filters.empty() && !figure, "--filters", view);
@@ -209,6 +207,8 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
 
 Options, with defaults in parentheses
   --anew                start as the first time, not with the last session
+  --memory MB           a height map written by relief tile is read by tiles, within this much memory; the panes
+                        Pyramid and Distance and the comparison of heights, which need all heights, say so
   --size WxH|N          size of the window, pixels; N: N x N
   --screenshot FILE     open the window, save it as a PNG, and exit
   --lesson NAME         open a lesson, such as 302, or the folder of one

@@ -13,6 +13,7 @@ struct Arguments {
     bool anew = false;       // do not restore the last session
     bool log = false;        // when the window closes, print what blocked it
     std::string file;        // scenario or picture; empty: the start scenario
+    int memory = 0;          // megabytes for a height map that is read by tiles; 0: as in the scenario
     std::string screenshot;  // output file; empty: none
     int width = 0;           // of the window, in pixels; 0: default
     int height = 0;

@@ -65,7 +65,8 @@ bool endsInJson(const std::string& path) {
     return std::filesystem::path(path).extension() == ".json";
 }
 
-Start chosenStart(const std::string& file, const std::string& datasets) {
+Start chosenStart(const Arguments& arguments, const std::string& datasets) {
+    const std::string& file = arguments.file;
     Start start;
     start.scenario = reliefui::startScenario(datasets);
     if (file.empty()) return start;
@@ -77,8 +78,9 @@ Start chosenStart(const std::string& file, const std::string& datasets) {
             start.scenario.pictures = {};
             start.scenario.pictures.height = path;
         }
+        if (arguments.memory > 0) start.scenario.pictures.memory = arguments.memory;
         Work work;
-        start.pictures.load(start.scenario.pictures, work);
+        start.pictures.load(start.scenario.pictures, work, true);
     } catch (const InputError& error) {
         // The message names the file as the user typed it.
         if (error.subject() == path) throw InputError(file, error.message());
@@ -97,7 +99,7 @@ Start startOfWindow(const Arguments& arguments, const std::string& datasets, rel
             return start;
         }
     }
-    return chosenStart(arguments.file, datasets);
+    return chosenStart(arguments, datasets);
 }
 
 // Returns the folder of the shipped pictures.
@@ -262,7 +264,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         reliefui::writeFigure(*chart, page, arguments.output, work);
         return 0;
     }
-    Start start = chosenStart(arguments.file, shippedPictures());
+    Start start = chosenStart(arguments, shippedPictures());
     takeView(start.scenario, arguments);
     takeArguments(start.scenario, arguments);
     reliefui::prepareFigures();

@@ -11,6 +11,7 @@
 
 #include "panes/gl_release.h"
 #include "workspace/change_name.h"
+#include "workspace/language.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
@@ -44,8 +45,15 @@ void FigureView::setReadout(const QString& text) {
 
 void FigureView::refresh() {
     becameVisible_ = std::exchange(stale_, !isOnScreen());
-    if (!stale_) return showSnapshot();
-    if (outdated()) releaseContents();
+    if (stale_) {
+        if (outdated()) releaseContents();
+        return;
+    }
+    try {
+        showSnapshot();
+    } catch (const relief::InputError& error) {  // a damaged tile of a map that is read by tiles
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(uiLanguage())));
+    }
 }
 
 bool FigureView::markStaleIfHidden() {

@@ -24,8 +24,8 @@ PointFinder::PointFinder(const QObject* receiver, std::function<void()> found)
 void PointFinder::ask(const std::shared_ptr<const Snapshot>& snapshot, const std::optional<QueryPoint>& point) {
     if (!point || !snapshot || !snapshot->request || !snapshot->maps) return drop();
     const relief::HeightField& field = snapshot->request->field;
-    const Question now{*point,          field.sharedHeights(), field.surface(),
-                       field.address(), field.reliefDepth(),   servedFlattest(snapshot->scenario.method)};
+    const Question now{*point,          field.identity(),    field.surface(),
+                       field.address(), field.reliefDepth(), servedFlattest(snapshot->scenario.method)};
     if (pending_ == now) return;
     drop();
     // Not during a drag, in which the relief would soon be outdated.

@@ -35,7 +35,7 @@ class PointFinder {
     // Everything on which the distances depend.
     struct Question {
         QueryPoint point;
-        std::shared_ptr<const relief::FloatImage> heights;
+        std::shared_ptr<const void> heights;
         relief::Surface surface = relief::Surface::Bilinear;
         relief::Address address = relief::Address::Repeat;
         double depth = 0;

@@ -28,7 +28,7 @@ std::optional<relief::Scenario> lastState(relief::AssetStore& store, const State
         const relief::Scenario scenario = loadWindowScenario(path.toStdString(), readers);
         relief::AssetStore pictures;
         relief::Work work;
-        pictures.load(scenario.pictures, work);
+        pictures.load(scenario.pictures, work, true);
         store = std::move(pictures);
         return scenario;
     } catch (const relief::InputError&) {

@@ -169,7 +169,7 @@ void sumWeights(PixelFootprint& out) {
 
 bool FilteredPicture::tooLarge(const relief::FrameRequest& request) {
     constexpr std::size_t kMostGrey = std::size_t{1} << 24;
-    return !request.color && request.field.heights().pixels().size() > kMostGrey;
+    return !request.color && (request.field.tiles() != nullptr || request.field.texels() > kMostGrey);
 }
 
 void FilteredPicture::use(const relief::FrameRequest& request) {

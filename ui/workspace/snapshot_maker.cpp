@@ -93,8 +93,8 @@ void SnapshotMaker::Shown::dropStale(const relief::Frame* before, bool normals) 
 }
 
 bool SnapshotMaker::Shown::is(const relief::Scenario& other, const relief::Assets& of) const {
-    return scenario && sameFrame(*scenario, other) && assets.heights == of.heights && assets.color == of.color &&
-           assets.normals == of.normals;
+    return scenario && sameFrame(*scenario, other) && assets.heights == of.heights && assets.tiles == of.tiles &&
+           assets.color == of.color && assets.normals == of.normals;
 }
 
 relief::FrameRequest SnapshotMaker::request(const SnapshotOrder& order, const relief::Assets& assets) {
@@ -103,7 +103,7 @@ relief::FrameRequest SnapshotMaker::request(const SnapshotOrder& order, const re
 }
 
 bool SnapshotMaker::takesLong(const SnapshotOrder& order, relief::Work& work) {
-    const relief::Assets assets = store_.load(order.scenario.pictures, work);
+    const relief::Assets assets = load(order.scenario.pictures, work);
     if (full_.is(order.scenario, assets)) return false;
     renderer_.levelFor(request(order, assets));
     return renderer_.fullSeconds() > kCoarseFirst * kMovingSeconds;
@@ -160,7 +160,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
     auto snapshot = makeFreedInBackground<Snapshot>();
     snapshot->version = order.version;
     snapshot->scenario = scenario;
-    snapshot->assets = store_.load(scenario.pictures, work);
+    snapshot->assets = load(scenario.pictures, work);
     const relief::FrameRequest fullRequest = request(order, snapshot->assets);
     makePyramids(fullRequest.field, work);
     const bool coarser = order.moving && !full_.is(scenario, snapshot->assets);
@@ -195,7 +195,7 @@ std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, 
 }
 
 void SnapshotMaker::makePyramids(const relief::HeightField& field, relief::Work& work) {
-    if (field.heights().size() > kByHand) {
+    if (field.texels() > kByHand || field.tiles() != nullptr) {
         small_ = {};
         return;
     }
@@ -227,8 +227,7 @@ void SnapshotMaker::describe(Snapshot& snapshot, const SnapshotOrder& order, rel
     snapshot.maxima = relief::maxPyramidMap(field, *maps_, work);
     snapshot.maps = maps_;
     const auto levels = [&](relief::PyramidKind kind) -> std::shared_ptr<const relief::Pyramid> {
-        const bool small = field.heights().pixels().size() <= kAllLevels;
-        if (!small && order.levels != kind) return nullptr;
+        if (field.tiles() != nullptr || (field.texels() > kAllLevels && order.levels != kind)) return nullptr;
         return pyramidOf(kind, field, nullptr, *maps_, work);
     };
     snapshot.minima = levels(relief::PyramidKind::Min);

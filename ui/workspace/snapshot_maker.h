@@ -24,8 +24,11 @@ class SnapshotMaker {
   public:
     explicit SnapshotMaker(relief::AssetStore store = {});
 
-    // Loads the pictures. Throws on an error and then changes nothing.
-    relief::Assets load(const relief::Pictures& pictures, relief::Work& work) { return store_.load(pictures, work); }
+    // Loads the pictures; a height map that has a bound on memory is opened by tiles. Throws on an error and then
+    // changes nothing.
+    relief::Assets load(const relief::Pictures& pictures, relief::Work& work) {
+        return store_.load(pictures, work, true);
+    }
 
     // Returns true if the full picture is expected to take so long that a coarse one should be drawn first. Throws as
     // make() does.

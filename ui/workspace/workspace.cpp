@@ -232,7 +232,9 @@ void Workspace::open(const QString& path) {
                     scenario_, changeName([name = file.fileName()] { return tr("Open %1").arg(name); }),
                     {},        file.absoluteFilePath()};
     if (file.suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) != 0) {
+        const int memory = scenario_.pictures.memory;
         pending.scenario.pictures = {};
+        pending.scenario.pictures.memory = memory;
         pending.scenario.pictures.height = file.absoluteFilePath().toStdString();
     }
     load(std::move(pending));

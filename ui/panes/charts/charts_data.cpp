@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "relief/tracers/tile_methods.h"
+
 namespace reliefui {
 
 namespace {
@@ -34,7 +36,7 @@ bool isTracer(const relief::MethodChoice& method) {
 }  // namespace
 
 bool MeasuredView::of(const Snapshot& snapshot) const {
-    return rays > 0 && heights == snapshot.request->field.sharedHeights() && scenario == raysOf(snapshot.scenario);
+    return rays > 0 && heights == snapshot.request->field.identity() && scenario == raysOf(snapshot.scenario);
 }
 
 bool MeasuredView::has(const relief::MethodChoice& method) const {
@@ -51,7 +53,8 @@ std::vector<relief::MethodChoice> methodsToMeasure(const Snapshot& snapshot, boo
         const bool there = std::any_of(methods.begin(), methods.end(), [&](const relief::MethodChoice& other) {
             return relief::shortMethodName(other) == name;
         });
-        if (!there && relief::supports(method, field.surface(), field.address())) methods.push_back(method);
+        if (there || (field.tiles() != nullptr && !relief::tracesTiles(method))) return;
+        if (relief::supports(method, field.surface(), field.address())) methods.push_back(method);
     };
     for (const relief::MeasuredMethod& method : relief::defaultMethods()) {
         if (withMaps || !method.buildsMaps) add(method.choice);
@@ -71,7 +74,7 @@ MeasuredView measureView(const Snapshot& snapshot, bool withMaps, relief::Work& 
     measured.rounds = kRounds;
     measured.withMaps = withMaps;
     measured.scenario = raysOf(snapshot.scenario);
-    measured.heights = field.sharedHeights();
+    measured.heights = field.identity();
     return measured;
 }
 
@@ -95,8 +98,8 @@ std::shared_ptr<const ParetoSource> paretoSource(const Snapshot& snapshot, const
 }
 
 bool sameMeasurement(const Snapshot& a, const Snapshot& b) {
-    return a.request->field.sharedHeights() == b.request->field.sharedHeights() &&
-           a.scenario.method == b.scenario.method && raysOf(a.scenario) == raysOf(b.scenario);
+    return a.request->field.identity() == b.request->field.identity() && a.scenario.method == b.scenario.method &&
+           raysOf(a.scenario) == raysOf(b.scenario);
 }
 
 std::int64_t chosenSteps(const Snapshot& snapshot) {

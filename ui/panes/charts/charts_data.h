@@ -17,7 +17,7 @@ struct MeasuredView {
     int rounds = 0;
     bool withMaps = false;
     relief::Scenario scenario;  // the part on which the rays depend
-    std::shared_ptr<const relief::FloatImage> heights;
+    std::shared_ptr<const void> heights;
 
     // Returns true if the measurements used this snapshot's rays.
     bool of(const Snapshot& snapshot) const;

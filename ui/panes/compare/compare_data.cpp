@@ -99,8 +99,9 @@ Comparer::Rendered& Comparer::rendered(const Snapshot& snapshot, const relief::M
     if (!at.renderer) at.renderer = std::make_unique<relief::FrameRenderer>(snapshot.maps);
     relief::Assets assets = snapshot.assets;
     if (subject == CompareSubject::Heights) {
-        if (at.read != assets.heights) at.heights = relief::variedHeights(assets.heights, choice);
-        at.read = assets.heights;
+        const auto& read = snapshot.request->field.sharedHeights();  // throws if they are read by tiles
+        if (at.read != read) at.heights = relief::variedHeights(read, choice);
+        at.read = read;
         assets.heights = at.heights;
     }
     relief::FrameRequest request = relief::frameRequest(relief::varied(snapshot.scenario, subject, choice), assets);

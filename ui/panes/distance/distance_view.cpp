@@ -78,6 +78,11 @@ void DistanceView::showSnapshot() {
         showEmpty(workspace_->whyEmpty());
         return;
     }
+    if (snapshot_->assets.tiles) {
+        job_->drop();
+        building_ = {};
+        return showEmpty(relief::MessageId::DrawTiled);
+    }
     point_.ask(snapshot_, query_);
     const MapNames now = namesNow();
     if (now == built_) {

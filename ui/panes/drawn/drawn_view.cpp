@@ -30,13 +30,15 @@ constexpr double kThousand = 1000;  // heights are multiples of 1 / kThousand
 // First entries of the list, before the recipes.
 enum StartItem { kNothing, kPicture, kFlat, kRecipes };
 
-relief::DrawnRelief drawnOf(const relief::FloatImage& image, int left, int top, int side) {
+// height(x, y): of a texel of the relief, whose size is given.
+template <class Height>
+relief::DrawnRelief drawnOf(const Height& height, int wide, int high, int left, int top, int side) {
     relief::DrawnRelief drawn{side, side, {}};
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-            const auto x = static_cast<int>(relief::addressIndex(left + i, image.width(), relief::Address::Repeat));
-            const auto y = static_cast<int>(relief::addressIndex(top + j, image.height(), relief::Address::Repeat));
-            drawn.heights.push_back(std::round(static_cast<double>(image(x, y)) * kThousand) / kThousand);
+            const auto x = static_cast<int>(relief::addressIndex(left + i, wide, relief::Address::Repeat));
+            const auto y = static_cast<int>(relief::addressIndex(top + j, high, relief::Address::Repeat));
+            drawn.heights.push_back(std::round(static_cast<double>(height(x, y)) * kThousand) / kThousand);
         }
     }
     return drawn;
@@ -160,12 +162,14 @@ void DrawnView::set(relief::DrawnRelief drawn, const QString& what) {
 void DrawnView::startFromPicture() {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot || !snapshot->request) return;
-    const relief::FloatImage& image = snapshot->request->field.heights();
+    const relief::HeightField& field = snapshot->request->field;
     const bool hit = snapshot->trace.onRelief && snapshot->trace.hit.outcome == relief::Outcome::Hit;
-    const double s = hit ? snapshot->trace.hit.s : image.width() / 2.0;
-    const double t = hit ? snapshot->trace.hit.t : image.height() / 2.0;
+    const double s = hit ? snapshot->trace.hit.s : field.width() / 2.0;
+    const double t = hit ? snapshot->trace.hit.t : field.height() / 2.0;
     const auto corner = [&](double at) { return static_cast<int>(std::floor(at)) - side() / 2; };
-    set(drawnOf(image, corner(s), corner(t), side()), changeName([] { return tr("Start from the picture"); }));
+    const auto height = [&](int x, int y) { return field.texel(x, y); };
+    set(drawnOf(height, field.width(), field.height(), corner(s), corner(t), side()),
+        changeName([] { return tr("Start from the picture"); }));
 }
 
 void DrawnView::startFlat(double height) {
@@ -175,7 +179,7 @@ void DrawnView::startFlat(double height) {
 
 void DrawnView::startFromRecipe(const QString& recipe) {
     const relief::FloatImage image = relief::makeRelief(recipe.toStdString(), side(), side(), 1);
-    set(drawnOf(image, 0, 0, side()), changeName([recipe] { return tr("Start from %1").arg(recipe); }));
+    set(drawnOf(image, side(), side(), 0, 0, side()), changeName([recipe] { return tr("Start from %1").arg(recipe); }));
 }
 
 void DrawnView::setSide(int side) {

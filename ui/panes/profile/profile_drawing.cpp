@@ -90,7 +90,7 @@ void addPlateaus(Drawing& drawing, const ProfileSource& source, const relief::Py
                 drawing.add({ItemKind::Texel, s.level, s.i, s.j}, Role::Plateau,
                             Polyline{{frame.at(s.lambdaIn, s.value),
                                       frame.at(std::min(s.lambdaOut, frame.lambdaEnd), s.value)}},
-                            known ? Emphasis::Normal : Emphasis::Faint, {level, source.maxima->pyramid.levels()});
+                            known ? Emphasis::Normal : Emphasis::Faint, {level, source.maxima->top() + 1});
             }
         }
     }
@@ -139,7 +139,7 @@ StepShape stepShape(const relief::Step& s) {
 std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions& options) {
     std::set<int> levels;
     if (options.levels == LevelsShown::All) {
-        for (int l = 0; l < source.maxima->pyramid.levels(); ++l) levels.insert(l);
+        for (int l = 0; l < source.maxima->top() + 1; ++l) levels.insert(l);
     } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints()) {
         for (std::size_t k = 0; k < source.steps->size(); ++k) {
             const relief::Step& step = (*source.steps)[k];
@@ -240,7 +240,7 @@ Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options
     if (!source.hasRay) return rows.take();
     if (source.point != nullptr) addPointLegend(rows, *source.point);
     rows.line(Role::Ray, Message(MessageId::DrawRay));
-    const int levels = source.maxima->pyramid.levels();
+    const int levels = source.maxima->top() + 1;
     brief ? addLevelRange(rows, profileLevels(source, options), levels)
           : addLevels(rows, profileLevels(source, options), levels);
     if (source.steps != nullptr && runOf(source.ray) >= kVerticalRun) {

@@ -113,7 +113,7 @@ class Marks {
         if (stepShape(s) != StepShape::Plateau || s.value < frame_.low) return;
         // Highlights the maximum on which the decision was based.
         drawing_.add({}, Role::Plateau, Polyline{{frame_.at(from, s.value), frame_.at(to, s.value)}}, Emphasis::Strong,
-                     {s.level, source_.maxima->pyramid.levels()});
+                     {s.level, source_.maxima->top() + 1});
     }
 
     // White and black (hit and limit) are not used for the ray's parts, which keep the ray's own colour.

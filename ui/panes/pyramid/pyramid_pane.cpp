@@ -6,6 +6,16 @@
 
 namespace reliefui {
 
+namespace {
+
+// Throws InputError if the heights are read by tiles: there are no pyramids in memory then.
+std::shared_ptr<const Snapshot> withPyramids(std::shared_ptr<const Snapshot> snapshot) {
+    static_cast<void>(snapshot->request->field.sharedHeights());
+    return snapshot;
+}
+
+}  // namespace
+
 PaneKind pyramidPane() {
     PaneKind kind;
     kind.name = QStringLiteral("pyramid");
@@ -16,10 +26,10 @@ PaneKind pyramidPane() {
     kind.make = makePane<PyramidView>;
     kind.figures = {{"pyramid", true,
                      [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
-                         return pyramidFigure(std::move(s), now.step, pyramidOptions(now));
+                         return pyramidFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now));
                      }},
                     {"slabs", false, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
-                         return slabsFigure(std::move(s), now.step, pyramidOptions(now), {});
+                         return slabsFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now), {});
                      }}};
     kind.states = {readerOf<PyramidPane>()};
     return kind;

@@ -142,6 +142,7 @@ void PyramidView::showSnapshot() {
     const PauseLog::Part part("pyramid");
     canvas_->setStyle(workspace_->style());
     shown_ = workspace_->snapshot();
+    if (shown_ && shown_->assets.tiles) return showEmpty(relief::MessageId::DrawTiled);
     const bool ready = shown_ && shown_->request && (options_.all || shown_->has(options_.kind));
     if (!ready) {
         showEmpty(workspace_->whyEmpty());

@@ -143,10 +143,9 @@ TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const relief::MaxP
         height = texel->maximum;
     } else if (!valueIsHeight(step)) {
         const relief::CellGrid grid(field_);
-        const relief::FloatImage& cells = maxima.pyramid.level(0);
-        const auto i = static_cast<int>(std::clamp<std::int64_t>(step.i - grid.x.firstName, 0, cells.width() - 1));
-        const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, cells.height() - 1));
-        height = static_cast<double>(cells(i, j));
+        const auto i = static_cast<int>(std::clamp<std::int64_t>(step.i - grid.x.firstName, 0, grid.x.cells - 1));
+        const auto j = static_cast<int>(std::clamp<std::int64_t>(step.j - grid.y.firstName, 0, grid.y.cells - 1));
+        height = static_cast<double>(maxima.tiled ? maxima.tiled->maximum(0, i, j) : maxima.pyramid.level(0)(i, j));
     }
     return {sides, scene_.bottom, z(height), paint_.color(step, style_)};
 }

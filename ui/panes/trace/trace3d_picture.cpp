@@ -197,7 +197,7 @@ void TracePicture::setSize(const QSize& pixels) {
 }
 
 StepPaint TracePicture::paint() const {
-    return {colors_, shown_ && shown_->maxima ? shown_->maxima->pyramid.levels() : 1};
+    return {colors_, shown_ && shown_->maxima ? shown_->maxima->top() + 1 : 1};
 }
 
 void TracePicture::paintLegend(const Drawing& drawing, int height) {
