@@ -56,7 +56,7 @@ class Checker:
             folders[:] = [f for f in folders if f != ".git" and not f.startswith("build")]
             self.names.update(files)
             for name in files:
-                if re.search(r"\.(?:h|cpp|inc|def|py|sh|cmake)$|^CMakeLists\.txt$", name):
+                if re.search(r"\.(?:h|cpp|inc|def|py|sh|cmake|glsl)$|^CMakeLists\.txt$", name):
                     self.words.update(re.findall(r"\w+", open(os.path.join(folder, name), encoding="utf-8").read()))
                 if name.endswith(".md"):
                     path = os.path.relpath(os.path.join(folder, name), root)

@@ -122,7 +122,7 @@ TEST(PaneFiles, valuesOutOfRangeAreRefused) {
         EXPECT_THROW(checkStates(withState(Scenario{}, state), kReaders, "s.json"), InputError);
     };
     refused(FootprintPane{5});
-    refused(DistancePane{"", "", "", -1});
+    refused(DistancePane{.slice = -1});
     refused(TracePane{.heights = 100});
     refused(TracePane{.colors = "colour"});
     refused(RowsPane{.pixels = -3});

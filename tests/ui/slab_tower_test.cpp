@@ -48,7 +48,9 @@ void expectSlabs(const SlabTower& tower, const PyramidParts& parts) {
         const double side = std::ldexp(1.0, tower.drawnAs(slab.part, slab.level));
         const bool inside = slab.ground.x0 > domain.x0 && slab.ground.x1 < domain.x1;
         EXPECT_LE(slab.ground.width(), side + 1e-6);
-        if (inside) EXPECT_NEAR(slab.ground.width(), side, 1e-6) << slab.level;
+        if (inside) {
+            EXPECT_NEAR(slab.ground.width(), side, 1e-6) << slab.level;
+        }
         EXPECT_EQ(slab.foot, slab.level * tower.apart());
         EXPECT_GE(slab.top, slab.foot);
         EXPECT_LE(slab.top, slab.foot + tower.apart());
@@ -159,8 +161,12 @@ TEST(SlabTower, theWayIsConnectedAndPassesAboveWhatIsSkipped) {
         if (texel == nullptr || step.level > tower.top()) continue;
         const double top = tower.heightOver(step.level, texel->maximum);
         const double ray = tower.heightOver(step.level, 1 - step.lambdaOut);
-        if (step.decision == relief::Decision::Skip) EXPECT_GE(ray, top);
-        if (step.decision == relief::Decision::Descend) EXPECT_LE(ray, top + 1e-6);
+        if (step.decision == relief::Decision::Skip) {
+            EXPECT_GE(ray, top);
+        }
+        if (step.decision == relief::Decision::Descend) {
+            EXPECT_LE(ray, top + 1e-6);
+        }
         skipped += step.decision == relief::Decision::Skip ? 1 : 0;
     }
     EXPECT_GT(skipped, 0);
