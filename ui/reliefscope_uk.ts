@@ -1277,7 +1277,7 @@
     </message>
     <message>
         <source>&amp;Write as a page for browsers…</source>
-        <translation>&amp;Записати як сторінку для браузера…</translation>
+        <translation>Запи&amp;сати як сторінку для браузера…</translation>
     </message>
     <message>
         <source>The open lesson as one HTML file, which needs no program and no network</source>
@@ -1297,7 +1297,7 @@
     </message>
     <message>
         <source>Page Down: answer, then next page; Page Up: back; 1 to 9: count a guess; B: black screen</source>
-        <translation>Page Down: відповідь, потім наступна сторінка; Page Up: назад; 1–9: зарахувати здогад; B: чорний екран</translation>
+        <translation>Page Down: відповідь, потім наступна сторінка; Page Up: назад; 1–9: зарахувати припущення; B: чорний екран</translation>
     </message>
     <message>
         <source>Folder of lessons</source>

@@ -82,12 +82,14 @@ const std::set<QString>& allowedWords() {
         std::set<QString> all;
         addWords(all,
                  "Reliefscope reliefscope relief bench tracers trace render merge stress map tile "  // commands
-                 "Alt Ctrl End Enter Esc Home Shift Tab "
+                 "Alt Ctrl Down End Enter Esc Home Page Shift Tab Up "
                  "English "  // in the menu of languages, each in its own
                  "certify export rays "
-                 "outcome unknown sRGB textureGrad textureLod "  // of files, of other programs
+                 "choose hit knob lesson method number options "       // keys of lessons
+                 "apex sqrt ratio HLSL glslangValidator spirv cross "  // of maps for engines and shaders
+                 "outcome unknown sRGB textureGrad textureLod "        // of files, of other programs
                  "CPU DIST17 FLIP MIP MIP18 MPI OpenGL GLX PERSP PSNR RMSE SIMD TEX "
-                 "CSV JSON PDF PNG SVG TIFF csv exr json "
+                 "CSV HTML JSON PDF PNG SVG TIFF csv exr html json "
                  "DISPLAY HI LO auto beyond border clamp double error false float full random reads repeat true "
                  "lambda_in lambda_out layers mapping parallax bump normal MiB px");
         for (const relief::MethodDescription& method : relief::tracerList()) {
