@@ -139,9 +139,12 @@ TEST(Tiled, ReadsWhatReadHeightReads) {
         std::string picture;
         HeightReadOptions options;
     };
-    HeightReadOptions channel{.channel = "G"}, inverted{.invert = true},
-        bounds{.range = {HeightRange::Kind::Bounds, 0.25, 0.5}}, codes{.range = {HeightRange::Kind::Bounds, 100, 200}},
-        full{.range = {HeightRange::Kind::Full}};
+    HeightReadOptions channel, inverted, bounds, codes, full;
+    channel.channel = "G";
+    inverted.invert = true;
+    bounds.range = {HeightRange::Kind::Bounds, 0.25, 0.5};
+    codes.range = {HeightRange::Kind::Bounds, 100, 200};
+    full.range = {HeightRange::Kind::Full};
     const std::vector<Case> cases{
         {writeRaw(folder / "wide.exr", size.width, size.height, 1, wide), {}},
         {writeRaw(folder / "wide.tif", size.width, size.height, 1, wide), bounds},
