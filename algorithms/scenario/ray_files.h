@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,10 +35,10 @@ inline constexpr std::string_view kStepsHeader =
 // Parses a header and one ray per line. fileName: for messages. Throws InputError with the line's number for another
 // header, a line that is not four numbers, or a number that is not finite. Blank lines are accepted only at the end.
 RayBlock parseRays(std::string_view text, const std::string& fileName);
-// Parses a hit of each ray. The header begins with outcome,lambda; further columns may be s, t (texels) and steps (a
-// whole number), which may be empty, and others, which are ignored. Without s and t they are NaN, without steps 0.
+// Parses the answer to each ray. The header begins with outcome,lambda; further columns may be s, t (texels) and steps
+// (a whole number), which may be empty, and others, which are ignored. Without s and t they are NaN, without steps 0.
 // Throws InputError with the line for another header, wrong columns, an unknown outcome, a number that is not finite,
-// and a hit whose lambda is outside [0, 1].
+// and a hit whose lambda is outside [0, 1] by more than 1e-5; a smaller difference is rounding, and is clamped.
 HitBlock parseHits(std::string_view text, const std::string& fileName);
 // Parses steps of `rays` rays, numbered from 0, in the formats written below: CSV, or JSON if the text begins with "[".
 // The rays may be in any order and some may be missing; the steps of one ray must be consecutive and numbered from 1.
@@ -50,10 +51,13 @@ StepLog parseSteps(std::string_view text, const std::string& fileName, std::size
 // Sets the period of each step's texel under repeat addressing, and missing kinds: in a log without any decision about
 // cells, steps without a kind examine points. number: number of the ray, for messages. Throws InputError if the picture
 // has no such texel.
-void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
+void placeSteps(std::span<Step> steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
                 std::size_t number);
 // Returns the answer with which a ray's log ends; Limit if it ends without hit or miss.
-Hit answerOf(const std::vector<Step>& steps, const ViewRay& ray);
+Hit answerOf(std::span<const Step> steps, const ViewRay& ray);
+// Returns the steps of one ray of the log.
+std::span<Step> stepsOf(StepLog& log, std::size_t ray);
+std::span<const Step> stepsOf(const StepLog& log, std::size_t ray);
 
 // Returns the lines of all rays, without the header, formatted in parallel. Throws Cancelled.
 std::string rayLines(const RayBlock& rays, Work& work);

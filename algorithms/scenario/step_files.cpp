@@ -410,7 +410,7 @@ struct PlaceAxis {
 // Sets periods and missing kinds. Returns the index of the first step that names no texel of the field, or the number
 // of steps if there is none. known: whether the file states what the step examined; cells: the other steps examined
 // cells, otherwise points of the ray.
-std::size_t placeAll(std::vector<Step>& steps, const std::vector<bool>& known, const CellGrid& grid, const GridRay& ray,
+std::size_t placeAll(std::span<Step> steps, const std::vector<bool>& known, const CellGrid& grid, const GridRay& ray,
                      bool cells) {
     const PlaceAxis x{grid.x, ray.x};
     const PlaceAxis y{grid.y, ray.y};
@@ -435,7 +435,7 @@ std::size_t placeAll(std::vector<Step>& steps, const std::vector<bool>& known, c
 
 }  // namespace
 
-void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
+void placeSteps(std::span<Step> steps, const ViewRay& ray, const HeightField& field, const std::string& fileName,
                 std::size_t number) {
     const CellGrid grid(field);
     const GridRay inCells(grid, ray);
@@ -462,7 +462,15 @@ void placeSteps(std::vector<Step>& steps, const ViewRay& ray, const HeightField&
                                                                 {"j", step.j}}));
 }
 
-Hit answerOf(const std::vector<Step>& steps, const ViewRay& ray) {
+std::span<Step> stepsOf(StepLog& log, std::size_t ray) {
+    return std::span(log.steps).subspan(log.begin[ray], log.begin[ray + 1] - log.begin[ray]);
+}
+
+std::span<const Step> stepsOf(const StepLog& log, std::size_t ray) {
+    return std::span(log.steps).subspan(log.begin[ray], log.begin[ray + 1] - log.begin[ray]);
+}
+
+Hit answerOf(std::span<const Step> steps, const ViewRay& ray) {
     if (steps.empty()) return Hit::none(Outcome::Limit);
     const Step& last = steps.back();
     if (last.decision == Decision::Hit) return Hit::at(ray, last.lambdaAfter);

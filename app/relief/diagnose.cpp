@@ -32,17 +32,9 @@ TracerRecord recordOf(const DiagnoseOptions& options, const HeightField& field) 
     if (rays == 0) throw InputError(raysFile, Message(MessageId::RaysMissing));
     if (options.steps) {
         record.steps = parseSteps(readTextFile(*options.steps), *options.steps, rays);
-        StepLog placed;
         for (std::size_t r = 0; r < rays; ++r) {
-            const StepLog& log = *record.steps;
-            std::vector<Step> steps(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r]),
-                                    log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r + 1]));
-            placeSteps(steps, record.rays[r], field, *options.steps, r);
-            placed.steps.insert(placed.steps.end(), steps.begin(), steps.end());
-            placed.begin.push_back(placed.steps.size());
-            placed.reads.push_back(0);
+            placeSteps(stepsOf(*record.steps, r), record.rays[r], field, *options.steps, r);
         }
-        record.steps = std::move(placed);
     }
     if (options.hits) {
         record.hits = parseHits(readTextFile(*options.hits), *options.hits);
@@ -59,8 +51,7 @@ TracerRecord recordOf(const DiagnoseOptions& options, const HeightField& field) 
     const StepLog& log = *record.steps;
     record.hits.resize(rays);
     for (std::size_t r = 0; r < rays; ++r) {
-        const std::vector<Step> steps(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r]),
-                                      log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r + 1]));
+        const std::span<const Step> steps = stepsOf(log, r);
         record.hits.set(r, answerOf(steps, record.rays[r]));
         record.hits.steps[r] = static_cast<std::uint32_t>(steps.size());
     }

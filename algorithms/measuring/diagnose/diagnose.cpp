@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "base/parallel.h"
 #include "measuring/compare/duel.h"
@@ -11,6 +9,7 @@
 #include "measuring/diagnose/surface_match.h"
 #include "measuring/random_rays.h"
 #include "relief/tracers.h"
+#include "scenario/ray_files.h"
 #include "scenario/step_sentence.h"
 
 namespace relief {
@@ -176,11 +175,12 @@ class Doctor {
         const StepLog& log = *record_.steps;
         for (std::size_t n = 0; n < ids.size(); ++n) {
             const std::size_t r = ids[n];
-            if (r >= log.rays() || log.begin[r] == log.begin[r + 1]) continue;
+            if (r >= log.rays()) continue;
+            const std::span<const Step> steps = stepsOf(log, r);
+            if (steps.empty()) continue;
             DuelRun run;
             run.hit = record_.hits[r];
-            run.steps.assign(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r]),
-                             log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[r + 1]));
+            run.steps.assign(steps.begin(), steps.end());
             const Departure kind = judge(run, exact_[r], record_.rays[r], field_).kind;
             if (kind == Departure::UnsafeMap) kinds[n] = Fault::UnsafeMap;
             if (kind == Departure::MissedSpike) kinds[n] = Fault::MissedSpike;
