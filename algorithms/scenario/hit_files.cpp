@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "relief/memory.h"
@@ -16,16 +15,10 @@ constexpr double kBeyond = 1e-5;
 enum class HitColumn : std::uint8_t { S, T, Steps, Other };
 
 std::vector<HitColumn> hitColumns(std::string_view header, const std::string& fileName) {
-    constexpr std::string_view kFirst = "outcome,lambda";
-    if (!header.starts_with(kFirst) || (header.size() > kFirst.size() && header[kFirst.size()] != ',')) {
-        throw InputError(fileName, Message(MessageId::HitsHeader, {{"text", quoted(header)}}));
-    }
-    header.remove_prefix(kFirst.size());
+    const auto names = columnsAfter(header, "outcome,lambda");
+    if (!names) throw InputError(fileName, Message(MessageId::HitsHeader, {{"text", quoted(header)}}));
     std::vector<HitColumn> columns;
-    while (!header.empty()) {
-        header.remove_prefix(1);
-        const std::string_view name = header.substr(0, header.find(','));
-        header.remove_prefix(name.size());
+    for (const std::string_view name : *names) {
         columns.push_back(name == "s"       ? HitColumn::S
                           : name == "t"     ? HitColumn::T
                           : name == "steps" ? HitColumn::Steps
@@ -36,11 +29,7 @@ std::vector<HitColumn> hitColumns(std::string_view header, const std::string& fi
 
 void parseHit(std::string_view row, const std::vector<HitColumn>& columns, std::size_t line,
               const std::string& fileName, HitBlock& hits, std::size_t h) {
-    const auto count = static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1;
-    if (count != columns.size() + 2) {
-        throw InputError(fileName, Message(MessageId::StepColumns,
-                                           {{"line", line}, {"wanted", columns.size() + 2}, {"count", count}}));
-    }
+    requireCells(row, columns.size() + 2, fileName, line);
     const std::string_view outcome = takeCell(row);
     const std::string_view lambda = takeCell(row);
     for (const Outcome one : {Outcome::Hit, Outcome::Miss, Outcome::Limit}) {
@@ -81,11 +70,8 @@ HitBlock parseHits(std::string_view text, const std::string& fileName) {
     requireMemory(byteProduct({most, HitBlock::kBytes}), fileName);
     HitBlock hits(most);
     std::size_t count = 0;
-    for (std::size_t line = 2; !text.empty(); ++line) {
-        const std::string_view row = takeLine(text);
-        if (row.empty() && text.find_first_not_of("\r\n") == std::string_view::npos) break;
-        parseHit(row, columns, line, fileName, hits, count++);
-    }
+    forEachRow(text,
+               [&](std::string_view row, std::size_t line) { parseHit(row, columns, line, fileName, hits, count++); });
     hits.resize(count);
     return hits;
 }

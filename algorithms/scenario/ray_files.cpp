@@ -100,11 +100,7 @@ RayBlock parseRays(std::string_view text, const std::string& fileName) {
     requireMemory(byteProduct({most, RayBlock::kBytes}), fileName);
     RayBlock rays(most);
     std::size_t count = 0;
-    for (std::size_t line = 2; !text.empty(); ++line) {
-        const std::string_view row = takeLine(text);
-        if (row.empty() && text.find_first_not_of("\r\n") == std::string_view::npos) break;
-        rays.set(count++, parseRay(row, fileName, line));
-    }
+    forEachRow(text, [&](std::string_view row, std::size_t line) { rays.set(count++, parseRay(row, fileName, line)); });
     rays.resize(count);
     return rays;
 }

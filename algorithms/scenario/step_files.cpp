@@ -167,18 +167,13 @@ void check(const Row& row, const Place& place) {
 using FurtherColumns = std::vector<std::optional<std::size_t>>;
 
 FurtherColumns furtherColumns(std::string_view header, const std::string& fileName) {
-    const bool known = header.starts_with(kStepColumns) &&
-                       (header.size() == kStepColumns.size() || header[kStepColumns.size()] == ',');
-    if (!known) {
+    const auto names = columnsAfter(header, kStepColumns);
+    if (!names) {
         throw InputError(fileName, Message(MessageId::RaysHeader,
                                            {{"header", std::string(kStepsHeader)}, {"text", quoted(header)}}));
     }
-    header.remove_prefix(kStepColumns.size());
     FurtherColumns columns;
-    while (!header.empty()) {
-        header.remove_prefix(1);  // skips the comma
-        const std::string_view name = header.substr(0, header.find(','));
-        header.remove_prefix(name.size());
+    for (const std::string_view name : *names) {
         const auto found = std::find(kSubjectColumns.begin(), kSubjectColumns.end(), name);
         columns.emplace_back();
         if (found != kSubjectColumns.end()) columns.back() = static_cast<std::size_t>(found - kSubjectColumns.begin());
@@ -188,11 +183,7 @@ FurtherColumns furtherColumns(std::string_view header, const std::string& fileNa
 
 Row csvRow(std::string_view text, const FurtherColumns& further, const Place& place) {
     constexpr std::size_t kColumns = 14;
-    const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
-    if (count != kColumns + further.size()) {
-        place.refuse(Message(MessageId::StepColumns,
-                             {{"line", place.line}, {"wanted", kColumns + further.size()}, {"count", count}}));
-    }
+    requireCells(text, kColumns + further.size(), place.fileName, place.line);
     Row row;
     Step& step = row.step;
     const auto number = [&] { return finiteNumber(takeCell(text), place.fileName, place.line); };
@@ -358,12 +349,10 @@ StepLog parseSteps(std::string_view text, const std::string& fileName, std::size
         return gatherer.take();
     }
     const FurtherColumns further = furtherColumns(takeLine(text), fileName);
-    for (std::size_t line = 2; !text.empty(); ++line) {
-        const std::string_view row = takeLine(text);
-        if (row.empty() && text.find_first_not_of("\r\n") == std::string_view::npos) break;
+    forEachRow(text, [&](std::string_view row, std::size_t line) {
         const Place place{fileName, line};
         gatherer.add(csvRow(row, further, place), place);
-    }
+    });
     return gatherer.take();
 }
 

@@ -1,5 +1,6 @@
 #include "scenario/text_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -60,6 +61,25 @@ std::string_view takeCell(std::string_view& line) {
     const std::string_view cell = line.substr(0, comma);
     line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
     return cell;
+}
+
+std::optional<std::vector<std::string_view>> columnsAfter(std::string_view header, std::string_view first) {
+    if (!header.starts_with(first)) return std::nullopt;
+    header.remove_prefix(first.size());
+    if (!header.empty() && header.front() != ',') return std::nullopt;
+    std::vector<std::string_view> names;
+    while (!header.empty()) {
+        header.remove_prefix(1);  // skips the comma
+        names.push_back(header.substr(0, header.find(',')));
+        header.remove_prefix(names.back().size());
+    }
+    return names;
+}
+
+void requireCells(std::string_view row, std::size_t wanted, const std::string& fileName, std::size_t line) {
+    const auto count = static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1;
+    if (count == wanted) return;
+    throw InputError(fileName, Message(MessageId::StepColumns, {{"line", line}, {"wanted", wanted}, {"count", count}}));
 }
 
 std::string_view withoutMark(std::string_view text) {
