@@ -23,7 +23,7 @@ struct DiagnoseOptions {
     RunOptions run;
 };
 
-// The records of the tracer in question.
+// Reads what the tracer did. Throws InputError.
 TracerRecord recordOf(const DiagnoseOptions& options, const HeightField& field) {
     const std::string& raysFile = needed(options.rays, "--rays", "diagnose");
     TracerRecord record;
@@ -73,12 +73,8 @@ struct Report {
 
     void writePicture(const Diagnosis& diagnosis) const {
         if (!view) return writeColor(*options.picture, errorPicture(field, record.rays, diagnosis.errors));
-        std::vector<std::int32_t> x, y;
-        for (const PixelChoice& pixel : view->pixels) {
-            x.push_back(pixel.x);
-            y.push_back(pixel.y);
-        }
-        writeColor(*options.picture, errorPicture(view->scenario.width, view->scenario.height, x, y, diagnosis.errors));
+        writeColor(*options.picture,
+                   errorPicture(view->scenario.width, view->scenario.height, view->pixels, diagnosis.errors));
     }
 
     // Returns the scenario with the ray as its chosen pixel.
@@ -89,17 +85,15 @@ struct Report {
         return scene;
     }
 
-    // The worst ray of the first fault, with a bookmark for each fault.
+    // Writes the scenario of the worst ray of the first fault, with a bookmark for each fault.
     void writeScene(const Diagnosis& diagnosis) const {
-        Scenario scene = sceneOf(diagnosis.findings.empty() ? diagnosis.worst : diagnosis.findings.front().worst);
+        const std::size_t worst = diagnosis.findings.empty() ? diagnosis.worst : diagnosis.findings.front().worst;
+        Scenario scene = sceneOf(worst);
         for (const Finding& finding : diagnosis.findings) {
             const Scenario one = sceneOf(finding.worst);
             scene.bookmarks.push_back({std::string(faultName(finding.fault.fault)), *one.pixel, one.camera, 0});
         }
-        if (options.steps) {
-            const std::size_t ray = diagnosis.findings.empty() ? diagnosis.worst : diagnosis.findings.front().worst;
-            scene.other = {*options.rays, *options.steps, static_cast<int>(ray), true};
-        }
+        if (options.steps) scene.other = {*options.rays, *options.steps, static_cast<int>(worst), true};
         saveScenario(*options.output, scene);
     }
 
@@ -113,10 +107,9 @@ struct Report {
             json["error_texels"] = std::isfinite(error) ? Json(error) : Json();
             return json;
         };
-        const bool known = diagnosis.healthy() || !diagnosis.findings.empty();
-        Json json{{"verdict", diagnosis.healthy() ? "no fault"
-                              : known             ? "faults"
-                                                  : "unknown"},
+        Json json{{"verdict", diagnosis.healthy()          ? "no fault"
+                              : diagnosis.findings.empty() ? "unknown"
+                                                           : "faults"},
                   {"rays", diagnosis.rays},
                   {"wrong", diagnosis.wrong},
                   {"barely_touching", diagnosis.touching},
@@ -184,13 +177,12 @@ int runDiagnose(const DiagnoseOptions& options, Session& session) {
 
 void addDiagnoseCommand(CLI::App& program, Commands& commands) {
     auto options = std::make_shared<DiagnoseOptions>();
-    std::string names;
-    for (const std::string_view name : kFaultNames) names += (names.empty() ? "" : ", ") + std::string(name);
+    const std::string names = commaList({kFaultNames.begin(), kFaultNames.end()});
     CLI::App* parser = addCommand(
         program, "diagnose", "name what is wrong with somebody's tracer",
         "Compares the answers of any tracer, such as a shader, with exact, and names its faults: one line for each, "
-        "the "
-        "one that makes most rays wrong first. A line begins with the name of the fault and holds the share of rays, "
+        "the one that makes most rays wrong first. A line begins with the name of the fault and holds the share of "
+        "rays, "
         "the likely cause, the cure, and the worst ray. Faults: " +
             names +
             ". A line that begins with unknown says how many rays are wrong for another reason. Answers up to 1/32 "

@@ -83,7 +83,7 @@ std::optional<RaysView> readRaysView(const std::string& raysPath, std::size_t ra
     const Json json = Json::parse(text, nullptr, false);
     if (textIn(json, "format") != kFormat) return std::nullopt;
     const Json* const list = member(json, "rays");
-    RaysView view{loadScenario(path), {}};
+    RaysView view{parseScenario(text, path), {}};
     const auto refuse = [&](std::size_t count) {
         throw InputError(path,
                          Message(MessageId::RaysViewCount, {{"count", count}, {"file", raysPath}, {"rays", rays}}));

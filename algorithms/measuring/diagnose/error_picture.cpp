@@ -1,9 +1,10 @@
 #include "measuring/diagnose/error_picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "measuring/diagnose/search_faults.h"
+#include "measuring/diagnose/chords.h"
 
 namespace relief {
 
@@ -20,10 +21,10 @@ Color errorColor(double texels) {
     return kRamp[below] * (1 - rest) + kRamp[below + 1] * rest;
 }
 
-ColorImage errorPicture(int width, int height, const std::vector<std::int32_t>& x, const std::vector<std::int32_t>& y,
+ColorImage errorPicture(int width, int height, const std::vector<PixelChoice>& pixels,
                         const std::vector<float>& errors) {
     ColorImage picture(width, height, Color(0));
-    for (std::size_t r = 0; r < errors.size(); ++r) picture(x[r], y[r]) = errorColor(errors[r]);
+    for (std::size_t r = 0; r < errors.size(); ++r) picture(pixels[r].x, pixels[r].y) = errorColor(errors[r]);
     return picture;
 }
 

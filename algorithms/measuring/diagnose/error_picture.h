@@ -1,12 +1,12 @@
 // Pictures of a tracer's errors.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "relief/height_field.h"
 #include "relief/image.h"
 #include "relief/ray.h"
+#include "scenario/scenario.h"
 
 namespace relief {
 
@@ -14,8 +14,8 @@ namespace relief {
 // logarithmic scale up to 64 texels; magenta for an infinite error, that is another outcome.
 Color errorColor(double texels);
 
-// Returns the picture of a view of width x height pixels. x, y: the pixel of each ray. Pixels without a ray are black.
-ColorImage errorPicture(int width, int height, const std::vector<std::int32_t>& x, const std::vector<std::int32_t>& y,
+// Returns the picture of a view of width x height pixels. pixels: that of each ray. Pixels without a ray are black.
+ColorImage errorPicture(int width, int height, const std::vector<PixelChoice>& pixels,
                         const std::vector<float>& errors);
 // Returns the map, dark, with the largest error of the rays that enter at each texel.
 ColorImage errorPicture(const HeightField& field, const RayBlock& rays, const std::vector<float>& errors);

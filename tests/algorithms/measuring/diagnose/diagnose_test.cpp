@@ -176,7 +176,7 @@ TEST(Diagnose, PicturesShowTheErrors) {
     EXPECT_EQ(errorColor(0), errorColor(kRightTexels));
     EXPECT_NE(errorColor(1), errorColor(2));
     EXPECT_EQ(errorColor(100), errorColor(1000));
-    const ColorImage view = errorPicture(3, 2, {0, 2}, {0, 1}, {0.5F, INFINITY});
+    const ColorImage view = errorPicture(3, 2, {{0, 0}, {2, 1}}, {0.5F, INFINITY});
     EXPECT_EQ(view(0, 0), errorColor(0.5));
     EXPECT_EQ(view(2, 1), errorColor(INFINITY));
     EXPECT_EQ(view(1, 1), Color(0));
