@@ -11,7 +11,7 @@ namespace relief::app {
 
 namespace {
 
-// Whether the option belongs to the command whatever the kind.
+// Returns true if the option belongs to every kind.
 bool isCommon(const CLI::Option& option) {
     return option.get_group() == "General" || option.get_name() == "KIND" || option.get_name() == "--output";
 }
@@ -33,13 +33,13 @@ void removeOthers(CLI::App& parser, const std::vector<ExportKind>& kinds) {
 void refuseOthers(const CLI::App& parser, const ExportKind& kind, const std::vector<ExportKind>& kinds) {
     for (const CLI::Option* option : parser.get_options()) {
         if (option->count() == 0 || isCommon(*option) || takes(kind, *option)) continue;
-        std::string others;
+        std::vector<std::string> others;
         for (const ExportKind& one : kinds) {
-            if (takes(one, *option)) others += (others.empty() ? "relief export " : ", relief export ") + one.name;
+            if (takes(one, *option)) others.push_back("relief export " + one.name);
         }
-        throw InputError(
-            option->get_positional() ? option->results().front() : option->get_name(),
-            Message(MessageId::ArgumentOfOther, {{"others", others}, {"command", "relief export " + kind.name}}));
+        throw InputError(option->get_positional() ? option->results().front() : option->get_name(),
+                         Message(MessageId::ArgumentOfOther,
+                                 {{"others", commaList(others)}, {"command", "relief export " + kind.name}}));
     }
 }
 
@@ -49,11 +49,7 @@ int runExport(const ExportOptions& options, const std::vector<ExportKind>& kinds
     const std::string& name = needed(options.kind, "KIND", "export");
     const auto found =
         std::find_if(kinds.begin(), kinds.end(), [&](const ExportKind& one) { return one.name == name; });
-    if (found == kinds.end()) {
-        std::string known;
-        for (const ExportKind& one : kinds) known += (known.empty() ? "" : ", ") + one.name;
-        throw InputError("", unknownName({"what", MessageId::WordExport}, name, known));
-    }
+    if (found == kinds.end()) throw InputError("", unknownName({"what", MessageId::WordExport}, name, namesOf(kinds)));
     refuseOthers(parser, *found, kinds);
     return found->run(options, session);
 }
