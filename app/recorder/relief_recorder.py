@@ -40,6 +40,15 @@ def write_hits(path, descents, steps=None):
                 file.write(f"hit,{float(descent)!r},,,{count}\n")
 
 
+def _step_line(ray, numbers, names, start, end, height, size, own=()):
+    """Returns the line of a step. numbers: of the ray and of the step; names: phase and decision; size: of the map."""
+    s0, t0, a, b = ray
+    i = math.floor(s0 + end * a) % size[0]
+    j = math.floor(t0 + end * b) % size[1]
+    cells = [*numbers, names[0], 0, i, j, 0, start, end, 1 - start, 1 - end, height, names[1], end, "point", *own]
+    return ",".join(str(cell) for cell in cells) + "\n"
+
+
 class Recorder:
     """Writes hits, and steps if a file is named for them. width, height: of the height map, texels. own: names of further
     columns of the steps; the window shows them."""
@@ -100,12 +109,9 @@ class Recorder:
         self._count += 1
         if not self._steps:
             return
-        s0, t0, a, b = self._ray
-        i = math.floor(s0 + end * a) % self._size[0]
-        j = math.floor(t0 + end * b) % self._size[1]
-        cells = [self._number, self._count, phase, 0, i, j, 0, start, end, 1 - start, 1 - end, height, decision, end, "point"]
-        cells += list(own) + [""] * (self._own - len(own))
-        self._steps.write(",".join(str(cell) for cell in cells) + "\n")
+        numbers = (self._number, self._count)
+        cells = [*own] + [""] * (self._own - len(own))
+        self._steps.write(_step_line(self._ray, numbers, (phase, decision), start, end, height, self._size, cells))
 
 
 def write_buffer(data, rays, hits, steps, width, height):
@@ -130,9 +136,7 @@ def write_buffer(data, rays, hits, steps, width, height):
         return
     with open(steps, "w", encoding="utf-8") as file:
         file.write(_STEPS + "\n")
-        s0, t0, a, b = rays[chosen]
         for number, (start, end, value, decision) in enumerate(log):
             name = {0.0: "advance", 1.0: "hit", 2.0: "miss", 3.0: "limit"}[decision]
-            i, j = math.floor(s0 + end * a) % width, math.floor(t0 + end * b) % height
-            cells = [chosen, number + 1, "search", 0, i, j, 0, start, end, 1 - start, 1 - end, value, name, end, "point"]
-            file.write(",".join(str(cell) for cell in cells) + "\n")
+            numbers = (chosen, number + 1)
+            file.write(_step_line(rays[chosen], numbers, ("search", name), start, end, value, (width, height)))
