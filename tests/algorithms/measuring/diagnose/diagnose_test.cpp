@@ -1,4 +1,4 @@
-// The doctor names every fault that specimens have, alone and in pairs, and none that they have not.
+// diagnose() names every fault that specimens have, alone and in pairs, and no other.
 #include "measuring/diagnose/diagnose.h"
 
 #include <cmath>

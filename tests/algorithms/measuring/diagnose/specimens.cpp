@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "images/pyramid.h"
@@ -133,7 +135,7 @@ RayBlock specimenRays(const HeightField& field, std::size_t count) {
 }
 
 TracerRecord record(const std::vector<Specimen>& faults, const HeightField& field, const RayBlock& rays) {
-    Patient patient{field.heights(), rays, field.address(), {"exact", {}}, field.slabTexels(), {}};
+    Patient patient{field.heights(), rays, field.address(), {"exact", {}}};
     for (const Specimen& fault : faults) fault.infect(patient);
     Work work(1);
     MapCache maps;

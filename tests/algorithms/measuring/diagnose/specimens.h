@@ -1,6 +1,6 @@
-// Tracers with faults put in on purpose, for the tests of the doctor. They share no code with the models by which the
-// doctor recognises them: faults of conventions are put into the picture, the rays or the answers of a method of the
-// list, and the faulty searches are loops of their own.
+// Tracers with known faults, for the tests of diagnose(). Faults of conventions are put into the heights, the rays or
+// the answers, not into the models by which diagnose() recognises them. Faults of the search are those of methods of
+// the list, such as layers, or changes of the answers.
 #pragma once
 
 #include <functional>
@@ -12,21 +12,19 @@
 
 namespace relief::test {
 
-// What somebody's tracer works on; a fault changes it before the rays are traced.
+// The tracer with what it reads; a fault changes it before the rays are traced.
 struct Patient {
     FloatImage heights;
     RayBlock rays;
     Address address = Address::Repeat;
     MethodChoice method{"exact", {}};
-    double slab = 0;                                         // thickness of the slab, texels
-    std::function<void(HitBlock&, const RayBlock&)> answer;  // changes the answers
+    std::function<void(HitBlock&, const RayBlock&)> answer{};  // changes the answers
 };
 
 struct Specimen {
-    std::string name;  // the fault's
+    std::string name;  // of the fault
     std::function<void(Patient&)> infect;
-    // Faults that come with it and may be named as well.
-    std::set<std::string> company{};
+    std::set<std::string> company{};  // faults that come with it and may be named as well
 };
 
 const std::vector<Specimen>& specimens();
