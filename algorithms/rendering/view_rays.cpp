@@ -9,11 +9,10 @@ ViewRays viewRays(const FrameRequest& request) {
     requireMemory(
         byteProduct({static_cast<std::uint64_t>(request.width), static_cast<std::uint64_t>(request.height), kBytes}),
         "--size");
-    const VisiblePolygons visible =
+    VisiblePolygons visible =
         visiblePolygons(makeScene(request.scene, request.field.width(), request.field.height()), requestCamera(request),
                         request.width, request.height, request.field.reliefDepth(), request.mapping);
     ViewRays view;
-    view.polygons = visible.polygons;
     for (int y = 0; y < request.height; ++y) {
         for (int x = 0; x < request.width; ++x) {
             const VisiblePolygon* const polygon = visible.at(x, y, request.width);
@@ -24,6 +23,7 @@ ViewRays viewRays(const FrameRequest& request) {
             view.polygon.push_back(static_cast<std::uint8_t>(polygon - visible.polygons.data()));
         }
     }
+    view.polygons = std::move(visible.polygons);
     return view;
 }
 

@@ -17,7 +17,7 @@ struct ViewRays {
     std::vector<VisiblePolygon> polygons;
 };
 
-// Throws InputError for a degenerate camera, MemoryError.
+// Returns the rays of all pixels that see a polygon. Throws InputError for a degenerate camera, MemoryError.
 ViewRays viewRays(const FrameRequest& request);
 
 }  // namespace relief
