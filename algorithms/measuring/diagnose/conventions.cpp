@@ -96,8 +96,7 @@ std::vector<TracerModel> reportedDirections(const AnsweredRays& given, const Tra
             for (std::size_t r = 0; r < given.size(); ++r) {
                 const Hit& hit = given.answers[r];
                 if (hit.outcome != Outcome::Hit || !std::isfinite(hit.s) || !std::isfinite(hit.t)) continue;
-                const double slab = field.slabTexels();
-                const double scale = limited ? slab / std::hypot(given.rays.a[r], given.rays.b[r], slab) : 1;
+                const double scale = limited ? limitedShare(given.rays[r], field) : 1;
                 const Complex run(given.rays.a[r], given.rays.b[r]);
                 const std::array<Complex, 4> mirrored{run, Complex(run.imag(), run.real()), -std::conj(run),
                                                       std::conj(run)};

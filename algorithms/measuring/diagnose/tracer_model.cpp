@@ -163,6 +163,11 @@ const ModelFields::Placed& ModelFields::of(const TracerModel& model) {
     return fields_.emplace(key, Placed{field, scaleS, scaleT}).first->second;
 }
 
+double limitedShare(const ViewRay& ray, const HeightField& given) {
+    const double slab = given.slabTexels();
+    return slab / std::hypot(ray.a, ray.b, slab);
+}
+
 ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, const ViewRay& ray,
                  const HeightField& given) {
     ViewRay out = ray;
@@ -176,10 +181,7 @@ ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, co
         out.b = s * a + c * out.b;
     }
     double scale = model.runScale;
-    if (model.limited) {
-        const double slab = given.slabTexels();
-        scale *= slab / std::hypot(ray.a, ray.b, slab);
-    }
+    if (model.limited) scale *= limitedShare(ray, given);
     out.a *= scale;
     out.b *= scale;
     out.s0 += model.shiftS;
@@ -198,7 +200,7 @@ double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightFiel
 }
 
 double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given) {
-    return model.limited ? given.slabTexels() / std::hypot(ray.a, ray.b, given.slabTexels()) : 1;
+    return model.search == ModelSearch::OneSample && model.limited ? limitedShare(ray, given) : 1;
 }
 
 std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFields& fields, Work& work) {
@@ -220,8 +222,7 @@ std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFi
         out[r] = hits[r];
         // An answer by one sample is shortened, not its direction: both arrive at the same place, and what is reported
         // is the lambda of the given ray.
-        const double share =
-            model.search == ModelSearch::OneSample ? oneSampleShare(model, rays[r], fields.given()) : 1;
+        const double share = oneSampleShare(model, rays[r], fields.given());
         out[r].lambda = std::max(0.0, out[r].lambda * share - lambdaBias(model, rays[r], fields.given()));
     }
     return out;

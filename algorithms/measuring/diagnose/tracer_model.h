@@ -1,4 +1,4 @@
-// A model of somebody's tracer: what it does differently from `exact`. The doctor compares the tracer's answers with
+// A model of somebody's tracer: what it does differently from `exact`. diagnose() compares the tracer's answers with
 // those that a model predicts.
 //
 // Frame and units: ray.h.
@@ -23,7 +23,7 @@ enum class ModelSearch : std::uint8_t { Exact, Layers, Secant, OneSample };
 
 struct TracerModel {
     // The direction: axes swapped, then multiplied by the signs, then turned by `turn` radians, then scaled by
-    // runScale; limited: and by slab / |(a, b, slab)|, as if the direction were not divided by its height.
+    // runScale; limited: and by limitedShare(), as if the direction were not divided by its height.
     bool swapped = false;
     double signA = 1;
     double signB = 1;
@@ -94,7 +94,9 @@ ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, co
 // Returns how far the model's answer on the ray lies in front of its hit, lambda.
 double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightField& given);
 
-// Returns by how much an answer from one sample is shortened by offset limiting.
+// Returns the factor by which offset limiting shortens the ray's run: slab / |(a, b, slab)|.
+double limitedShare(const ViewRay& ray, const HeightField& given);
+// Returns the factor by which offset limiting shortens the model's answer from one sample; 1 for models that search.
 double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given);
 
 // Returns the model's answers. s and t are left out: lambda alone is compared.
