@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
-#include "measuring/compare/duel.h"
+#include "measuring/diagnose/compared_rays.h"
 #include "measuring/diagnose/conventions.h"
+#include "measuring/diagnose/ray_sample.h"
 #include "measuring/diagnose/surface_match.h"
-#include "measuring/random_rays.h"
-#include "relief/tracers.h"
-#include "scenario/ray_files.h"
 #include "scenario/step_sentence.h"
 
 namespace relief {
@@ -25,7 +22,7 @@ constexpr std::size_t kRightSample = 280;
 // Sizes of the pool from which they are taken.
 constexpr std::size_t kWrongPool = 6000;
 constexpr std::size_t kRightPool = 2000;
-// Rays over which the share of a convention's fault is counted; wrong rays that are looked at for barely touching.
+// Wrong rays over which the share of a convention's fault is counted.
 constexpr std::size_t kCounted = 20000;
 // A further fault must explain this share of the rays that are unexplained; one that is known by the kind of errors
 // alone, more.
@@ -42,33 +39,6 @@ constexpr double kFounded = 0.4;
 constexpr double kLeastShare = 0.004;
 constexpr int kRounds = 4;
 constexpr std::size_t kMatches = 24;
-constexpr std::uint64_t kSeed = 7;
-
-double runOf(const ViewRay& ray) {
-    return std::max(1.0, std::hypot(ray.a, ray.b));
-}
-
-// Returns `count` of the indices, evenly random, in their order.
-std::vector<std::size_t> sampleOf(const std::vector<std::size_t>& all, std::size_t count) {
-    if (all.size() <= count) return all;
-    std::vector<std::size_t> mixed = all;
-    Random random(kSeed);
-    for (std::size_t n = 0; n < count; ++n) {
-        std::swap(mixed[n], mixed[n + static_cast<std::size_t>(random.below(static_cast<int>(all.size() - n)))]);
-    }
-    mixed.resize(count);
-    std::sort(mixed.begin(), mixed.end());
-    return mixed;
-}
-
-// The exact answers to the given rays.
-HitBlock exactHits(const RayBlock& rays, const HeightField& field, Work& work) {
-    MapCache maps;
-    HitBlock hits;
-    NullSink sink;
-    makeTracer({"max-pyramid", {}}, field, maps, work)->trace(rays, hits, sink, work);
-    return hits;
-}
 
 class Doctor {
   public:
@@ -86,106 +56,41 @@ class Doctor {
   private:
     // Finds the wrong rays.
     void compare() {
-        const std::size_t n = record_.rays.size();
-        out_.rays = n;
-        exact_ = exactHits(record_.rays, field_, work_);
-        out_.errors.resize(n);
-        for (std::size_t r = 0; r < n; ++r) {
-            const double error = answerError(record_.hits[r], exact_[r], record_.rays[r]);
-            out_.errors[r] = static_cast<float>(error);
-            (error > kRightTexels ? wrong_ : right_).push_back(r);
-        }
-        dropTouching();
-        out_.wrong = wrong_.size();
-        if (n > 0) {
-            const auto worst = std::max_element(out_.errors.begin(), out_.errors.end());
-            out_.worst = static_cast<std::size_t>(worst - out_.errors.begin());
+        compared_ = compareRays(record_.rays, record_.hits, field_, work_);
+        out_.rays = record_.rays.size();
+        out_.wrong = compared_.wrong.size();
+        out_.touching = compared_.touching;
+        out_.errors = std::move(compared_.errors);
+        const auto smaller = [&](std::size_t x, std::size_t y) { return out_.errors[x] < out_.errors[y]; };
+        if (out_.wrong > 0) {
+            out_.worst = *std::max_element(compared_.wrong.begin(), compared_.wrong.end(), smaller);
         }
     }
 
-    // Rays that barely touch the surface are no fault of the tracer. Where very many are wrong, this is not looked at.
-    void dropTouching() {
-        if (wrong_.size() > kCounted) return;
-        std::vector<std::uint8_t> touching(wrong_.size(), 0);
-        parallelFor(work_, wrong_.size(), [&](std::size_t n) {
-            const std::size_t r = wrong_[n];
-            if (exact_.outcome[r] != Outcome::Hit) return;
-            const ViewRay ray = record_.rays[r];
-            const auto chords = solidChords(field_, ray, exact_.lambda[r]);
-            touching[n] = barelyTouches(field_, ray, chords, record_.hits[r], runOf(ray)) ? 1 : 0;
-        });
-        std::vector<std::size_t> rest;
-        for (std::size_t n = 0; n < wrong_.size(); ++n) (touching[n] != 0 ? right_ : rest).push_back(wrong_[n]);
-        out_.touching = wrong_.size() - rest.size();
-        wrong_ = rest;
-    }
-
-    // The rays that are looked at in all rounds: wrong ones first.
+    // Takes the rays from which all rounds take their samples: wrong ones first.
     void takePool() {
-        pool_.ids = sampleOf(wrong_, kWrongPool);
-        wrongPool_ = pool_.ids.size();
-        for (const std::size_t r : sampleOf(right_, kRightPool)) pool_.ids.push_back(r);
-        pool_.given = answered(pool_.ids);
-        pool_.evidence = evidenceOf(pool_.ids);
-        pool_.evidence.lattice = latticeOf(pool_.given);
-        pool_.explained.assign(pool_.ids.size(), false);
-        std::fill(pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), pool_.explained.end(), true);
+        std::vector<std::size_t> ids = sampleOf(compared_.wrong, kWrongPool);
+        wrongPool_ = ids.size();
+        for (const std::size_t r : sampleOf(compared_.right, kRightPool)) ids.push_back(r);
+        std::vector<bool> explained(ids.size(), true);
+        std::fill_n(explained.begin(), wrongPool_, false);
+        pool_ = raySample(std::move(ids), std::move(explained), record_, compared_.exact, field_);
     }
-    // The sample of a round: rays of the pool that are not explained, and some that are.
+    // Takes the sample of a round: rays of the pool that are not explained, and some that are.
     void takeSample() {
         std::vector<std::size_t> open, done;
         for (std::size_t n = 0; n < pool_.ids.size(); ++n) (pool_.explained[n] ? done : open).push_back(n);
-        sample_ = {};
+        std::vector<std::size_t> ids;
+        std::vector<bool> explained;
         const auto add = [&](const std::vector<std::size_t>& places, std::size_t most) {
             for (const std::size_t n : sampleOf(places, most)) {
-                sample_.ids.push_back(pool_.ids[n]);
-                sample_.explained.push_back(pool_.explained[n]);
+                ids.push_back(pool_.ids[n]);
+                explained.push_back(pool_.explained[n]);
             }
         };
         add(open, kWrongSample);
         add(done, kRightSample);
-        sample_.given = answered(sample_.ids);
-        sample_.evidence = evidenceOf(sample_.ids);
-        sample_.evidence.lattice = latticeOf(sample_.given);
-    }
-    AnsweredRays answered(const std::vector<std::size_t>& ids) const {
-        AnsweredRays out;
-        out.rays.resize(ids.size());
-        for (std::size_t n = 0; n < ids.size(); ++n) {
-            out.rays.set(n, record_.rays[ids[n]]);
-            out.answers.push_back(record_.hits[ids[n]]);
-        }
-        return out;
-    }
-    SearchEvidence evidenceOf(const std::vector<std::size_t>& ids) const {
-        SearchEvidence out;
-        bool counted = false;
-        for (const std::size_t r : ids) {
-            out.counts.push_back(record_.hits.steps[r]);
-            counted = counted || record_.hits.steps[r] > 0;
-        }
-        if (!counted) out.counts.clear();
-        if (record_.steps) out.kinds = kindsOf(ids);
-        return out;
-    }
-
-    // What the recorded steps of the rays show.
-    std::vector<std::optional<Fault>> kindsOf(const std::vector<std::size_t>& ids) const {
-        std::vector<std::optional<Fault>> kinds(ids.size());
-        const StepLog& log = *record_.steps;
-        for (std::size_t n = 0; n < ids.size(); ++n) {
-            const std::size_t r = ids[n];
-            if (r >= log.rays()) continue;
-            const std::span<const Step> steps = stepsOf(log, r);
-            if (steps.empty()) continue;
-            DuelRun run;
-            run.hit = record_.hits[r];
-            run.steps.assign(steps.begin(), steps.end());
-            const Departure kind = judge(run, exact_[r], record_.rays[r], field_).kind;
-            if (kind == Departure::UnsafeMap) kinds[n] = Fault::UnsafeMap;
-            if (kind == Departure::MissedSpike) kinds[n] = Fault::MissedSpike;
-        }
-        return kinds;
+        sample_ = raySample(std::move(ids), std::move(explained), record_, compared_.exact, field_);
     }
 
     // Appends the model with another addressing, and with other values of the heights.
@@ -300,7 +205,7 @@ class Doctor {
         }
         return count;
     }
-    // Whether no better explanation can be expected, with one fault or two.
+    // Returns true if no better explanation can be expected, with one fault or two.
     static bool enough(const Found& found) {
         if (!found.one || found.gain.share < 0.98) return false;
         const auto& faults = found.one->searchFaults;
@@ -332,7 +237,7 @@ class Doctor {
                 constexpr std::ptrdiff_t kByShape = 40;
                 tried.insert(tried.end(), models.begin(), models.begin() + std::min(kByShape, std::ssize(models)));
             }
-            // The kind of the errors is asked only where no model predicts the answers.
+            // The kind of the errors is used only where no model predicts the answers.
             if (&round.best() == &round.other) offerAll(tried, true);
             const Found& found = round.best();
             if (!found.one || found.gain.share < (found.one->loose ? kLooselyExplains : kExplains)) return;
@@ -344,7 +249,7 @@ class Doctor {
     // Applies what the sample has shown to the whole pool; returns false if it explains nothing more.
     bool extend(const Explanation& found) {
         const std::size_t before = open();
-        // So few rays may be chance.
+        // The number of rays up to which a further explanation may be chance.
         const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(wrongPool_));
         TracerModel conventions = found.model;
         if (!found.loose) conventions.search = ModelSearch::Exact;
@@ -372,7 +277,7 @@ class Doctor {
 
     // The share of the faults in all rays.
     void count() {
-        const double weight = static_cast<double>(wrong_.size()) / static_cast<double>(wrongPool_);
+        const double weight = static_cast<double>(compared_.wrong.size()) / static_cast<double>(wrongPool_);
         out_.unexplained = static_cast<std::size_t>(std::llround(static_cast<double>(open()) * weight));
         if (!best_) return;
         countConventions();
@@ -400,11 +305,11 @@ class Doctor {
 
     // A convention makes those rays wrong whose answer the model changes if the convention is put right.
     void countConventions() {
-        const std::vector<std::size_t> counted = sampleOf(wrong_, kCounted);
+        const std::vector<std::size_t> counted = sampleOf(compared_.wrong, kCounted);
         RayBlock rays(counted.size());
         for (std::size_t n = 0; n < counted.size(); ++n) rays.set(n, record_.rays[counted[n]]);
         const std::vector<Hit> with = predict(best_->model, rays, fields_, work_);
-        const double weight = static_cast<double>(wrong_.size()) / static_cast<double>(counted.size());
+        const double weight = static_cast<double>(compared_.wrong.size()) / static_cast<double>(counted.size());
         for (const ModelFault& fault : modelFaults(best_->model, field_.address())) {
             const bool known = std::any_of(out_.findings.begin(), out_.findings.end(),
                                            [&](const Finding& one) { return one.fault.fault == fault.fault; });
@@ -418,7 +323,7 @@ class Doctor {
                 worsen(finding, counted[n]);
             }
             finding.rays = static_cast<std::size_t>(std::llround(sum));
-            if (sum > kLeastShare * static_cast<double>(wrong_.size())) out_.findings.push_back(finding);
+            if (sum > kLeastShare * static_cast<double>(compared_.wrong.size())) out_.findings.push_back(finding);
         }
     }
 
@@ -426,15 +331,8 @@ class Doctor {
     HeightField field_;
     Work& work_;
     mutable ModelFields fields_;
-    HitBlock exact_;
-    std::vector<std::size_t> wrong_, right_;
-    struct Rays {
-        std::vector<std::size_t> ids;
-        AnsweredRays given;
-        SearchEvidence evidence;
-        std::vector<bool> explained;
-    };
-    Rays pool_, sample_;
+    ComparedRays compared_;
+    RaySample pool_, sample_;
     std::size_t wrongPool_ = 0;  // the pool's first rays, which are wrong
     std::optional<Explanation> best_;
     Diagnosis out_;

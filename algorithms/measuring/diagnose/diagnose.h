@@ -1,11 +1,12 @@
-// The doctor: compares the answers of anybody's tracer with those of `exact`, and names what is wrong with it.
+// Compares the answers of somebody's tracer with the exact ones, and names what is wrong with it.
 //
 // A fault is named if a model of a tracer with that fault predicts the answers, or if the kind of their errors shows
 // it. Conventions are found by the surface on which the answers lie (surface_match.h), faults of the search by where
-// they lie on the ray (search_faults.h). After the best explanation, what it does not explain is looked at again, so
-// that several faults are found.
+// they lie on the ray (search_faults.h). After the best explanation, the answers that it does not explain are examined
+// again, so that several faults are found.
 //
-// Frame and units: ray.h. Cost: two exact traces of all rays, and some hundred of 700 of them.
+// Frame and units: ray.h. Cost: one exact trace of all rays; if many are wrong, some hundred traces of 700 of them, a
+// few of 8000 in each round, and one of 20000 for each convention that differs.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,9 @@
 
 namespace relief {
 
-// What is known of a tracer. hits: one per ray, in the order of the rays; lambda of a hit in [0, 1], s and t may be
-// NaN; steps: 0 if they were not counted. steps: the records of the rays, if there are any.
+// What is known of a tracer. hits: one per ray, in the order of the rays; lambda of a hit in [0, 1]; s and t may be
+// NaN, and the number of steps 0, if they are unknown. steps: the step logs of the rays, empty for some, if there are
+// any.
 struct TracerRecord {
     RayBlock rays;
     HitBlock hits;
@@ -42,12 +44,12 @@ struct Diagnosis {
     std::size_t wrong = 0;
     std::size_t touching = 0;
     std::size_t unexplained = 0;
-    std::size_t worst = 0;  // the ray with the largest error
+    std::size_t worst = 0;  // the wrong ray with the largest error
     std::vector<float> errors;
 
-    // So few wrong answers are no fault: rounding.
+    // Returns true if the wrong answers are so few that they are rounding.
     bool healthy() const;
-    // Whether so many wrong answers remain unexplained that there must be a further fault.
+    // Returns true if so many wrong answers remain unexplained that there must be a further fault.
     bool unknown() const;
 };
 
