@@ -16,6 +16,13 @@ inline double quantile(std::vector<double> values, double share) {
     return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
+// Returns the middle value, the larger one of two, in linear time; at least one value.
+inline double upperMedian(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 // Returns (p75 - p25) / median.
 inline double relativeSpread(const std::vector<double>& values) {
     return (quantile(values, 0.75) - quantile(values, 0.25)) / quantile(values, 0.5);

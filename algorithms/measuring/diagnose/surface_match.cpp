@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "measuring/diagnose/conventions.h"
+#include "measuring/quantiles.h"
 
 namespace relief {
 
@@ -20,18 +21,13 @@ constexpr double kFaultBits = 0.15;
 // Combinations that are compared by more rays.
 constexpr std::size_t kFinalists = 160;
 
-// The parameters in which a convention may differ.
+// Conventions, and how badly they fit the answers.
 struct Candidate {
     TracerModel model;
     double bits = 0;  // mean of log2(1 + gap / kSmallGap), and kFaultBits for each fault
 };
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
+// z = gain * h + lift.
 struct Line {
     double gain = 1;
     double lift = 0;
@@ -42,7 +38,7 @@ class Match {
     Match(const AnsweredRays& given, double late, ModelFields& fields) : given_(given), late_(late), fields_(fields) {
         for (std::size_t r = 0; r < given.size(); ++r) {
             const Hit& hit = given.answers[r];
-            // At the ends of the ray, clamped heights say nothing.
+            // At the ends of the ray, heights may have been clamped.
             constexpr double kEnd = 1e-6;
             if (hit.outcome == Outcome::Hit && hit.lambda > kEnd && hit.lambda < 1 - kEnd) use_.push_back(r);
         }
@@ -72,7 +68,7 @@ class Match {
         std::vector<double> rest(rays);
         for (const double gain : {1.0, -1.0}) {
             for (std::size_t n = 0; n < rays; ++n) rest[n] = z[n] - gain * h[n];
-            offer({gain, median(rest)}, gain > 0 ? 1 : 2);
+            offer({gain, upperMedian(rest)}, gain > 0 ? 1 : 2);
         }
         const Line fit = fitted(z, h);
         constexpr double kLeastGain = 0.1;
@@ -122,7 +118,7 @@ class Match {
 
     // A line by least squares, of weights that fall with the distance.
     static Line fitted(const std::vector<double>& z, const std::vector<double>& h) {
-        Line line{0, median(z)};
+        Line line{0, upperMedian(z)};
         std::vector<double> weight(z.size(), 1);
         double scale = 0.25;
         for (int round = 0; round < 12; ++round) {
