@@ -6,6 +6,8 @@ namespace relief {
 
 namespace {
 
+constexpr int kDigits = 3;
+
 struct FaultText {
     MessageId cause;
     MessageId cure;
@@ -60,12 +62,10 @@ FaultText textOf(Fault fault) {
 }
 
 std::string percentText(std::size_t count, std::size_t of) {
-    constexpr int kDigits = 3;
     return numberText(100.0 * static_cast<double>(count) / static_cast<double>(of), kDigits);
 }
 
 Message errorText(double texels) {
-    constexpr int kDigits = 3;
     if (std::isinf(texels)) return Message(MessageId::DiagnosisOutcome);
     return Message(MessageId::DiagnosisTexels, {{"texels", numberText(texels, kDigits)}});
 }
@@ -80,7 +80,6 @@ Message faultCure(Fault fault) {
 }
 
 std::vector<Message> diagnosisLines(const Diagnosis& diagnosis, const RayNames& names) {
-    constexpr int kDigits = 3;
     std::vector<Message> lines;
     if (diagnosis.healthy()) {
         lines.push_back(Message(MessageId::DiagnosisHealthy, {{"wrong", diagnosis.wrong},

@@ -6,7 +6,6 @@
 namespace relief {
 
 Lattice latticeOf(const AnsweredRays& given) {
-    constexpr int kMostLayers = 512;
     constexpr double kEnd = 1e-6;
     constexpr double kMostError = 0.03;  // layers
     std::vector<double> places;

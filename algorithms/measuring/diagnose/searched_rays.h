@@ -10,8 +10,6 @@
 
 namespace relief {
 
-// Largest number of layers that is looked for.
-inline constexpr int kMostLayers = 512;
 // An error of lambda that is not rounding.
 inline constexpr double kInexact = 2e-5;
 

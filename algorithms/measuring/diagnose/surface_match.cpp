@@ -228,20 +228,21 @@ void appendRounded(std::vector<TracerModel>& models, const TracerModel& model, c
     }
 }
 
-}  // namespace
+double penalty(const Candidate& one) {
+    return conventionFaults(one.model) * kFaultBits;
+}
 
-std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerModel& begin, ModelFields& fields,
-                                        std::size_t most, double late, Work& work) {
-    const Match match(given, late, fields);
-    if (match.rays() < 8) return {};
+// Returns the best combinations of a direction and a reading, compared first by few rays and then by more.
+std::vector<Candidate> combinations(const AnsweredRays& given, const TracerModel& begin, const HeightField& field,
+                                    const Match& match, Work& work) {
+    constexpr double kMostFaults = 2;
     std::vector<TracerModel> heads = directions(begin);
-    for (const TracerModel& model : reportedDirections(given, begin, fields.given())) heads.push_back(model);
+    for (const TracerModel& model : reportedDirections(given, begin, field)) heads.push_back(model);
     std::vector<Candidate> candidates;
     const double before = conventionFaults(begin);
-    const std::vector<TracerModel> ways = readings(fields.given());
+    const std::vector<TracerModel> ways = readings(field);
     for (const TracerModel& direction : heads) {
         work.throwIfStopped();
-        constexpr double kMostFaults = 2;
         const double turned = conventionFaults(direction) - before;
         for (const TracerModel& reading : ways) {
             TracerModel model = joined(direction, reading);
@@ -253,54 +254,76 @@ std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerM
         }
     }
     sortCandidates(candidates, kFinalists);
-    for (Candidate& candidate : candidates) {
-        candidate.bits = match.bits(candidate.model, kMoreRays) + conventionFaults(candidate.model) * kFaultBits;
+    for (Candidate& one : candidates) one.bits = match.bits(one.model, kMoreRays) + penalty(one);
+    return candidates;
+}
+
+// Improves the scale of the run and the turn where they differ from those of `begin`.
+void refineDirection(Candidate& one, const TracerModel& begin, const Match& match) {
+    constexpr double kScaleReach = 0.09, kTurnReach = 0.06;
+    for (int round = 0; round < 2; ++round) {
+        const bool scaled = one.model.runScale != begin.runScale, turned = one.model.turn != begin.turn;
+        if (scaled) refine(one, &TracerModel::runScale, one.model.runScale * kScaleReach, match, penalty(one));
+        if (turned) refine(one, &TracerModel::turn, kTurnReach, match, penalty(one));
+        if (!(scaled && turned)) break;
     }
-    sortCandidates(candidates, most);
-    const auto penalty = [&](const Candidate& one) { return conventionFaults(one.model) * kFaultBits; };
-    const auto refineNumbers = [&](Candidate& one) {
-        constexpr double kScaleReach = 0.09, kTurnReach = 0.06;
+}
+
+// Appends those of the best that fit better with a bias of the answers, which hides the other numbers.
+void appendBiased(std::vector<Candidate>& candidates, const TracerModel& begin, const Match& match) {
+    constexpr std::size_t kBiased = 6;
+    constexpr double kBiasReach = 0.04;
+    const std::size_t count = std::min(candidates.size(), kBiased);
+    for (std::size_t n = 0; n < count; ++n) {
+        Candidate one = candidates[n];
+        one.model.bias = 1e-6;
+        one.bits = HUGE_VAL;
         for (int round = 0; round < 2; ++round) {
-            const bool scaled = one.model.runScale != begin.runScale, turned = one.model.turn != begin.turn;
-            if (scaled) refine(one, &TracerModel::runScale, one.model.runScale * kScaleReach, match, penalty(one));
-            if (turned) refine(one, &TracerModel::turn, kTurnReach, match, penalty(one));
-            if (!(scaled && turned)) break;
+            refine(one, &TracerModel::bias, round == 0 ? kBiasReach : kBiasReach / 8, match, penalty(one));
+            one.bits += 1e-9;
+            refineDirection(one, begin, match);
         }
-    };
-    for (Candidate& candidate : candidates) {
-        work.throwIfStopped();
-        refineNumbers(candidate);
+        if (one.bits < candidates[n].bits) candidates.push_back(one);
     }
-    sortCandidates(candidates, most);
-    // Heights as they are or inverted, without a bias: what most tracers have.
-    std::vector<TracerModel> models;
+}
+
+// Returns the best with the heights as they are or inverted, without a bias: what most tracers have.
+std::vector<TracerModel> withPlainHeights(const std::vector<Candidate>& candidates) {
     constexpr std::size_t kPlain = 10;
+    std::vector<TracerModel> models;
     for (std::size_t n = 0; n < std::min(candidates.size(), kPlain); ++n) {
         TracerModel plain = candidates[n].model;
         plain.lift = plain.gain > 0 ? 0 : 1;
         plain.gain = plain.gain > 0 ? 1 : -1;
         if (std::find(models.begin(), models.end(), plain) == models.end()) models.push_back(plain);
     }
-    // A bias of the answers hides the other numbers: the best are tried with one.
-    const std::size_t biased = begin.bias == 0 && late == 0 ? std::min<std::size_t>(candidates.size(), 6) : 0;
-    for (std::size_t n = 0; n < biased; ++n) {
-        Candidate one = candidates[n];
-        one.model.bias = 1e-6;
-        one.bits = HUGE_VAL;
-        for (int round = 0; round < 2; ++round) {
-            constexpr double kBiasReach = 0.04;
-            refine(one, &TracerModel::bias, round == 0 ? kBiasReach : kBiasReach / 8, match, penalty(one));
-            one.bits += 1e-9;
-            refineNumbers(one);
-        }
-        if (one.bits < candidates[n].bits) candidates.push_back(one);
+    return models;
+}
+
+}  // namespace
+
+std::vector<TracerModel> surfaceMatches(const AnsweredRays& given, const TracerModel& begin, ModelFields& fields,
+                                        std::size_t most, double late, Work& work) {
+    const Match match(given, late, fields);
+    if (match.rays() < 8) return {};
+    std::vector<Candidate> candidates = combinations(given, begin, fields.given(), match, work);
+    sortCandidates(candidates, most);
+    for (Candidate& candidate : candidates) {
+        work.throwIfStopped();
+        refineDirection(candidate, begin, match);
     }
+    sortCandidates(candidates, most);
+    std::vector<TracerModel> models = withPlainHeights(candidates);
+    if (begin.bias == 0 && late == 0) appendBiased(candidates, begin, match);
     sortCandidates(candidates, most);
     // The likeliest also with rounded numbers.
     constexpr std::size_t kRounded = 5;
     for (std::size_t n = 0; n < candidates.size(); ++n) {
-        if (n < kRounded) appendRounded(models, candidates[n].model, match);
-        if (n >= kRounded) models.push_back(candidates[n].model);
+        if (n < kRounded) {
+            appendRounded(models, candidates[n].model, match);
+        } else {
+            models.push_back(candidates[n].model);
+        }
     }
     return models;
 }
