@@ -43,6 +43,10 @@ bool inside(vec2 place) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x <= relief.size.x && place.y <= relief.size.y;
 }
 
+float slabTexels() {
+    return relief.depth * relief.size.x;
+}
+
 float heightOf(float stored) {
     return WHITE == 0 ? stored : 1.0 - stored;
 }
