@@ -31,9 +31,7 @@ class ShaderEngineMaps : public ShaderTest {
     static ShaderChoice shader(const std::string& tracer, const EngineConventions& c) {
         ShaderChoice choice;
         choice.method.name = tracer;
-        choice.coneUnit = static_cast<ShaderConeUnit>(c.cone.unit);
-        choice.coneLength = static_cast<ShaderConeLength>(c.cone.length);
-        choice.coneScale = c.cone.scale;
+        choice.cones = c.cone;
         return choice;
     }
     // Traces rays by the shader and by `exact` over the heights that the map holds. Returns how far the shader's hits

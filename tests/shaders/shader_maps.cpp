@@ -18,16 +18,17 @@ TextureData textureOf(const FloatImage& image) {
 
 // The number that stands for a slope of heights per texel.
 float coneNumber(float slope, const ShaderChoice& choice, int width) {
-    if (choice.coneUnit == ShaderConeUnit::TexelSlope) return slope;
+    if (choice.texelSlopes) return slope;
     const double ratio = 1.0 / (std::max(static_cast<double>(slope), 1e-6) * width);
-    switch (choice.coneUnit) {
-        case ShaderConeUnit::Ratio:
-            return static_cast<float>(ratio / choice.coneScale);
-        case ShaderConeUnit::SqrtRatio:
-            return static_cast<float>(std::sqrt(ratio / choice.coneScale));
-        default:
-            return static_cast<float>(1 / (ratio * choice.coneScale));
+    switch (choice.cones.unit) {
+        case ConeUnit::Ratio:
+            return static_cast<float>(ratio / choice.cones.scale);
+        case ConeUnit::SqrtRatio:
+            return static_cast<float>(std::sqrt(ratio / choice.cones.scale));
+        case ConeUnit::Slope:
+            break;
     }
+    return static_cast<float>(1 / (ratio * choice.cones.scale));
 }
 
 // Heights, or apexes of cells, in red and cones in green.

@@ -28,7 +28,7 @@ ShaderChoice shaderOf(const MethodChoice& method, Address address) {
     ShaderChoice choice;
     choice.method = method;
     choice.address = address;
-    choice.coneUnit = ShaderConeUnit::TexelSlope;
+    choice.texelSlopes = true;
     return choice;
 }
 
@@ -216,16 +216,16 @@ TEST_F(Shaders, HitWhereTheirMethodHitsAtGrazingAngles) {
 TEST_F(Shaders, ReadConesInEveryUnit) {
     const HeightField field(share(makeRelief("hills", 64, 64, 1)), Surface::Bilinear, Address::Repeat, 0.1);
     const RayBlock rays = randomRays(3, field, 1000, 20);
-    const auto steps = [&](ShaderConeUnit unit, double scale) {
+    const auto steps = [&](std::string_view unit, double scale) {
         ShaderChoice choice = shaderOf({"cone", {}}, Address::Repeat);
-        choice.coneUnit = unit;
-        choice.coneScale = scale;
+        setConeUnit(choice, unit, "--unit");
+        choice.cones.scale = scale;
         const Differences found = compare(*gl_, choice, field, rays, maps_, work_);
         EXPECT_EQ(found.outcomes + found.hits, 0);
         return found.allSteps;
     };
-    const double byTexels = steps(ShaderConeUnit::TexelSlope, 1);
-    for (const auto unit : {ShaderConeUnit::Ratio, ShaderConeUnit::SqrtRatio, ShaderConeUnit::Slope}) {
+    const double byTexels = steps("texel-slope", 1);
+    for (const auto unit : {"ratio", "sqrt-ratio", "slope"}) {
         for (const double scale : {1.0, 0.25}) EXPECT_NEAR(steps(unit, scale), byTexels, byTexels / 1000);
     }
 }

@@ -29,6 +29,11 @@ std::vector<EngineRole> parseEnginePack(const std::string& text, const std::stri
 std::string enginePackText(const std::vector<EngineRole>& channels);
 bool packs(const std::vector<EngineRole>& channels, EngineRole role);
 
+// What white, the number 1, stands for in a height map: the top of the slab or its bottom.
+enum class HeightWhite : std::uint8_t { High, Deep };
+std::string_view heightWhiteName(HeightWhite white);
+HeightWhite parseHeightWhite(std::string_view text, const std::string& option);
+
 // Outward: to the safe side. Nearest: to the nearest code, as most tools do; not safe.
 enum class EngineRounding : std::uint8_t { Outward, Nearest };
 std::string_view engineRoundingName(EngineRounding rounding);
