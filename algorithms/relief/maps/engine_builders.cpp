@@ -92,12 +92,6 @@ struct Cones {
     FloatImage slope;
 };
 
-FloatImage imageOf(int width, int height, const std::vector<float>& values) {
-    FloatImage image(width, height);
-    std::copy(values.begin(), values.end(), image.pixels().begin());
-    return image;
-}
-
 FloatImage imageOf(const StoredValues& values) {
     FloatImage image(values.width(), values.height());
     for (int y = 0; y < image.height(); ++y) {
@@ -109,12 +103,12 @@ FloatImage imageOf(const StoredValues& values) {
 Cones conesOf(ConeKind kind, ConeParameters parameters, const HeightField& field, const EngineConventions& c, int level,
               Work& work) {
     if (kind == ConeKind::Conservative && !packs(c.channels, EngineRole::Apex)) {
-        return {{}, imageOf(field.width(), field.height(), surfaceCones(field, work))};
+        return {{}, surfaceCones(field, work)};
     }
     parameters.precision = Precision::Float;
     parameters.radius = std::max(1, parameters.radius >> level);
     if (c.kind == kRobustRelaxedKind) {
-        return {{}, imageOf(field.width(), field.height(), robustRelaxedCones(field, parameters.radius, work))};
+        return {{}, robustRelaxedCones(field, parameters.radius, work)};
     }
     const ConeMap map = buildConeMap(kind, parameters, field, work);
     return {imageOf(map.apex), imageOf(map.slopes)};

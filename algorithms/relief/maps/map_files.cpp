@@ -4,14 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
-#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "images/described_tiff.h"
 #include "images/picture_input.h"
-#include "images/system_error.h"
 #include "relief/maps/map_atlas.h"
 #include "relief/maps/map_json.h"
 #include "relief/memory.h"
