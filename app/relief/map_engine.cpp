@@ -163,7 +163,7 @@ void noteStalled(const EngineMap& map, const std::string& output, Session& sessi
     if (cones == nullptr) return;
     std::size_t stalled = 0;
     for (const float code : cones->pixels()) {
-        if (map.conventions.cone.ratio(static_cast<double>(code)) == 0) ++stalled;
+        if (map.conventions.cone.stalls(code)) ++stalled;
     }
     if (stalled == 0) return;
     session.note(output, Message(MessageId::EngineStalls, {{"count", stalled}, {"all", cones->size()}}));

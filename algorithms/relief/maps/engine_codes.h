@@ -67,6 +67,8 @@ struct ConeCoding {
 
     // Returns the ratio of a stored number, in units of length per height.
     double ratio(double stored) const;
+    // Returns true for a stored cone that has no width: a ray stops there.
+    bool stalls(float stored) const { return ratio(static_cast<double>(stored)) == 0; }
     // Returns the stored number of the cone with this slope, heights per texel, of a level of that size: rounded
     // outward, the cone that it decodes to is not wider. Ratios above `scale` become narrower.
     float encode(double slope, int width, int height, int bits, EngineRounding rounding) const;
