@@ -134,8 +134,7 @@ std::string engineMaximaText(const LowMaxima& check) {
 
 std::string engineConventionsText(const EngineMap& map, const EngineCheckOptions& options) {
     const EngineConventions& c = map.conventions;
-    std::string text = c.kind + ", " + enginePackText(c.channels) + ", " +
-                       (c.bits == 32 ? std::string("float") : std::to_string(c.bits) + " bits");
+    std::string text = c.kind + ", " + enginePackText(c.channels) + ", " + engineBitsText(c.bits);
     if (packs(c.channels, EngineRole::Cone)) {
         text += ", cones as " + std::string(coneUnitName(c.cone.unit)) + " (scale " + numberText(c.cone.scale, 6) +
                 ", lengths in " + (c.cone.length == ConeLength::Uv ? "texture coordinates" : "texture widths") + ")";

@@ -151,13 +151,6 @@ EngineLevel levelOf(const HeightField& field, const Cones& cones, const EngineCo
     return level;
 }
 
-void checkPicture(const std::string& path, const FloatImage& picture, int width, int height) {
-    if (picture.width() == width && picture.height() == height) return;
-    const auto text = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
-    throw InputError(path, Message(MessageId::EngineSize, {{"size", text(picture.width(), picture.height())},
-                                                           {"wanted", text(width, height)}}));
-}
-
 }  // namespace
 
 int mostMipLevels(int width, int height) {
@@ -275,7 +268,7 @@ std::optional<DistanceMap> distancesOfEngine(const EngineMap& map, const HeightF
     const DistanceShape shape = distanceMapShape(volume.kind, volume.parameters, field);
     Atlas atlas(shape.nx, shape.ny, shape.planes);
     atlas.columns = volume.columns;
-    checkPicture(path, *picture, atlas.width(), atlas.height());
+    requireSize(path, *picture, atlas.width(), atlas.height());
     DistanceMap distances;
     distances.kind = volume.kind;
     distances.parameters = volume.parameters;
@@ -311,7 +304,7 @@ std::optional<ConeMap> cellConesOfEngine(const EngineMap& map, const HeightField
     if (apexes == nullptr || codes == nullptr) return std::nullopt;
     ConeMap cones;
     const ConeShape shape = coneMapShape(ConeKind::Conservative, cones.parameters, field);
-    checkPicture(path, *codes, shape.nx, shape.ny);
+    requireSize(path, *codes, shape.nx, shape.ny);
     cones.surface = field.surface();
     cones.address = field.address();
     cones.fieldWidth = field.width();

@@ -108,6 +108,10 @@ bool packs(const std::vector<EngineRole>& channels, EngineRole role) {
     return std::find(channels.begin(), channels.end(), role) != channels.end();
 }
 
+std::string engineBitsText(int bits) {
+    return bits == kFloatBits ? "float" : std::to_string(bits) + " bits";
+}
+
 float nearestCode(double x, int bits) {
     if (bits == kFloatBits) return static_cast<float>(x);
     return storedCode(std::floor(x * mostCode(bits) + 0.5), bits);

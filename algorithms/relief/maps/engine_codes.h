@@ -39,6 +39,9 @@ enum class EngineRounding : std::uint8_t { Outward, Nearest };
 std::string_view engineRoundingName(EngineRounding rounding);
 EngineRounding parseEngineRounding(std::string_view text, const std::string& option);
 
+// Returns "8 bits", "16 bits" or, for 32, "float".
+std::string engineBitsText(int bits);
+
 // Returns x as a picture of this many bits stores it, as the float that a texture fetch gives: the nearest code, the
 // next lower, or the next higher one. x is clamped to [0, 1] for codes.
 float nearestCode(double x, int bits);

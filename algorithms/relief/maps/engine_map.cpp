@@ -144,6 +144,13 @@ std::optional<FloatImage> EngineMap::heights(int level) const {
     return heights;
 }
 
+void requireSize(const std::string& path, const FloatImage& picture, int width, int height) {
+    if (picture.width() == width && picture.height() == height) return;
+    const auto text = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
+    throw InputError(path, Message(MessageId::EngineSize, {{"size", text(picture.width(), picture.height())},
+                                                           {"wanted", text(width, height)}}));
+}
+
 const std::vector<NamedConvention>& namedConventions() {
     static const std::vector<NamedConvention> all{
         {"dummer", "Dummer 2006: R height, G square root of the ratio, B and A the surface's slopes",
@@ -222,7 +229,8 @@ EngineMap readEngineMap(const std::string& path, EngineConventions conventions, 
     if (!text.empty()) {
         const EngineSidecar sidecar = parseEngineJson(text, path);
         // The picture of one level, named itself, is read alone.
-        if (sidecar.files.size() > 1 && fs::exists(engineSidecar(path))) {
+        std::error_code none;
+        if (sidecar.files.size() > 1 && fs::exists(engineSidecar(path), none)) {
             files.clear();
             for (const std::string& name : sidecar.files) {
                 files.push_back((fs::path(path).parent_path() / fs::path(name).filename()).string());

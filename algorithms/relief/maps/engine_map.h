@@ -64,6 +64,9 @@ struct EngineMap {
     std::optional<FloatImage> heights(int level = 0) const;
 };
 
+// Throws InputError naming `path` unless the picture has this size.
+void requireSize(const std::string& path, const FloatImage& picture, int width, int height);
+
 // The conventions of other programs, by name; `summary` says whose they are. bits is not part of them.
 struct NamedConvention {
     std::string name;
