@@ -1,5 +1,6 @@
 #include "shaders/shader_maps.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <regex>
@@ -72,6 +73,23 @@ TextureData levelsTexture(const std::vector<FloatImage>& levels) {
         }
     }
     return data;
+}
+
+ShaderRays shaderRays(const RayBlock& rays) {
+    ShaderRays all;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ViewRay ray = rays[i];
+        for (double* const number : {&ray.s0, &ray.t0, &ray.a, &ray.b}) {
+            all.numbers.push_back(static_cast<float>(*number));
+            *number = static_cast<double>(all.numbers.back());
+        }
+        all.rounded.push(ray);
+    }
+    return all;
+}
+
+double texelsOf(const ViewRay& ray) {
+    return std::max(1.0, std::hypot(ray.a, ray.b));
 }
 
 std::string computeText(const std::string& shader) {

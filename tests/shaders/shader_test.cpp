@@ -57,10 +57,6 @@ struct Differences {
 // An answer of the shader: found, lambda, steps.
 using Found = const float*;
 
-double texelsOf(const ViewRay& ray) {
-    return std::max(1.0, std::hypot(ray.a, ray.b));
-}
-
 bool sameAnswer(const ViewRay& ray, const Hit& hit, Found found) {
     if ((hit.outcome == Outcome::Hit) != (found[0] > 0)) return false;
     if (hit.outcome != Outcome::Hit) return true;
@@ -96,18 +92,9 @@ bool tookAllSteps(const MethodChoice& choice, std::uint32_t steps) {
 
 Differences compare(Gl& gl, const ShaderChoice& choice, const HeightField& field, const RayBlock& rays, MapCache& maps,
                     Work& work) {
-    std::vector<float> numbers;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        for (const double number : {rays.s0[i], rays.t0[i], rays.a[i], rays.b[i]})
-            numbers.push_back(static_cast<float>(number));
-    }
+    const auto [numbers, rounded] = shaderRays(rays);
     bindMaps(gl, choice, field, {}, work);
     const std::vector<float> found = gl.compute(computeText(shaderText(choice, "test")), numbers);
-    // The rays that the shader traces: rounded to float.
-    RayBlock rounded;
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        rounded.push({static_cast<double>(numbers[4 * i]), static_cast<double>(numbers[4 * i + 1]),
-                      static_cast<double>(numbers[4 * i + 2]), static_cast<double>(numbers[4 * i + 3])});
     const auto tracer = makeTracer(choice.method, field, maps, work, Form::Scalar);
     HitBlock hits;
     BlockCounts counts;
