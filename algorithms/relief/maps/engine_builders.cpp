@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "relief/maps/map_atlas.h"
+#include "relief/maps/map_field.h"
 #include "relief/maps/robust_cones.h"
 #include "relief/maps/surface_cones.h"
 
@@ -244,10 +245,9 @@ EngineMap buildEngineDistances(const DistanceMap& distances, const HeightField& 
             for (int x = 0; x < values.width(); ++x) {
                 // Marks are negative: what a shader must search itself has distance 0.
                 const double exact = std::max(0.0, static_cast<double>(values(x, y, k)));
-                float code = c.rounding == EngineRounding::Nearest
-                                 ? nearestCode(exact / unit, c.bits)
-                                 : lowerCode(exact / unit * (1 - kEngineMargin), c.bits);
-                if (code < 0) code = 0;
+                const float code = c.rounding == EngineRounding::Nearest
+                                       ? nearestCode(exact / unit, c.bits)
+                                       : lowerCode(exact / unit * (1 - kEngineMargin), c.bits);
                 picture.pixels()[atlas.at(k, y) + static_cast<std::size_t>(x)] = code;
             }
         }
@@ -273,10 +273,7 @@ std::optional<DistanceMap> distancesOfEngine(const EngineMap& map, const HeightF
     distances.kind = volume.kind;
     distances.parameters = volume.parameters;
     distances.parameters.precision = Precision::Float;
-    distances.surface = field.surface();
-    distances.address = field.address();
-    distances.fieldWidth = field.width();
-    distances.fieldHeight = field.height();
+    setField(distances, field);
     distances.slabTexels = field.slabTexels();
     distances.maxRun = volume.maxRun;
     distances.cap = volume.cap;
@@ -305,10 +302,7 @@ std::optional<ConeMap> cellConesOfEngine(const EngineMap& map, const HeightField
     ConeMap cones;
     const ConeShape shape = coneMapShape(ConeKind::Conservative, cones.parameters, field);
     requireSize(path, *codes, shape.nx, shape.ny);
-    cones.surface = field.surface();
-    cones.address = field.address();
-    cones.fieldWidth = field.width();
-    cones.fieldHeight = field.height();
+    setField(cones, field);
     std::vector<float> slopes(codes->size());
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const double slope =

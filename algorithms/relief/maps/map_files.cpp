@@ -10,6 +10,7 @@
 #include "images/described_tiff.h"
 #include "images/picture_input.h"
 #include "relief/maps/map_atlas.h"
+#include "relief/maps/map_field.h"
 #include "relief/maps/map_json.h"
 #include "relief/memory.h"
 
@@ -196,10 +197,7 @@ struct Shell {
 template <class Map>
 void fillCommon(Map& map, const Json& header, const HeightField& field) {
     readParameters(header.at("parameters"), map.parameters);
-    map.surface = field.surface();
-    map.address = field.address();
-    map.fieldWidth = field.width();
-    map.fieldHeight = field.height();
+    setField(map, field);
 }
 
 Shell shellOf(const std::string& path, const Json& header, const HeightField& field, MapCheck buildable) {
