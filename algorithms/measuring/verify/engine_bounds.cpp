@@ -212,7 +212,7 @@ EngineViolations violationsOfTexels(const HeightField& field, const FloatImage& 
         for (int x = 0; x < field.width(); ++x) {
             const double slope = coding.slope(static_cast<double>(codes(x, y)), field.width(), field.height());
             const TexelSearch::Found found = search.highest(x, y, slope);
-            // Less than what the rounding of a shader's floats is worth.
+            // Less than the rounding error of a shader's floats.
             constexpr double kNegligible = 1e-7;
             if (!(found.above > kNegligible)) continue;
             ++row.texels;
