@@ -12,10 +12,6 @@ namespace relief::app {
 
 namespace {
 
-std::string sizeText(const FloatImage& picture) {
-    return std::to_string(picture.width()) + "x" + std::to_string(picture.height());
-}
-
 EngineConventions conventionsOf(const std::string& path, const ScenarioOptions& scenarioOptions,
                                 const EngineOptions& engine) {
     EngineConventions c;
@@ -44,23 +40,30 @@ struct Subject {
     std::shared_ptr<const FloatImage> heights;  // of level 0
     EngineCheckOptions options;
 
+    // Throws InputError if the picture has no heights.
+    FloatImage heightsOfLevel(int level) const {
+        auto own = map.heights(level);
+        if (!own) throw InputError(path, Message(MessageId::EngineNoHeights));
+        return std::move(*own);
+    }
     HeightField field(std::shared_ptr<const FloatImage> of) const {
         const EngineConventions& c = map.conventions;
         return {std::move(of), c.surface, c.wrap, c.reliefDepth};
     }
 };
 
-// Loads the heights, those of the picture if it has any; returns a line on how they differ from the given ones.
-std::string loadHeights(Subject& subject, const ScenarioOptions& scenarioOptions, Session& session) {
-    std::shared_ptr<const FloatImage> given;
-    std::string name;
-    if (scenarioOptions.heightsGiven()) {
-        const Scenario scenario = scenarioOptions.scenario();
-        AssetStore store;
-        const Assets assets = store.load(scenario.pictures, session.work());
-        noteHeights(session, assets, scenario);
-        given = assets.heights;
-    }
+// Loads the height map that was given; null if none was.
+std::shared_ptr<const FloatImage> givenHeights(const ScenarioOptions& scenarioOptions, Session& session) {
+    if (!scenarioOptions.heightsGiven()) return nullptr;
+    const Scenario scenario = scenarioOptions.scenario();
+    AssetStore store;
+    const Assets assets = store.load(scenario.pictures, session.work());
+    noteHeights(session, assets, scenario);
+    return assets.heights;
+}
+
+// Sets the heights, those of the picture if it has any; returns a line on how they differ from the given ones.
+std::string chooseHeights(Subject& subject, const std::shared_ptr<const FloatImage>& given) {
     auto own = subject.map.heights();
     if (!own) {
         if (!given) throw InputError(subject.path, Message(MessageId::EngineNoHeights));
@@ -69,10 +72,7 @@ std::string loadHeights(Subject& subject, const ScenarioOptions& scenarioOptions
     }
     subject.heights = std::make_shared<const FloatImage>(std::move(*own));
     if (!given) return "heights: those of the picture\n";
-    if (given->width() != subject.heights->width() || given->height() != subject.heights->height()) {
-        throw InputError(subject.path, Message(MessageId::EngineSize,
-                                               {{"size", sizeText(*subject.heights)}, {"wanted", sizeText(*given)}}));
-    }
+    requireSize(subject.path, *subject.heights, given->width(), given->height());
     double largest = 0;
     for (std::size_t i = 0; i < given->size(); ++i) {
         largest = std::max(largest, static_cast<double>(std::abs(given->pixels()[i] - subject.heights->pixels()[i])));
@@ -91,23 +91,17 @@ int certifyCones(const Subject& subject, std::string text, Session& session) {
     bool proven = true;
     const int levels = static_cast<int>(subject.map.levels.size());
     for (int l = 0; l < levels; ++l) {
-        auto heights = l == 0 ? subject.heights : nullptr;
-        if (l > 0) {
-            auto own = subject.map.heights(l);
-            if (!own) throw InputError(subject.path, Message(MessageId::EngineNoHeights));
-            heights = std::make_shared<const FloatImage>(std::move(*own));
-        }
-        const FloatImage& codes = *subject.map.channel(EngineRole::Cone, l);
-        if (codes.width() != heights->width() || codes.height() != heights->height()) {
-            throw InputError(subject.path, Message(MessageId::EngineSize,
-                                                   {{"size", sizeText(codes)}, {"wanted", sizeText(*heights)}}));
-        }
+        const auto heights = l == 0 ? subject.heights : std::make_shared<const FloatImage>(subject.heightsOfLevel(l));
+        requireSize(subject.path, *subject.map.channel(EngineRole::Cone, l), heights->width(), heights->height());
         // In proportion to the texels of the level.
         constexpr std::uint64_t kFewestRays = 1000;
         EngineCheckOptions options = subject.options;
         options.rays.rays = std::max(options.rays.rays >> (2 * l), std::min(options.rays.rays, kFewestRays));
         const auto certificate = certifyEngineCones(subject.field(heights), subject.map, l, options, session.work());
-        if (levels > 1) text += "level " + std::to_string(l) + ", " + sizeText(*heights) + "\n";
+        if (levels > 1) {
+            text += "level " + std::to_string(l) + ", " + std::to_string(heights->width()) + "x" +
+                    std::to_string(heights->height()) + "\n";
+        }
         text += engineCertificateText(certificate, options);
         safe = safe && certificate.safe();
         proven = proven && certificate.proven();
@@ -120,16 +114,8 @@ int certifyCones(const Subject& subject, std::string text, Session& session) {
 int certifyMaxima(const Subject& subject, const std::string& text, const FloatImage& heights, Session& session) {
     std::vector<FloatImage> levels;
     for (int l = 0; l < static_cast<int>(subject.map.levels.size()); ++l) {
-        auto level = subject.map.heights(l);
-        if (!level) throw InputError(subject.path, Message(MessageId::EngineNoHeights));
-        const int width = ((heights.width() - 1) >> l) + 1;
-        const int height = ((heights.height() - 1) >> l) + 1;
-        if (level->width() != width || level->height() != height) {
-            throw InputError(subject.path, Message(MessageId::EngineSize,
-                                                   {{"size", sizeText(*level)},
-                                                    {"wanted", std::to_string(width) + "x" + std::to_string(height)}}));
-        }
-        levels.push_back(std::move(*level));
+        levels.push_back(subject.heightsOfLevel(l));
+        requireSize(subject.path, levels.back(), ((heights.width() - 1) >> l) + 1, ((heights.height() - 1) >> l) + 1);
     }
     const LowMaxima check = checkEngineMaxima(heights, levels, session.work());
     session.eraseBar();
@@ -164,16 +150,11 @@ int certifyEngineMap(const ScenarioOptions& scenarioOptions, const EngineOptions
         (!pyramid && !packs(c.channels, EngineRole::Cone) && !packs(c.channels, EngineRole::Distance))) {
         throw InputError(subject.path, Message(MessageId::EngineNoBounds, {{"kind", c.kind}}));
     }
-    if (pyramid && scenarioOptions.heightsGiven()) {
-        // The maxima must bound the given heights, not their own level 0.
-        const Scenario scenario = scenarioOptions.scenario();
-        AssetStore store;
-        const Assets assets = store.load(scenario.pictures, session.work());
-        return certifyMaxima(subject, engineConventionsText(subject.map, subject.options) + "\n", *assets.heights,
-                             session);
-    }
-    const std::string loaded = loadHeights(subject, scenarioOptions, session);
-    const std::string text = engineConventionsText(subject.map, subject.options) + "\n" + loaded;
+    const std::shared_ptr<const FloatImage> given = givenHeights(scenarioOptions, session);
+    std::string text = engineConventionsText(subject.map, subject.options) + "\n";
+    // The maxima must bound the given heights, not their own level 0.
+    if (pyramid && given) return certifyMaxima(subject, text, *given, session);
+    text += chooseHeights(subject, given);
     if (pyramid) return certifyMaxima(subject, text, *subject.heights, session);
     const HeightField field = subject.field(subject.heights);
     if (const auto distances = distancesOfEngine(subject.map, field, subject.path)) {

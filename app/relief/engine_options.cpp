@@ -13,12 +13,10 @@ namespace {
 constexpr const char* kGroup = "Maps of engines";
 constexpr int kMostMips = 32;
 
-// Returns which of two words the text is.
-bool isFirst(const std::string& text, const std::string& option, const std::string& first, const std::string& second) {
-    if (text != first && text != second) {
-        throw InputError(option, unknownName({"what", option}, text, first + ", " + second));
-    }
-    return text == first;
+// Parses the direction of the green channel: true for up.
+bool isUp(const std::string& text, const std::string& option) {
+    if (text != "up" && text != "down") throw InputError(option, unknownName({"what", option}, text, "up, down"));
+    return text == "up";
 }
 
 }  // namespace
@@ -110,11 +108,10 @@ void EngineOptions::apply(EngineConventions& c) const {
     if (length_) c.cone.length = parseConeLength(*length_, "--length");
     if (scale_) {
         c.cone.scale = parseNumber(*scale_, "--cone-scale");
-        const OptionDescription range{"--cone-scale", OptionKind::Real, "", 1e-6, 1e6, 1, {}, ""};
-        checkOption(range, *scale_, "--cone-scale");
+        checkOption({"--cone-scale", OptionKind::Real, "", 1e-6, 1e6, 1, {}, ""}, *scale_, "--cone-scale");
     }
     if (white_) {
-        const bool high = isFirst(*white_, "--white", "high", "deep");
+        const bool high = parseHeightWhite(*white_, "--white") == HeightWhite::High;
         std::replace(c.channels.begin(), c.channels.end(), high ? EngineRole::Depth : EngineRole::Height,
                      high ? EngineRole::Height : EngineRole::Depth);
     }
@@ -129,7 +126,7 @@ void EngineOptions::apply(EngineConventions& c) const {
         checkOption({"--zero-level", OptionKind::Real, "", 0, 1, 0.1, {}, ""}, *zeroLevel_, "--zero-level");
         c.zeroLevel = parseNumber(*zeroLevel_, "--zero-level");
     }
-    if (green_) c.greenUp = isFirst(*green_, "--green", "up", "down");
+    if (green_) c.greenUp = isUp(*green_, "--green");
     if (relaxed_) c.relaxed = true;
 }
 

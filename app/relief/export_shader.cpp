@@ -27,14 +27,14 @@ int runShader(const ShaderOptions& options, const ExportOptions& given, Session&
     choice.method = scenario.method;
     choice.address = scenario.address;
     if (options.lang) choice.language = parseShaderLanguage(*options.lang, "--lang");
-    if (options.white) choice.white = parseShaderWhite(*options.white, "--white");
-    if (options.unit) choice.coneUnit = parseShaderConeUnit(*options.unit, "--unit");
-    if (options.length) choice.coneLength = parseShaderConeLength(*options.length, "--length");
+    if (options.white) choice.white = parseHeightWhite(*options.white, "--white");
+    if (options.unit) setConeUnit(choice, *options.unit, "--unit");
+    if (options.length) choice.cones.length = parseConeLength(*options.length, "--length");
     if (options.scale) {
-        choice.coneScale = parseNumber(*options.scale, "--cone-scale");
-        if (!(choice.coneScale > 0)) {
+        choice.cones.scale = parseNumber(*options.scale, "--cone-scale");
+        if (!(choice.cones.scale > 0)) {
             throw InputError("--cone-scale", Message(MessageId::OutOfRange,
-                                                     {{"what", "S"}, {"value", choice.coneScale}, {"range", "> 0"}}));
+                                                     {{"what", "S"}, {"value", choice.cones.scale}, {"range", "> 0"}}));
         }
     }
     const std::string text = shaderText(choice, "Reliefscope " RELIEF_VERSION);

@@ -1,5 +1,4 @@
 // relief map KIND[:OPTION=VALUE...] PICTURE|SCENARIO.json [--set NAME=VALUE ...] (-o FILE.tif | --at s,t,z)
-#include <algorithm>
 #include <chrono>
 
 #include "map_engine.h"
@@ -66,14 +65,11 @@ int printDistances(const std::string& at, const Scenario& scenario, const Height
     return 0;
 }
 
-bool isOneOf(const std::string& kind, const std::vector<std::string>& kinds) {
-    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-}
-
 // Returns the kind without its options; throws InputError if it is unknown.
 std::string checkedKind(const std::string& text) {
     const std::string kind = splitMethodChoice(text, "KIND").name;
-    if (isOneOf(kind, mapKinds()) || isOneOf(kind, pyramidMapKinds()) || isOneOf(kind, engineOnlyKinds())) return kind;
+    if (isListed(mapKinds(), kind) || isListed(pyramidMapKinds(), kind) || isListed(engineOnlyKinds(), kind))
+        return kind;
     const std::string known =
         commaList(mapKinds()) + ", " + commaList(pyramidMapKinds()) + ", " + commaList(engineOnlyKinds());
     throw InputError("", unknownName({"what", MessageId::WordMap}, kind, known));
@@ -109,8 +105,8 @@ int runMap(const MapOptions& options, Session& session) {
     options.run.apply(session);
     const std::string& text = needed(options.kind, "KIND", "map");
     const std::string kind = checkedKind(text);
-    const bool isPyramid = isOneOf(kind, pyramidMapKinds());
-    const bool forEngines = isOneOf(kind, engineOnlyKinds());
+    const bool isPyramid = isListed(pyramidMapKinds(), kind);
+    const bool forEngines = isListed(engineOnlyKinds(), kind);
     if ((isPyramid || kind == "normals") && kind != text) {
         const MethodChoice given = splitMethodChoice(text, "KIND");
         throw InputError(text, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})},

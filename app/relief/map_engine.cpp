@@ -15,14 +15,10 @@ namespace {
 
 enum class Group : std::uint8_t { Cones, Distances, Pyramid, Normals };
 
-bool contains(const std::vector<std::string>& all, const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-}
-
 Group groupOf(const std::string& kind) {
     if (kind == kRobustRelaxedKind) return Group::Cones;
-    if (contains(engineOnlyKinds(), kind)) return Group::Normals;
-    if (contains(pyramidMapKinds(), kind)) return Group::Pyramid;
+    if (isListed(engineOnlyKinds(), kind)) return Group::Normals;
+    if (isListed(pyramidMapKinds(), kind)) return Group::Pyramid;
     for (const ConeKind cone : {ConeKind::Conservative, ConeKind::Dummer, ConeKind::Relaxed}) {
         if (coneKindName(cone) == kind) return Group::Cones;
     }
@@ -163,7 +159,7 @@ void noteStalled(const EngineMap& map, const std::string& output, Session& sessi
     if (cones == nullptr) return;
     std::size_t stalled = 0;
     for (const float code : cones->pixels()) {
-        if (map.conventions.cone.ratio(static_cast<double>(code)) == 0) ++stalled;
+        if (map.conventions.cone.stalls(code)) ++stalled;
     }
     if (stalled == 0) return;
     session.note(output, Message(MessageId::EngineStalls, {{"count", stalled}, {"all", cones->size()}}));
@@ -212,8 +208,7 @@ int writeMapForEngine(const std::string& kind, const std::string& text, const Sc
     constexpr int kDigits = 3;
     writeStandardOutput(kind + ": " + std::to_string(first.width()) + " x " + std::to_string(first.height()) + ", " +
                         std::to_string(map.levels.size()) + (map.levels.size() == 1 ? " level, " : " levels, ") +
-                        enginePackText(c.channels) + ", " +
-                        (c.bits == 32 ? std::string("float") : std::to_string(c.bits) + " bits") + ", built in " +
+                        enginePackText(c.channels) + ", " + engineBitsText(c.bits) + ", built in " +
                         numberText(seconds, kDigits) + " s; conventions in " + engineSidecar(output) + "\n");
     return kDone;
 }

@@ -1,7 +1,5 @@
 // The maps that `relief map` writes for engines, as the exported shaders read them: in codes of 8 or 16 bits, rounded
 // outward, with the conventions that both state.
-#include <cmath>
-
 #include "algorithms/relief/fields.h"
 #include "relief/maps/engine_builders.h"
 #include "shaders/shader_maps.h"
@@ -31,9 +29,7 @@ class ShaderEngineMaps : public ShaderTest {
     static ShaderChoice shader(const std::string& tracer, const EngineConventions& c) {
         ShaderChoice choice;
         choice.method.name = tracer;
-        choice.coneUnit = static_cast<ShaderConeUnit>(c.cone.unit);
-        choice.coneLength = static_cast<ShaderConeLength>(c.cone.length);
-        choice.coneScale = c.cone.scale;
+        choice.cones = c.cone;
         return choice;
     }
     // Traces rays by the shader and by `exact` over the heights that the map holds. Returns how far the shader's hits
@@ -42,27 +38,18 @@ class ShaderEngineMaps : public ShaderTest {
         double behind = 0, before = 0;
     };
     Found trace(const ShaderChoice& choice, const HeightField& field) {
-        const RayBlock rays = randomRays(7, field, 1000, 10);
-        std::vector<float> numbers;
-        RayBlock rounded;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const ViewRay ray = rays[i];
-            for (const double number : {ray.s0, ray.t0, ray.a, ray.b}) numbers.push_back(static_cast<float>(number));
-            const auto at = [&](std::size_t n) { return static_cast<double>(numbers[4 * i + n]); };
-            rounded.push({at(0), at(1), at(2), at(3)});
-        }
+        const auto [numbers, rounded] = shaderRays(randomRays(7, field, 1000, 10));
         const std::vector<float> answers = gl_->compute(computeText(shaderText(choice, "test")), numbers);
         HitBlock hits;
         NullSink sink;
         MapCache maps;
         makeTracer({"exact", {}}, field, maps, work_)->trace(rounded, hits, sink, work_);
         Found found;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
+        for (std::size_t i = 0; i < rounded.size(); ++i) {
             EXPECT_GT(answers[4 * i], 0) << "under repeat every ray hits";
-            const double off = (static_cast<double>(answers[4 * i + 1]) - hits.lambda[i]) *
-                               std::max(1.0, std::hypot(rounded.a[i], rounded.b[i]));
+            const double off = (static_cast<double>(answers[4 * i + 1]) - hits.lambda[i]) * texelsOf(rounded[i]);
             found.behind = std::max(found.behind, off);
-            found.before += std::max(-off, 0.0) / static_cast<double>(rays.size());
+            found.before += std::max(-off, 0.0) / static_cast<double>(rounded.size());
         }
         return found;
     }

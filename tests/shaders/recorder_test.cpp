@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "gl.h"
 #include "measuring/diagnose/diagnose.h"
 #include "measuring/random_rays.h"
 #include "relief/files.h"
 #include "relief/reliefs.h"
+#include "shaders/shader_maps.h"
 
 namespace relief::test {
 
@@ -68,12 +68,7 @@ TEST(Recorder, AShaderIsRecordedAndDiagnosed) {
     TracerRecord record;
     record.rays = randomRays(11, field, kRays, 20);
     // One more ray makes room for the buffer's first numbers.
-    std::vector<float> rays;
-    for (std::size_t r = 0; r < kRays; ++r) {
-        for (const double number : {record.rays.s0[r], record.rays.t0[r], record.rays.a[r], record.rays.b[r]}) {
-            rays.push_back(static_cast<float>(number));
-        }
-    }
+    std::vector<float> rays = shaderRays(record.rays).numbers;
     rays.resize(rays.size() + 4);
     for (const bool flipped : {true, false}) {
         const std::vector<float> buffer = gl->compute(marcher(flipped), rays);

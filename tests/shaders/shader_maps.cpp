@@ -1,5 +1,6 @@
 #include "shaders/shader_maps.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <regex>
@@ -18,16 +19,17 @@ TextureData textureOf(const FloatImage& image) {
 
 // The number that stands for a slope of heights per texel.
 float coneNumber(float slope, const ShaderChoice& choice, int width) {
-    if (choice.coneUnit == ShaderConeUnit::TexelSlope) return slope;
+    if (choice.texelSlopes) return slope;
     const double ratio = 1.0 / (std::max(static_cast<double>(slope), 1e-6) * width);
-    switch (choice.coneUnit) {
-        case ShaderConeUnit::Ratio:
-            return static_cast<float>(ratio / choice.coneScale);
-        case ShaderConeUnit::SqrtRatio:
-            return static_cast<float>(std::sqrt(ratio / choice.coneScale));
-        default:
-            return static_cast<float>(1 / (ratio * choice.coneScale));
+    switch (choice.cones.unit) {
+        case ConeUnit::Ratio:
+            return static_cast<float>(ratio / choice.cones.scale);
+        case ConeUnit::SqrtRatio:
+            return static_cast<float>(std::sqrt(ratio / choice.cones.scale));
+        case ConeUnit::Slope:
+            break;
     }
+    return static_cast<float>(1 / (ratio * choice.cones.scale));
 }
 
 // Heights, or apexes of cells, in red and cones in green.
@@ -71,6 +73,23 @@ TextureData levelsTexture(const std::vector<FloatImage>& levels) {
         }
     }
     return data;
+}
+
+ShaderRays shaderRays(const RayBlock& rays) {
+    ShaderRays all;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ViewRay ray = rays[i];
+        for (double* const number : {&ray.s0, &ray.t0, &ray.a, &ray.b}) {
+            all.numbers.push_back(static_cast<float>(*number));
+            *number = static_cast<double>(all.numbers.back());
+        }
+        all.rounded.push(ray);
+    }
+    return all;
+}
+
+double texelsOf(const ViewRay& ray) {
+    return std::max(1.0, std::hypot(ray.a, ray.b));
 }
 
 std::string computeText(const std::string& shader) {

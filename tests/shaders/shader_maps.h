@@ -10,6 +10,7 @@
 #include "relief/height_field.h"
 #include "relief/image.h"
 #include "relief/map_cache.h"
+#include "relief/ray.h"
 #include "relief/shaders/shader_export.h"
 #include "shaders/gl.h"
 
@@ -28,6 +29,15 @@ class ShaderTest : public testing::Test {
     Work work_;
     MapCache maps_;
 };
+
+// Rays as a shader traces them.
+struct ShaderRays {
+    std::vector<float> numbers;  // four for each ray, for Gl::compute()
+    RayBlock rounded;            // the rays that these numbers state
+};
+ShaderRays shaderRays(const RayBlock& rays);
+// Texels that a ray runs along the map from the top of the slab to its floor; at least 1.
+double texelsOf(const ViewRay& ray);
 
 // The numbers of the uniform block.
 struct ShaderUniforms {

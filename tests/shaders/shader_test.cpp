@@ -28,7 +28,7 @@ ShaderChoice shaderOf(const MethodChoice& method, Address address) {
     ShaderChoice choice;
     choice.method = method;
     choice.address = address;
-    choice.coneUnit = ShaderConeUnit::TexelSlope;
+    choice.texelSlopes = true;
     return choice;
 }
 
@@ -56,10 +56,6 @@ struct Differences {
 
 // An answer of the shader: found, lambda, steps.
 using Found = const float*;
-
-double texelsOf(const ViewRay& ray) {
-    return std::max(1.0, std::hypot(ray.a, ray.b));
-}
 
 bool sameAnswer(const ViewRay& ray, const Hit& hit, Found found) {
     if ((hit.outcome == Outcome::Hit) != (found[0] > 0)) return false;
@@ -96,18 +92,9 @@ bool tookAllSteps(const MethodChoice& choice, std::uint32_t steps) {
 
 Differences compare(Gl& gl, const ShaderChoice& choice, const HeightField& field, const RayBlock& rays, MapCache& maps,
                     Work& work) {
-    std::vector<float> numbers;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        for (const double number : {rays.s0[i], rays.t0[i], rays.a[i], rays.b[i]})
-            numbers.push_back(static_cast<float>(number));
-    }
+    const auto [numbers, rounded] = shaderRays(rays);
     bindMaps(gl, choice, field, {}, work);
     const std::vector<float> found = gl.compute(computeText(shaderText(choice, "test")), numbers);
-    // The rays that the shader traces: rounded to float.
-    RayBlock rounded;
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        rounded.push({static_cast<double>(numbers[4 * i]), static_cast<double>(numbers[4 * i + 1]),
-                      static_cast<double>(numbers[4 * i + 2]), static_cast<double>(numbers[4 * i + 3])});
     const auto tracer = makeTracer(choice.method, field, maps, work, Form::Scalar);
     HitBlock hits;
     BlockCounts counts;
@@ -216,16 +203,16 @@ TEST_F(Shaders, HitWhereTheirMethodHitsAtGrazingAngles) {
 TEST_F(Shaders, ReadConesInEveryUnit) {
     const HeightField field(share(makeRelief("hills", 64, 64, 1)), Surface::Bilinear, Address::Repeat, 0.1);
     const RayBlock rays = randomRays(3, field, 1000, 20);
-    const auto steps = [&](ShaderConeUnit unit, double scale) {
+    const auto steps = [&](std::string_view unit, double scale) {
         ShaderChoice choice = shaderOf({"cone", {}}, Address::Repeat);
-        choice.coneUnit = unit;
-        choice.coneScale = scale;
+        setConeUnit(choice, unit, "--unit");
+        choice.cones.scale = scale;
         const Differences found = compare(*gl_, choice, field, rays, maps_, work_);
         EXPECT_EQ(found.outcomes + found.hits, 0);
         return found.allSteps;
     };
-    const double byTexels = steps(ShaderConeUnit::TexelSlope, 1);
-    for (const auto unit : {ShaderConeUnit::Ratio, ShaderConeUnit::SqrtRatio, ShaderConeUnit::Slope}) {
+    const double byTexels = steps("texel-slope", 1);
+    for (const auto unit : {"ratio", "sqrt-ratio", "slope"}) {
         for (const double scale : {1.0, 0.25}) EXPECT_NEAR(steps(unit, scale), byTexels, byTexels / 1000);
     }
 }

@@ -38,10 +38,8 @@ ShaderChoice unusual(const std::string& tracer) {
     ShaderChoice choice;
     choice.method.name = tracer;
     choice.address = Address::Border;
-    choice.white = ShaderWhite::Deep;
-    choice.coneUnit = ShaderConeUnit::SqrtRatio;
-    choice.coneLength = ShaderConeLength::Width;
-    choice.coneScale = 0.5;
+    choice.white = HeightWhite::Deep;
+    choice.cones = {ConeUnit::SqrtRatio, ConeLength::Width, 0.5};
     for (const OptionDescription& option : findTracer(tracer).options) {
         if (option.name == "layers" || option.name == "iterations") choice.method.options[option.name] = "37";
         if (option.name == "bisections") choice.method.options[option.name] = "5";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "measuring/verify/certificate_rays.h"
 #include "relief/tracers/map_choice.h"
@@ -12,8 +13,6 @@ namespace relief {
 
 namespace {
 
-// Rays in memory at a time.
-constexpr std::uint64_t kBlock = std::uint64_t{1} << 16;
 // Number of rays traced through each value that breaks its bound.
 constexpr std::size_t kWitnesses = 4096;
 
@@ -87,24 +86,16 @@ class Certifier {
         return hits;
     }
 
-    // Returns the distance of the answer past the first hit, texels; 0 or less: not past. A step limit is not a wrong
-    // answer.
-    double past(const ViewRay& ray, const Hit& truth, const Hit& found) const {
-        if (truth.outcome != Outcome::Hit || found.outcome == Outcome::Limit) return 0;
-        if (found.outcome != Outcome::Hit) return std::numeric_limits<double>::infinity();
-        return (found.lambda - truth.lambda) * lengthOf(ray);
-    }
-
     void overRays() {
         work_.progress().begin("comparing rays with exact", static_cast<std::int64_t>(options_.rays));
-        for (std::uint64_t done = 0; done < options_.rays; done += kBlock) {
+        for (std::uint64_t done = 0; done < options_.rays; done += kCertificateBlock) {
             work_.throwIfStopped();
-            const auto count = static_cast<std::size_t>(std::min(kBlock, options_.rays - done));
+            const auto count = static_cast<std::size_t>(std::min(kCertificateBlock, options_.rays - done));
             const RayBlock rays = rays_.block(seedFor(options_.seed, done), count);
             const HitBlock truth = traced(*exact_, rays);
             const HitBlock found = traced(*tracer_, rays);
             for (std::size_t r = 0; r < count; ++r) {
-                const double texels = past(rays[r], truth[r], found[r]);
+                const double texels = texelsPast(field_, rays[r], truth[r], found[r]);
                 if (!(texels > result_.allowed)) continue;
                 ++result_.overshoots;
                 result_.worst = std::max(result_.worst, texels);
@@ -116,8 +107,7 @@ class Certifier {
     }
 
     CounterExample example(const ViewRay& ray, const Hit& truth, const Hit& found) const {
-        const double answered = found.outcome == Outcome::Hit ? found.lambda : std::numeric_limits<double>::infinity();
-        return {ray, truth.lambda, answered, past(ray, truth, found), stepPast(ray, truth.lambda)};
+        return counterExample(field_, ray, truth, found, stepPast(ray, truth.lambda));
     }
 
     // Describes the step that went past the first hit.
@@ -234,7 +224,7 @@ void Certifier::witness() {
         const HitBlock found = traced(*tracer_, tried.rays);
         for (std::size_t r = 0; r < tried.rays.size(); ++r) {
             const ViewRay ray = tried.rays[r];
-            if (past(ray, truth[r], found[r]) > result_.allowed) {
+            if (texelsPast(field_, ray, truth[r], found[r]) > result_.allowed) {
                 result_.first = example(ray, truth[r], found[r]);
                 return;
             }
@@ -249,6 +239,18 @@ void Certifier::witness() {
 }
 
 }  // namespace
+
+double texelsPast(const HeightField& field, const ViewRay& ray, const Hit& truth, const Hit& found) {
+    if (truth.outcome != Outcome::Hit || found.outcome == Outcome::Limit) return 0;
+    if (found.outcome != Outcome::Hit) return std::numeric_limits<double>::infinity();
+    return (found.lambda - truth.lambda) * std::hypot(ray.a, ray.b, field.slabTexels());
+}
+
+CounterExample counterExample(const HeightField& field, const ViewRay& ray, const Hit& truth, const Hit& found,
+                              std::string where) {
+    const double answered = found.outcome == Outcome::Hit ? found.lambda : std::numeric_limits<double>::infinity();
+    return {ray, truth.lambda, answered, texelsPast(field, ray, truth, found), std::move(where)};
+}
 
 Certificate certify(const MethodChoice& choice, const HeightField& field, const CertificateOptions& options,
                     MapCache& cache, Work& work) {

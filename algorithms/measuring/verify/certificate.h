@@ -31,6 +31,19 @@ struct CounterExample {
     std::string where;    // the step that went past it, with the texel or voxel and its value
 };
 
+// Returns the distance of the answer past the first hit, texels; 0 or less: not past; infinite for a miss. A step limit
+// is not a wrong answer.
+double texelsPast(const HeightField& field, const ViewRay& ray, const Hit& truth, const Hit& found);
+// Returns the example of a ray that ended past the first hit. where: see there.
+CounterExample counterExample(const HeightField& field, const ViewRay& ray, const Hit& truth, const Hit& found,
+                              std::string where);
+// Returns "3.5 texels", or "a miss" for infinity.
+std::string texelsPastText(double texels);
+// Returns two lines: the ray, then the first hit and the answer, which `answered` names.
+std::string exampleText(const CounterExample& example, const char* answered);
+// Rays that certificates keep in memory at a time.
+inline constexpr std::uint64_t kCertificateBlock = std::uint64_t{1} << 16;
+
 struct Certificate {
     std::string method;
     std::string map;                   // kind of the map; empty: no storable map

@@ -9,10 +9,6 @@ namespace {
 
 constexpr int kDigits = 4;
 
-std::string texels(double value) {
-    return std::isfinite(value) ? numberText(value, kDigits) + " texels" : "a miss";
-}
-
 std::string valuesText(const Certificate& certificate) {
     std::string text = "values: ";
     if (!certificate.bounds) {
@@ -36,8 +32,14 @@ std::string raysText(const Certificate& certificate) {
     if (certificate.allowed > 0) text += " more than " + numberText(certificate.allowed, kDigits) + " texels";
     text += " past the first hit: ";
     text += certificate.overshoots == 0 ? std::string("none") : std::to_string(certificate.overshoots);
-    if (certificate.overshoots > 0) text += ", at worst " + texels(certificate.worst);
+    if (certificate.overshoots > 0) text += ", at worst " + texelsPastText(certificate.worst);
     return text + "\n";
+}
+
+}  // namespace
+
+std::string texelsPastText(double texels) {
+    return std::isfinite(texels) ? numberText(texels, kDigits) + " texels" : "a miss";
 }
 
 std::string exampleText(const CounterExample& example, const char* answered) {
@@ -45,11 +47,9 @@ std::string exampleText(const CounterExample& example, const char* answered) {
            "," + numberText(example.ray.b) + "\n  surface: lambda " + numberText(example.surface) + "; " + answered +
            ": " +
            (std::isfinite(example.answered)
-                ? "lambda " + numberText(example.answered) + ", " + texels(example.texels) + " past it\n"
+                ? "lambda " + numberText(example.answered) + ", " + texelsPastText(example.texels) + " past it\n"
                 : "a miss\n");
 }
-
-}  // namespace
 
 std::string certificateText(const Certificate& certificate, const HeightField& field) {
     std::string text = valuesText(certificate) + raysText(certificate);

@@ -19,6 +19,7 @@ class ConeProof {
   public:
     ConeProof(const HeightField& field, const FloatImage& codes, const ConeCoding& coding, Work& work)
         : grid_(field),
+          address_(field.address()),
           cells_(field, work),
           lowest_(grid_.x.cells, grid_.y.cells),
           steepest_(grid_.x.cells, grid_.y.cells),
@@ -89,14 +90,13 @@ class ConeProof {
     // The steepest gradient of the cells at most `ring` away, those nearer being known.
     double around(int x, int y, int ring, double nearer) const {
         double steepest = nearer;
-        const auto place = [](const GridAxis& axis, int k) {
-            return axis.wraps ? ((k % axis.cells) + axis.cells) % axis.cells : std::clamp(k, 0, axis.cells - 1);
-        };
-        const auto look = [&](int dx, int dy) {
-            steepest = std::max(steepest, steepest_(place(grid_.x, x + dx), place(grid_.y, y + dy)));
+        const auto raise = [&](int dx, int dy) {
+            const int i = addressIndex(x + dx, width(), address_);
+            const int j = addressIndex(y + dy, height(), address_);
+            steepest = std::max(steepest, steepest_(i, j));
         };
         for (int n = -ring; n <= ring; ++n) {
-            look(n, -ring), look(n, ring), look(-ring, n), look(ring, n);
+            raise(n, -ring), raise(n, ring), raise(-ring, n), raise(ring, n);
         }
         return steepest;
     }
@@ -105,6 +105,7 @@ class ConeProof {
     static constexpr int kPeriods = 2;  // farther copies of a cell need less than its nearest
 
     CellGrid grid_;
+    Address address_;
     CellSearch cells_;
     Image<double> lowest_;
     Image<double> steepest_;
@@ -211,7 +212,7 @@ EngineViolations violationsOfTexels(const HeightField& field, const FloatImage& 
         for (int x = 0; x < field.width(); ++x) {
             const double slope = coding.slope(static_cast<double>(codes(x, y)), field.width(), field.height());
             const TexelSearch::Found found = search.highest(x, y, slope);
-            // Less than what the rounding of a shader's floats is worth.
+            // Less than the rounding error of a shader's floats.
             constexpr double kNegligible = 1e-7;
             if (!(found.above > kNegligible)) continue;
             ++row.texels;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/parallel.h"
@@ -13,7 +12,6 @@ namespace relief {
 
 namespace {
 
-constexpr std::uint64_t kBlock = std::uint64_t{1} << 16;
 constexpr int kDigits = 4;
 
 class ConeRays {
@@ -35,26 +33,18 @@ class ConeRays {
         parallelFor(
             work_, rays.size(), [&](std::size_t r) { found.set(r, march_.trace(rays[r])); }, kGrain);
         for (std::size_t r = 0; r < rays.size(); ++r) {
-            const double texels = past(rays[r], truth[r], found[r]);
+            const double texels = texelsPast(field_, rays[r], truth[r], found[r]);
             if (!(texels > result_.allowed)) continue;
             ++result_.overshoots;
             result_.worst = std::max(result_.worst, texels);
             if (result_.first) continue;
-            const bool hit = found[r].outcome == Outcome::Hit;
-            result_.first = CounterExample{rays[r], truth[r].lambda,
-                                           hit ? found[r].lambda : std::numeric_limits<double>::infinity(), texels,
-                                           march_.stepPast(rays[r], truth[r].lambda)};
+            result_.first =
+                counterExample(field_, rays[r], truth[r], found[r], march_.stepPast(rays[r], truth[r].lambda));
         }
         result_.rays += rays.size();
     }
 
   private:
-    double past(const ViewRay& ray, const Hit& truth, const Hit& found) const {
-        if (truth.outcome != Outcome::Hit || found.outcome == Outcome::Limit) return 0;
-        if (found.outcome != Outcome::Hit) return std::numeric_limits<double>::infinity();
-        return (found.lambda - truth.lambda) * std::hypot(ray.a, ray.b, field_.slabTexels());
-    }
-
     const HeightField& field_;
     MapCache maps_;
     EngineMarch march_;
@@ -62,10 +52,6 @@ class ConeRays {
     EngineConeCertificate& result_;
     Work& work_;
 };
-
-std::string texelsText(double value) {
-    return std::isfinite(value) ? numberText(value, kDigits) + " texels" : "a miss";
-}
 
 std::string countText(std::uint64_t count) {
     return count == 0 ? "none" : std::to_string(count);
@@ -78,12 +64,10 @@ EngineConeCertificate certifyEngineCones(const HeightField& field, const EngineM
     const EngineConventions& c = map.conventions;
     const FloatImage& codes = *map.channel(EngineRole::Cone, level);
     EngineConeCertificate result;
-    result.width = field.width();
-    result.height = field.height();
     result.longest = field.slabTexels() / std::tan(kFlattestCertified * std::numbers::pi / 180);
     result.allowed = c.relaxed ? kCoarseTexels : kRoundingTexels;
     for (const float code : codes.pixels()) {
-        if (c.cone.ratio(static_cast<double>(code)) == 0) ++result.stalled;
+        if (c.cone.stalls(code)) ++result.stalled;
     }
     ConeRays tracing(field, codes, c, options.fetch, result, work);
     if (!c.relaxed && field.surface() == Surface::Bilinear) {
@@ -95,9 +79,9 @@ EngineConeCertificate certifyEngineCones(const HeightField& field, const EngineM
     }
     const CertificateRays seeded(field, result.longest);
     work.progress().begin("comparing rays with exact", static_cast<std::int64_t>(options.rays.rays));
-    for (std::uint64_t done = 0; done < options.rays.rays; done += kBlock) {
+    for (std::uint64_t done = 0; done < options.rays.rays; done += kCertificateBlock) {
         work.throwIfStopped();
-        const auto count = static_cast<std::size_t>(std::min(kBlock, options.rays.rays - done));
+        const auto count = static_cast<std::size_t>(std::min(kCertificateBlock, options.rays.rays - done));
         tracing.trace(seeded.block(seedFor(options.rays.seed, done), count));
         work.progress().advance(static_cast<std::int64_t>(count));
     }
@@ -129,19 +113,14 @@ std::string engineCertificateText(const EngineConeCertificate& certificate, cons
     text += " (horizontal lengths up to " + numberText(certificate.longest, kDigits) +
             " texels); rays that end more than " + numberText(certificate.allowed, kDigits) +
             " texels past the first hit: " + countText(certificate.overshoots);
-    if (certificate.overshoots > 0) text += ", at worst " + texelsText(certificate.worst);
+    if (certificate.overshoots > 0) text += ", at worst " + texelsPastText(certificate.worst);
     text += "\n";
     if (certificate.proven()) return text + "safe: proven by the cones; no ray contradicts it\n";
     if (certificate.safe()) {
         return text + "not decided: no ray contradicts safety, but rays are evidence, not a proof\n";
     }
-    const CounterExample& first = *certificate.first;
-    text += "NOT SAFE\n  first ray: " + first.where + "\n  ray: " + numberText(first.ray.s0) + "," +
-            numberText(first.ray.t0) + "," + numberText(first.ray.a) + "," + numberText(first.ray.b) +
-            "\n  surface: lambda " + numberText(first.surface) + "; answer: ";
-    return text + (std::isfinite(first.answered)
-                       ? "lambda " + numberText(first.answered) + ", " + texelsText(first.texels) + " past it\n"
-                       : "a miss\n");
+    return text + "NOT SAFE\n  first ray: " + certificate.first->where + "\n" +
+           exampleText(*certificate.first, "answer");
 }
 
 std::string engineMaximaText(const LowMaxima& check) {
@@ -155,8 +134,7 @@ std::string engineMaximaText(const LowMaxima& check) {
 
 std::string engineConventionsText(const EngineMap& map, const EngineCheckOptions& options) {
     const EngineConventions& c = map.conventions;
-    std::string text = c.kind + ", " + enginePackText(c.channels) + ", " +
-                       (c.bits == 32 ? std::string("float") : std::to_string(c.bits) + " bits");
+    std::string text = c.kind + ", " + enginePackText(c.channels) + ", " + engineBitsText(c.bits);
     if (packs(c.channels, EngineRole::Cone)) {
         text += ", cones as " + std::string(coneUnitName(c.cone.unit)) + " (scale " + numberText(c.cone.scale, 6) +
                 ", lengths in " + (c.cone.length == ConeLength::Uv ? "texture coordinates" : "texture widths") + ")";

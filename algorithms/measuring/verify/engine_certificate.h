@@ -20,8 +20,6 @@ struct EngineCheckOptions {
 
 // One level of cones on the surface.
 struct EngineConeCertificate {
-    int width = 0;
-    int height = 0;
     std::optional<EngineBoundCheck> bounds;  // std::nullopt: relaxed cones, or a surface of columns
     std::uint64_t texelsInCones = 0;
     std::uint64_t stalled = 0;  // texels whose cone has no width

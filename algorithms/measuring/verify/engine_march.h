@@ -27,7 +27,7 @@ class EngineMarch {
                 ConeFetch fetch)
         : field_(field), codes_(codes), coding_(coding), relaxed_(relaxed), fetch_(fetch) {}
 
-    // Returns where the loop ends: on the surface up to kShortestStep, below it, or, under border, beside the picture.
+    // Returns where the loop ends: on the surface up to kShortestStep, below it, or, under border, outside the picture.
     Hit trace(const ViewRay& ray) const;
     // Describes the step of the ray that leads past `truth`; empty if none does.
     std::string stepPast(const ViewRay& ray, double truth) const;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "relief/maps/cone_builders.h"
+#include "relief/maps/map_field.h"
 #include "relief/maps/map_memory.h"
 
 namespace relief {
@@ -52,10 +53,7 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
     ConeMap map;
     map.kind = kind;
     map.parameters = parameters;
-    map.surface = field.surface();
-    map.address = field.address();
-    map.fieldWidth = field.width();
-    map.fieldHeight = field.height();
+    setField(map, field);
     std::vector<float> slopes(valuesOf(shape) * static_cast<std::size_t>(shape.sectors));
     std::vector<float> apex;
     switch (kind) {

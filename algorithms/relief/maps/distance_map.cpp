@@ -10,6 +10,7 @@
 #include "base/scratch_pool.h"
 #include "relief/leaf.h"
 #include "relief/maps/lower_envelope.h"
+#include "relief/maps/map_field.h"
 #include "relief/maps/map_memory.h"
 #include "relief/maps/refined.h"
 #include "relief/maps/surface_distance.h"
@@ -285,10 +286,7 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
     DistanceMap map;
     map.kind = kind;
     map.parameters = parameters;
-    map.surface = field.surface();
-    map.address = field.address();
-    map.fieldWidth = field.width();
-    map.fieldHeight = field.height();
+    setField(map, field);
     map.slabTexels = field.slabTexels();
     map.cap = std::numeric_limits<double>::infinity();
     if (map.rays() == RayClass::ViewRays) {

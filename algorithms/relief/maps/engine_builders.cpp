@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "relief/maps/map_atlas.h"
+#include "relief/maps/map_field.h"
 #include "relief/maps/robust_cones.h"
 #include "relief/maps/surface_cones.h"
 
@@ -92,12 +93,6 @@ struct Cones {
     FloatImage slope;
 };
 
-FloatImage imageOf(int width, int height, const std::vector<float>& values) {
-    FloatImage image(width, height);
-    std::copy(values.begin(), values.end(), image.pixels().begin());
-    return image;
-}
-
 FloatImage imageOf(const StoredValues& values) {
     FloatImage image(values.width(), values.height());
     for (int y = 0; y < image.height(); ++y) {
@@ -109,12 +104,12 @@ FloatImage imageOf(const StoredValues& values) {
 Cones conesOf(ConeKind kind, ConeParameters parameters, const HeightField& field, const EngineConventions& c, int level,
               Work& work) {
     if (kind == ConeKind::Conservative && !packs(c.channels, EngineRole::Apex)) {
-        return {{}, imageOf(field.width(), field.height(), surfaceCones(field, work))};
+        return {{}, surfaceCones(field, work)};
     }
     parameters.precision = Precision::Float;
     parameters.radius = std::max(1, parameters.radius >> level);
     if (c.kind == kRobustRelaxedKind) {
-        return {{}, imageOf(field.width(), field.height(), robustRelaxedCones(field, parameters.radius, work))};
+        return {{}, robustRelaxedCones(field, parameters.radius, work)};
     }
     const ConeMap map = buildConeMap(kind, parameters, field, work);
     return {imageOf(map.apex), imageOf(map.slopes)};
@@ -155,13 +150,6 @@ EngineLevel levelOf(const HeightField& field, const Cones& cones, const EngineCo
         level.channels.push_back(std::move(channel));
     }
     return level;
-}
-
-void checkPicture(const std::string& path, const FloatImage& picture, int width, int height) {
-    if (picture.width() == width && picture.height() == height) return;
-    const auto text = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
-    throw InputError(path, Message(MessageId::EngineSize, {{"size", text(picture.width(), picture.height())},
-                                                           {"wanted", text(width, height)}}));
 }
 
 }  // namespace
@@ -257,10 +245,9 @@ EngineMap buildEngineDistances(const DistanceMap& distances, const HeightField& 
             for (int x = 0; x < values.width(); ++x) {
                 // Marks are negative: what a shader must search itself has distance 0.
                 const double exact = std::max(0.0, static_cast<double>(values(x, y, k)));
-                float code = c.rounding == EngineRounding::Nearest
-                                 ? nearestCode(exact / unit, c.bits)
-                                 : lowerCode(exact / unit * (1 - kEngineMargin), c.bits);
-                if (code < 0) code = 0;
+                const float code = c.rounding == EngineRounding::Nearest
+                                       ? nearestCode(exact / unit, c.bits)
+                                       : lowerCode(exact / unit * (1 - kEngineMargin), c.bits);
                 picture.pixels()[atlas.at(k, y) + static_cast<std::size_t>(x)] = code;
             }
         }
@@ -281,15 +268,12 @@ std::optional<DistanceMap> distancesOfEngine(const EngineMap& map, const HeightF
     const DistanceShape shape = distanceMapShape(volume.kind, volume.parameters, field);
     Atlas atlas(shape.nx, shape.ny, shape.planes);
     atlas.columns = volume.columns;
-    checkPicture(path, *picture, atlas.width(), atlas.height());
+    requireSize(path, *picture, atlas.width(), atlas.height());
     DistanceMap distances;
     distances.kind = volume.kind;
     distances.parameters = volume.parameters;
     distances.parameters.precision = Precision::Float;
-    distances.surface = field.surface();
-    distances.address = field.address();
-    distances.fieldWidth = field.width();
-    distances.fieldHeight = field.height();
+    setField(distances, field);
     distances.slabTexels = field.slabTexels();
     distances.maxRun = volume.maxRun;
     distances.cap = volume.cap;
@@ -317,11 +301,8 @@ std::optional<ConeMap> cellConesOfEngine(const EngineMap& map, const HeightField
     if (apexes == nullptr || codes == nullptr) return std::nullopt;
     ConeMap cones;
     const ConeShape shape = coneMapShape(ConeKind::Conservative, cones.parameters, field);
-    checkPicture(path, *codes, shape.nx, shape.ny);
-    cones.surface = field.surface();
-    cones.address = field.address();
-    cones.fieldWidth = field.width();
-    cones.fieldHeight = field.height();
+    requireSize(path, *codes, shape.nx, shape.ny);
+    setField(cones, field);
     std::vector<float> slopes(codes->size());
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const double slope =

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 9> kRoles{"zero",     "height",   "depth",    "apex",    "cone",
                                                  "distance", "normal-x", "normal-y", "normal-z"};
+constexpr std::array<std::string_view, 2> kWhites{"high", "deep"};
 constexpr std::array<std::string_view, 2> kRoundings{"outward", "nearest"};
 constexpr std::array<std::string_view, 3> kUnits{"ratio", "sqrt-ratio", "slope"};
 constexpr std::array<std::string_view, 2> kLengths{"uv", "width"};
@@ -49,6 +50,12 @@ std::string_view engineRoleName(EngineRole role) {
 }
 EngineRole parseEngineRole(std::string_view text, const std::string& option) {
     return parsed<EngineRole>(text, kRoles, option);
+}
+std::string_view heightWhiteName(HeightWhite white) {
+    return nameOf(kWhites, white);
+}
+HeightWhite parseHeightWhite(std::string_view text, const std::string& option) {
+    return parsed<HeightWhite>(text, kWhites, option);
 }
 std::string_view engineRoundingName(EngineRounding rounding) {
     return nameOf(kRoundings, rounding);
@@ -99,6 +106,10 @@ std::string enginePackText(const std::vector<EngineRole>& channels) {
 
 bool packs(const std::vector<EngineRole>& channels, EngineRole role) {
     return std::find(channels.begin(), channels.end(), role) != channels.end();
+}
+
+std::string engineBitsText(int bits) {
+    return bits == kFloatBits ? "float" : std::to_string(bits) + " bits";
 }
 
 float nearestCode(double x, int bits) {

@@ -29,10 +29,18 @@ std::vector<EngineRole> parseEnginePack(const std::string& text, const std::stri
 std::string enginePackText(const std::vector<EngineRole>& channels);
 bool packs(const std::vector<EngineRole>& channels, EngineRole role);
 
+// What white, the number 1, stands for in a height map: the top of the slab or its bottom.
+enum class HeightWhite : std::uint8_t { High, Deep };
+std::string_view heightWhiteName(HeightWhite white);
+HeightWhite parseHeightWhite(std::string_view text, const std::string& option);
+
 // Outward: to the safe side. Nearest: to the nearest code, as most tools do; not safe.
 enum class EngineRounding : std::uint8_t { Outward, Nearest };
 std::string_view engineRoundingName(EngineRounding rounding);
 EngineRounding parseEngineRounding(std::string_view text, const std::string& option);
+
+// Returns "8 bits", "16 bits" or, for 32, "float".
+std::string engineBitsText(int bits);
 
 // Returns x as a picture of this many bits stores it, as the float that a texture fetch gives: the nearest code, the
 // next lower, or the next higher one. x is clamped to [0, 1] for codes.
@@ -62,6 +70,8 @@ struct ConeCoding {
 
     // Returns the ratio of a stored number, in units of length per height.
     double ratio(double stored) const;
+    // Returns true for a stored cone that has no width: a ray stops there.
+    bool stalls(float stored) const { return ratio(static_cast<double>(stored)) == 0; }
     // Returns the stored number of the cone with this slope, heights per texel, of a level of that size: rounded
     // outward, the cone that it decodes to is not wider. Ratios above `scale` become narrower.
     float encode(double slope, int width, int height, int bits, EngineRounding rounding) const;

@@ -1,10 +1,8 @@
 #include "relief/maps/engine_json.h"
 
 #include <cmath>
-#include <limits>
 
-#include "images/system_error.h"
-#include "relief/maps/cone_map.h"
+#include "relief/maps/map_json.h"
 
 namespace relief {
 
@@ -12,24 +10,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-    throw InputError(path, Message(MessageId::MapDamaged, {{"why", oneLine(why)}}));
-}
-
 Json channelsJson(const std::vector<EngineRole>& channels) {
     Json json = Json::object();
     for (std::size_t c = 0; c < channels.size(); ++c) {
         json[std::string(1, kEngineLetters[c])] = engineRoleName(channels[c]);
     }
     return json;
-}
-
-// As a number, or as text since JSON has no infinity.
-Json numberJson(double value) {
-    return std::isinf(value) ? Json("infinite") : Json(value);
-}
-double numberOf(const Json& json) {
-    return json.is_string() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
 
 Json volumeJson(const EngineVolume& volume) {
@@ -53,12 +39,9 @@ Json volumeJson(const EngineVolume& volume) {
 
 EngineVolume volumeOf(const Json& json, const std::string& kind, const std::string& path) {
     EngineVolume volume;
-    bool known = false;
-    for (const DistanceKind one : {DistanceKind::Euclidean, DistanceKind::EuclideanConservative,
-                                   DistanceKind::RefinedSampled, DistanceKind::Refined}) {
-        if (distanceKindName(one) == kind) volume.kind = one, known = true;
-    }
-    if (!known) refuse(path, "kind " + kind);
+    const auto known = kindOf<DistanceKind>(kind, 4, distanceKindName);
+    if (!known) refuseDamaged(path, "kind " + kind);
+    volume.kind = *known;
     DistanceParameters& p = volume.parameters;
     json.at("scale").get_to(volume.scale);
     volume.nx = json.at("tile").at(0).get<int>();
@@ -74,13 +57,13 @@ EngineVolume volumeOf(const Json& json, const std::string& kind, const std::stri
     json.at("horizons").get_to(p.horizons);
     json.at("directions").get_to(p.directions);
     p.to = parseDistanceTo(json.at("to").get<std::string>());
-    // Far more than any tracer asks for; the picture's size decides what fits.
+    // Far more than any tracer uses; the picture's size limits the product.
     constexpr int kMost = 4096;
     const auto within = [](int number, int most) { return number >= 1 && number <= most; };
     const bool valid = volume.scale > 0 && within(p.layers, kMost) && within(p.sectors, kMost) &&
                        within(p.footprint, kMost) && within(volume.columns, p.layers * p.sectors) && volume.nx > 0 &&
                        volume.ny > 0 && volume.slabTexels > 0 && volume.maxRun > 0 && volume.cap > 0;
-    if (!valid) refuse(path, "distance");
+    if (!valid) refuseDamaged(path, "distance");
     return volume;
 }
 
@@ -95,7 +78,7 @@ Json coneJson(const EngineConventions& c) {
 void readCone(const Json& json, EngineConventions& c, const std::string& path) {
     c.cone.unit = parseConeUnit(json.at("unit").get<std::string>(), path);
     json.at("scale").get_to(c.cone.scale);
-    if (!(c.cone.scale > 0) || !std::isfinite(c.cone.scale)) refuse(path, "scale");
+    if (!(c.cone.scale > 0) || !std::isfinite(c.cone.scale)) refuseDamaged(path, "scale");
     c.cone.length = parseConeLength(json.at("length").get<std::string>(), path);
     json.at("relaxed").get_to(c.relaxed);
 }
@@ -108,7 +91,7 @@ EngineSidecar sidecarOf(const Json& json, const std::string& path) {
         sidecar.files.push_back(file.at("name").get<std::string>());
         sidecar.sizes.emplace_back(file.at("size").at(0).get<int>(), file.at("size").at(1).get<int>());
     }
-    if (sidecar.files.empty()) refuse(path, "files");
+    if (sidecar.files.empty()) refuseDamaged(path, "files");
     c.fieldWidth = json.at("field").at(0).get<int>();
     c.fieldHeight = json.at("field").at(1).get<int>();
     json.at("bits").get_to(c.bits);
@@ -125,7 +108,7 @@ EngineSidecar sidecarOf(const Json& json, const std::string& path) {
     if (json.contains("cone")) readCone(json.at("cone"), c, path);
     if (json.contains("distance")) c.volume = volumeOf(json.at("distance"), c.kind, path);
     if (json.contains("normal")) c.greenUp = json.at("normal").at("green") == Json("up");
-    if (c.fieldWidth < 1 || c.fieldHeight < 1 || !(c.reliefDepth > 0)) refuse(path, "field");
+    if (c.fieldWidth < 1 || c.fieldHeight < 1 || !(c.reliefDepth > 0)) refuseDamaged(path, "field");
     return sidecar;
 }
 
@@ -162,7 +145,7 @@ Json engineJson(const EngineSidecar& sidecar) {
 EngineSidecar parseEngineJson(const std::string& text, const std::string& path) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object() || json.value("format", Json()) != Json(kEngineFormat)) {
-        refuse(path, std::string("no \"") + kEngineFormat + "\"");
+        refuseDamaged(path, std::string("no \"") + kEngineFormat + "\"");
     }
     if (const Json version = json.value("version", Json()); version != Json(kEngineMapVersion)) {
         throw InputError(path,
@@ -171,7 +154,7 @@ EngineSidecar parseEngineJson(const std::string& text, const std::string& path) 
     try {
         return sidecarOf(json, path);
     } catch (const nlohmann::json::exception& fault) {
-        refuse(path, fault.what());
+        refuseDamaged(path, fault.what());
     } catch (const InputError& fault) {
         if (fault.subject() == path) throw;
         throw InputError(path, fault.message());

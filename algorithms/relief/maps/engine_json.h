@@ -13,7 +13,7 @@ namespace relief {
 
 inline constexpr const char* kEngineFormat = "reliefscope engine map";
 
-// What a sidecar says: the conventions, and the pictures with their sizes, level 0 first.
+// The contents of a sidecar: the conventions, and the pictures with their sizes, level 0 first.
 struct EngineSidecar {
     EngineConventions conventions;
     std::vector<std::string> files;  // in the sidecar's folder

@@ -70,7 +70,8 @@ int bitsOf(const std::string& path, NumberType type) {
     }
 }
 
-EngineLevel readLevel(const std::string& path, const EngineConventions& conventions, int& bits, Work& work) {
+// Reads a picture by the conventions, and sets their bits to those of the file.
+EngineLevel readLevel(const std::string& path, EngineConventions& conventions, Work& work) {
     PictureInput input(path, kDefaultMaxPixels);
     const ImageInfo& info = input.info();
     std::vector<int> indices;
@@ -92,8 +93,8 @@ EngineLevel readLevel(const std::string& path, const EngineConventions& conventi
         FloatImage picture(info.width, info.height);
         if (role != EngineRole::Zero) {
             const RawPlane& plane = raw.planes[next++];
-            bits = bitsOf(path, plane.type);
-            const double most = bits == 32 ? 1 : std::exp2(bits) - 1;
+            conventions.bits = bitsOf(path, plane.type);
+            const double most = conventions.bits == 32 ? 1 : std::exp2(conventions.bits) - 1;
             withNumbers(plane, [&](const auto* first) {
                 for (std::size_t i = 0; i < picture.size(); ++i) {
                     const float x = static_cast<float>(static_cast<double>(first[i * plane.stride]) / most);
@@ -142,6 +143,13 @@ std::optional<FloatImage> EngineMap::heights(int level) const {
     FloatImage heights = high != nullptr ? *high : *deep;
     for (float& h : heights.pixels()) h = std::clamp(high != nullptr ? h : 1.0F - h, 0.0F, 1.0F);
     return heights;
+}
+
+void requireSize(const std::string& path, const FloatImage& picture, int width, int height) {
+    if (picture.width() == width && picture.height() == height) return;
+    const auto text = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
+    throw InputError(path, Message(MessageId::EngineSize, {{"size", text(picture.width(), picture.height())},
+                                                           {"wanted", text(width, height)}}));
 }
 
 const std::vector<NamedConvention>& namedConventions() {
@@ -218,11 +226,12 @@ std::optional<EngineConventions> readEngineConventions(const std::string& path) 
 
 EngineMap readEngineMap(const std::string& path, EngineConventions conventions, Work& work) {
     std::vector<std::string> files{path};
-    const std::string text = conventionsText(path);
-    if (!text.empty()) {
-        const EngineSidecar sidecar = parseEngineJson(text, path);
-        // The picture of one level, named itself, is read alone.
-        if (sidecar.files.size() > 1 && fs::exists(engineSidecar(path))) {
+    // The picture of one level, named itself, has no sidecar and is read alone.
+    const std::string sidecarPath = engineSidecar(path);
+    std::error_code none;
+    if (fs::exists(sidecarPath, none)) {
+        const EngineSidecar sidecar = parseEngineJson(readTextFile(sidecarPath), path);
+        if (sidecar.files.size() > 1) {
             files.clear();
             for (const std::string& name : sidecar.files) {
                 files.push_back((fs::path(path).parent_path() / fs::path(name).filename()).string());
@@ -230,7 +239,7 @@ EngineMap readEngineMap(const std::string& path, EngineConventions conventions, 
         }
     }
     EngineMap map;
-    for (const std::string& file : files) map.levels.push_back(readLevel(file, conventions, conventions.bits, work));
+    for (const std::string& file : files) map.levels.push_back(readLevel(file, conventions, work));
     map.conventions = std::move(conventions);
     return map;
 }

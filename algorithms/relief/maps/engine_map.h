@@ -64,7 +64,10 @@ struct EngineMap {
     std::optional<FloatImage> heights(int level = 0) const;
 };
 
-// The conventions of other programs, by name; `summary` says whose they are. bits is not part of them.
+// Throws InputError naming `path` unless the picture has this size.
+void requireSize(const std::string& path, const FloatImage& picture, int width, int height);
+
+// The conventions of other programs, by name; `summary` names the program or paper. bits is not part of them.
 struct NamedConvention {
     std::string name;
     std::string summary;
@@ -77,7 +80,7 @@ const NamedConvention& namedConvention(const std::string& name, const std::strin
 // The path of a map's sidecar, and that of a level's picture: FILE.png of several levels is FILE.0.png, FILE.1.png, ...
 std::string engineSidecar(const std::string& path);
 std::string engineLevelPath(const std::string& path, int level, int levels);
-// Returns true if the file has a sidecar, or says itself that it is such a map.
+// Returns true if the file has a sidecar, or its own metadata state that it is such a map.
 bool isEngineMap(const std::string& path);
 
 // Writes the pictures and, last, the sidecar. path: .png (8 or 16 bits), .exr (floats), .tif (any). Each file appears

@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
-#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "images/described_tiff.h"
 #include "images/picture_input.h"
-#include "images/system_error.h"
 #include "relief/maps/map_atlas.h"
+#include "relief/maps/map_field.h"
+#include "relief/maps/map_json.h"
 #include "relief/memory.h"
 
 namespace relief {
@@ -43,10 +42,6 @@ std::string checksumText(const PictureCodes& codes) {
     return sum.text();
 }
 
-[[noreturn]] void refuseDamaged(const std::string& path, const std::string& why) {
-    throw InputError(path, Message(MessageId::MapDamaged, {{"why", oneLine(why)}}));
-}
-
 // The stacks of values in a map, all of one size and precision.
 std::vector<const StoredValues*> stacksOf(const StoredMap& map) {
     if (const auto* distances = std::get_if<std::shared_ptr<const DistanceMap>>(&map)) return {&(*distances)->values};
@@ -55,15 +50,6 @@ std::vector<const StoredValues*> stacksOf(const StoredMap& map) {
 }
 
 // --- the description
-
-// As a number, or as text since JSON has no infinity.
-Json numberJson(double value) {
-    return std::isinf(value) ? Json("infinite") : Json(value);
-}
-double numberOf(const Json& json) {
-    return json.is_string() && json.get<std::string>() == "infinite" ? std::numeric_limits<double>::infinity()
-                                                                     : json.get<double>();
-}
 
 Json parametersJson(const DistanceParameters& p) {
     return {{"footprint", p.footprint},
@@ -211,18 +197,7 @@ struct Shell {
 template <class Map>
 void fillCommon(Map& map, const Json& header, const HeightField& field) {
     readParameters(header.at("parameters"), map.parameters);
-    map.surface = field.surface();
-    map.address = field.address();
-    map.fieldWidth = field.width();
-    map.fieldHeight = field.height();
-}
-
-template <class Kind, class Name>
-std::optional<Kind> kindOf(const std::string& text, int count, const Name& name) {
-    for (int k = 0; k < count; ++k) {
-        if (name(static_cast<Kind>(k)) == text) return static_cast<Kind>(k);
-    }
-    return std::nullopt;
+    setField(map, field);
 }
 
 Shell shellOf(const std::string& path, const Json& header, const HeightField& field, MapCheck buildable) {

@@ -1,12 +1,12 @@
 #include "relief/maps/robust_cones.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
 #include "base/parallel.h"
+#include "relief/maps/maxima_around.h"
 
 namespace relief {
 
@@ -77,7 +77,7 @@ class FallingEdges {
 
 }  // namespace
 
-std::vector<float> robustRelaxedCones(const HeightField& field, int radius, Work& work) {
+FloatImage robustRelaxedCones(const HeightField& field, int radius, Work& work) {
     const FallingEdges edges(field, work);
     const int reach = std::min(radius, std::max(field.width(), field.height()));
     FloatImage own(field.width(), field.height());
@@ -86,21 +86,7 @@ std::vector<float> robustRelaxedCones(const HeightField& field, int radius, Work
         for (int x = 0; x < field.width(); ++x) own(x, y) = static_cast<float>(edges.slope(x, y, reach));
         work.progress().advance();
     });
-    std::vector<float> slopes;
-    slopes.reserve(own.size());
-    for (int y = 0; y < field.height(); ++y) {
-        for (int x = 0; x < field.width(); ++x) {
-            float steepest = 0;
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) {
-                    steepest = std::max(steepest, own(addressIndex(x + dx, field.width(), field.address()),
-                                                      addressIndex(y + dy, field.height(), field.address())));
-                }
-            }
-            slopes.push_back(steepest);
-        }
-    }
-    return slopes;
+    return maximaAround(own, field.address(), work);
 }
 
 }  // namespace relief

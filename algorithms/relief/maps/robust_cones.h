@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "relief/height_field.h"
 #include "relief/work.h"
@@ -12,11 +11,11 @@ namespace relief {
 // The kind's name in `relief map` and in sidecars.
 inline constexpr std::string_view kRobustRelaxedKind = "relaxed-cone-robust";
 
-// Returns for each texel, row by row, a slope (heights per texel): the steepest towards a falling edge, a texel at
+// Returns for each texel a slope (heights per texel): the steepest towards a falling edge, a texel at
 // which the surface falls in one of the cells behind it as seen from the apex (a ray that touches it there may leave
 // the surface again), within `radius` texels on each axis; then the steepest of 3 x 3 texels, for shaders that
 // interpolate. Texels, not points between them, are compared, as published: not proven. In parallel, with progress;
 // O(texels radius^2) at worst. Throws Cancelled.
-std::vector<float> robustRelaxedCones(const HeightField& field, int radius, Work& work);
+FloatImage robustRelaxedCones(const HeightField& field, int radius, Work& work);
 
 }  // namespace relief

@@ -10,6 +10,7 @@
 #include "images/pyramid.h"
 #include "relief/leaf.h"
 #include "relief/maps/max_pyramid_map.h"
+#include "relief/maps/maxima_around.h"
 
 namespace relief {
 
@@ -17,28 +18,6 @@ namespace {
 
 // Squares of 2 r + 1 cells, r up to this, in which the surface's own slope bounds a cone's.
 constexpr int kRings = 8;
-
-// The largest value among the cells up to one cell away on each axis.
-FloatImage widened(const FloatImage& cells, bool wraps, Work& work) {
-    const int width = cells.width();
-    const int height = cells.height();
-    const auto place = [&](int k, int count) {
-        return wraps ? ((k % count) + count) % count : std::clamp(k, 0, count - 1);
-    };
-    FloatImage rows(width, height);
-    FloatImage all(width, height);
-    parallelFor(work, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            rows(x, y) = std::max({cells(place(x - 1, width), y), cells(x, y), cells(place(x + 1, width), y)});
-        }
-    });
-    parallelFor(work, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            all(x, y) = std::max({rows(x, place(y - 1, height)), rows(x, y), rows(x, place(y + 1, height))});
-        }
-    });
-    return all;
-}
 
 class SurfaceConeSearch {
   public:
@@ -61,7 +40,7 @@ class SurfaceConeSearch {
                 steepest(x, y) = static_cast<float>(std::hypot(across, down) * kUp);
             }
         });
-        for (FloatImage& ring : rings_) ring = steepest = widened(steepest, wraps_, work);
+        for (FloatImage& ring : rings_) ring = steepest = maximaAround(steepest, field.address(), work);
     }
 
     int width() const { return width_; }
@@ -128,7 +107,7 @@ class SurfaceConeSearch {
 
 }  // namespace
 
-std::vector<float> surfaceCones(const HeightField& field, Work& work) {
+FloatImage surfaceCones(const HeightField& field, Work& work) {
     assert(field.surface() == Surface::Bilinear);
     const SurfaceConeSearch search(field, work);
     FloatImage cells(search.width(), search.height());
@@ -137,16 +116,15 @@ std::vector<float> surfaceCones(const HeightField& field, Work& work) {
         for (int x = 0; x < search.width(); ++x) cells(x, y) = search.slope(x, y);
         work.progress().advance();
     });
-    std::vector<float> slopes(field.texels());
+    FloatImage slopes(field.width(), field.height());
     const auto before = [](const GridAxis& axis, int k) { return axis.wraps ? (k > 0 ? k - 1 : axis.cells - 1) : k; };
     const auto after = [](const GridAxis& axis, int k) { return axis.wraps ? k : k + 1; };
     const CellGrid& grid = search.grid();
-    auto slope = slopes.begin();
     for (int j = 0; j < field.height(); ++j) {
-        for (int i = 0; i < field.width(); ++i, ++slope) {
+        for (int i = 0; i < field.width(); ++i) {
             const int x0 = before(grid.x, i), x1 = after(grid.x, i);
             const int y0 = before(grid.y, j), y1 = after(grid.y, j);
-            *slope = std::max({cells(x0, y0), cells(x1, y0), cells(x0, y1), cells(x1, y1)});
+            slopes(i, j) = std::max({cells(x0, y0), cells(x1, y0), cells(x0, y1), cells(x1, y1)});
         }
     }
     return slopes;

@@ -2,14 +2,12 @@
 // cell: cone step mapping (Dummer 2006) made safe for the interpolated surface, as Ban et al. 2024 require.
 #pragma once
 
-#include <vector>
-
 #include "relief/height_field.h"
 #include "relief/work.h"
 
 namespace relief {
 
-// Returns for each texel, row by row, a slope (heights per texel) such that a cone of that slope or a steeper one, on
+// Returns for each texel a slope (heights per texel) such that a cone of that slope or a steeper one, on
 // any surface point whose height is interpolated from this texel among others, holds no part of the surface. A shader
 // may therefore fetch the nearest slope, or interpolate the four around the point in any monotonic coding.
 //
@@ -19,6 +17,6 @@ namespace relief {
 // that holds both if that is less (the surface along the line between two points rises no steeper). A texel has the
 // steepest of its four cells. Cost: a branch and bound over the pyramid of cells, as for the other cones; in parallel,
 // with progress. Throws Cancelled.
-std::vector<float> surfaceCones(const HeightField& field, Work& work);
+FloatImage surfaceCones(const HeightField& field, Work& work);
 
 }  // namespace relief

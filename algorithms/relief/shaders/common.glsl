@@ -15,7 +15,7 @@ layout(std140, binding = 0) uniform Relief {
     vec2 size;             // of the height map, texels
     float depth;           // thickness of the slab, texture widths
     float ambient;         // light in shadow
-    float intensity;       // light where it falls at right angles, besides ambient
+    float intensity;       // light where it falls at right angles, added to ambient
     vec2 depthOfDistance;  // depth buffer = x + y / distance: the projection's, distance along the view axis
 @uniforms@} relief;
 layout(binding = 1) uniform sampler2D reliefMap;  // red: height, 1 = the polygon's plane; linear filter
@@ -41,6 +41,10 @@ vec2 placeAt(Ray ray, float lambda) {
 bool inside(vec2 place) {
     if (ADDRESS != 2) return true;
     return place.x >= 0.0 && place.y >= 0.0 && place.x <= relief.size.x && place.y <= relief.size.y;
+}
+
+float slabTexels() {
+    return relief.depth * relief.size.x;
 }
 
 float heightOf(float stored) {

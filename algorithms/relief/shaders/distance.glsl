@@ -10,7 +10,7 @@ layout(binding = 3) uniform sampler3D distanceMap;
 
 // Sphere tracing, Donnelly 2005: each step advances by the distance to the surface.
 Hit traceDistance(Ray ray) {
-    float texelsPerLambda = length(vec3(ray.run, relief.depth * relief.size.x));
+    float texelsPerLambda = length(vec3(ray.run, slabTexels()));
     float lambda = ray.from;
     float above = lambda;
     float gapAbove = 0.0;

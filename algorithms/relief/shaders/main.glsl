@@ -8,10 +8,6 @@ layout(location = 1) in vec3 fromEye;   // from the eye to the polygon's point, 
 layout(location = 2) in vec3 toLight;   // tangent frame, any length
 layout(location = 0) out vec4 color;
 
-float slabTexels() {
-    return relief.depth * relief.size.x;
-}
-
 vec3 normalAt(vec2 place) {
     float alongS = heightAt(place + vec2(0.5, 0.0)) - heightAt(place - vec2(0.5, 0.0));
     float alongT = heightAt(place + vec2(0.0, 0.5)) - heightAt(place - vec2(0.0, 0.5));

@@ -1,5 +1,5 @@
-//@header maxPyramid: level k holds the maxima of 2^k x 2^k heights in ceil(size / 2^k) texels, the last ones of what there
-//@header is; level 0 is the height map. relief.pyramidLevels is their number, that of 1 x 1 texel included. Where a side is
+//@header maxPyramid: level k holds the maxima of 2^k x 2^k heights in ceil(size / 2^k) texels, the last ones of
+//@header fewer heights; level 0 is the height map. relief.pyramidLevels is their number, that of 1 x 1 texel included. Where a side is
 //@header no power of two, enlarge the texture to a multiple of 2^(pyramidLevels - 1), so that each level has room; what is
 //@header stored beyond is not read. If white is deep, they are minima. Not filtered. With powers of two, reliefMap may be the same texture.
 

@@ -20,20 +20,9 @@ constexpr FixedOption kFixed[]{{"cone", "layout", kStoredLayout},
                                {"max-pyramid", "base", "0"}};
 
 constexpr double kShadowBias = 0.01;  // that of main.glsl
-constexpr std::array kConeUnitNames{"ratio", "sqrt-ratio", "slope", "texel-slope"};
-constexpr std::array kConeLengthNames{"uv", "width"};
-constexpr std::array kWhiteNames{"high", "deep"};
-constexpr std::array kLanguageNames{"glsl", "hlsl"};
-
-// Returns the index of the name. Throws InputError.
-template <std::size_t kCount>
-std::size_t indexOf(const std::array<const char*, kCount>& names, std::string_view text, MessageId what,
-                    const std::string& option) {
-    for (std::size_t i = 0; i < kCount; ++i) {
-        if (text == names[i]) return i;
-    }
-    throw InputError(option, unknownName({"what", what}, std::string(text), commaList({names.begin(), names.end()})));
-}
+// Units of cones in the order of CONE_UNIT of cones.glsl: those of ConeUnit, then kTexelSlope.
+constexpr std::array kConeUnits{ConeUnit::Ratio, ConeUnit::SqrtRatio, ConeUnit::Slope};
+constexpr std::string_view kTexelSlope = "texel-slope";
 
 std::string upperCase(std::string name) {
     for (char& c : name) c = c == '-' ? '_' : static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
@@ -101,23 +90,27 @@ const ShaderText& findShader(const ShaderChoice& choice) {
 }  // namespace
 
 ShaderLanguage parseShaderLanguage(std::string_view text, const std::string& option) {
-    return static_cast<ShaderLanguage>(indexOf(kLanguageNames, text, MessageId::WordShaderLanguage, option));
+    for (const ShaderLanguage language : {ShaderLanguage::Glsl, ShaderLanguage::Hlsl}) {
+        if (text == shaderLanguageName(language)) return language;
+    }
+    throw InputError(option, unknownName({"what", MessageId::WordShaderLanguage}, std::string(text), "glsl, hlsl"));
 }
 
 std::string_view shaderLanguageName(ShaderLanguage language) {
-    return kLanguageNames[static_cast<std::size_t>(language)];
+    return language == ShaderLanguage::Glsl ? "glsl" : "hlsl";
 }
 
-ShaderConeUnit parseShaderConeUnit(std::string_view text, const std::string& option) {
-    return static_cast<ShaderConeUnit>(indexOf(kConeUnitNames, text, MessageId::WordValue, option));
-}
-
-ShaderConeLength parseShaderConeLength(std::string_view text, const std::string& option) {
-    return static_cast<ShaderConeLength>(indexOf(kConeLengthNames, text, MessageId::WordValue, option));
-}
-
-ShaderWhite parseShaderWhite(std::string_view text, const std::string& option) {
-    return static_cast<ShaderWhite>(indexOf(kWhiteNames, text, MessageId::WordValue, option));
+void setConeUnit(ShaderChoice& choice, std::string_view text, const std::string& option) {
+    choice.texelSlopes = text == kTexelSlope;
+    if (choice.texelSlopes) return;
+    std::vector<std::string> known;
+    for (const ConeUnit unit : kConeUnits) {
+        choice.cones.unit = unit;
+        if (text == coneUnitName(unit)) return;
+        known.emplace_back(coneUnitName(unit));
+    }
+    known.emplace_back(kTexelSlope);
+    throw InputError(option, unknownName({"what", MessageId::WordValue}, std::string(text), commaList(known)));
 }
 
 std::vector<std::string> shaderTracers() {
@@ -152,13 +145,16 @@ std::string shaderText(const ShaderChoice& choice, const std::string& made) {
     const auto set = [&](const char* constant, const char* option, std::size_t index, std::string_view name) {
         if (setConstant(text, constant, std::to_string(index))) command += std::string(option) + std::string(name);
     };
-    const auto unit = static_cast<std::size_t>(choice.coneUnit), length = static_cast<std::size_t>(choice.coneLength);
-    const auto white = static_cast<std::size_t>(choice.white);
+    const ConeCoding& cones = choice.cones;
     set("ADDRESS", " --address ", static_cast<std::size_t>(choice.address), addressName(choice.address));
-    set("WHITE", " --white ", white, kWhiteNames[white]);
-    set("CONE_UNIT", " --unit ", unit, kConeUnitNames[unit]);
-    set("CONE_LENGTH", " --length ", length, kConeLengthNames[length]);
-    const std::string scale = numberText(choice.coneScale);
+    set("WHITE", " --white ", static_cast<std::size_t>(choice.white), heightWhiteName(choice.white));
+    if (choice.texelSlopes) {
+        set("CONE_UNIT", " --unit ", kConeUnits.size(), kTexelSlope);
+    } else {
+        set("CONE_UNIT", " --unit ", static_cast<std::size_t>(cones.unit), coneUnitName(cones.unit));
+    }
+    set("CONE_LENGTH", " --length ", static_cast<std::size_t>(cones.length), coneLengthName(cones.length));
+    const std::string scale = numberText(cones.scale);
     if (setConstant(text, "CONE_SCALE", scale)) command += " --cone-scale " + scale;
     command += " --lang " + std::string(shaderLanguageName(choice.language));
     std::string opening = "// " + shader.tracer + ", " + method.title + " (" + method.source + "): " + method.help +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "relief/describe.h"
+#include "relief/maps/engine_codes.h"
 
 namespace relief {
 
@@ -16,28 +17,16 @@ enum class ShaderLanguage : std::uint8_t { Glsl, Hlsl };
 ShaderLanguage parseShaderLanguage(std::string_view text, const std::string& option);
 std::string_view shaderLanguageName(ShaderLanguage language);
 
-// How a map stores its cones; as in `relief map` for engines. Ratio: radius per height; SqrtRatio: its root, which
-// gives narrow cones more of 8 bits; Slope: one over the ratio; TexelSlope: heights per texel, as the maps that tracers
-// read.
-enum class ShaderConeUnit : std::uint8_t { Ratio, SqrtRatio, Slope, TexelSlope };
-// The unit of length of ratio and slope: texture coordinates, or texture widths on both axes.
-enum class ShaderConeLength : std::uint8_t { Uv, Width };
-// What white means in a height map.
-enum class ShaderWhite : std::uint8_t { High, Deep };
-// Throw InputError naming the option.
-ShaderConeUnit parseShaderConeUnit(std::string_view text, const std::string& option);
-ShaderConeLength parseShaderConeLength(std::string_view text, const std::string& option);
-ShaderWhite parseShaderWhite(std::string_view text, const std::string& option);
-
 struct ShaderChoice {
     MethodChoice method;
     Address address = Address::Repeat;
     ShaderLanguage language = ShaderLanguage::Glsl;
-    ShaderWhite white = ShaderWhite::High;
-    ShaderConeUnit coneUnit = ShaderConeUnit::Ratio;
-    ShaderConeLength coneLength = ShaderConeLength::Uv;
-    double coneScale = 1;
+    HeightWhite white = HeightWhite::High;
+    ConeCoding cones{};        // how the map stores its cones
+    bool texelSlopes = false;  // in place of `cones`: as heights per texel, as in the maps that tracers read
 };
+// Sets the unit of the cones: that of `cones`, or "texel-slope". Throws InputError naming the option.
+void setConeUnit(ShaderChoice& choice, std::string_view text, const std::string& option);
 
 // The tracers that have a shader, and those of them that read a cone map.
 std::vector<std::string> shaderTracers();

@@ -56,15 +56,11 @@ std::vector<ParameterText> parameterTexts(const StoredMap& map) {
     return std::visit([](const auto& m) { return parameterTexts(*m); }, map);
 }
 
-bool contains(const std::vector<std::string>& all, const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-}
-
 // The option prefix of the method that walks such maps: empty for the method itself, kInnerPrefix for the one inside
 // it; std::nullopt if neither does. Adds the kinds that they walk to `accepted`.
 std::optional<std::string> prefixOfWalker(const MethodChoice& choice, const std::string& kind, std::string& accepted) {
     const MethodDescription& method = findTracer(choice.name);
-    if (contains(method.maps, kind) || contains(method.otherMaps, kind)) return "";
+    if (isListed(method.maps, kind) || isListed(method.otherMaps, kind)) return "";
     for (const auto* const maps : {&method.maps, &method.otherMaps}) {
         for (const std::string& map : *maps) accepted += (accepted.empty() ? "" : ", ") + map;
     }
@@ -81,6 +77,10 @@ bool sameValue(OptionKind kind, const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+bool isListed(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 const std::vector<std::string>& mapKinds() {
     static const std::vector<std::string> kinds = [] {
@@ -108,7 +108,7 @@ std::optional<MethodChoice> innerMethod(const MethodChoice& choice) {
 std::optional<UsedMap> usedMap(const MethodChoice& choice) {
     const MethodDescription& method = findTracer(choice.name);
     for (const std::string& kind : mapKinds()) {
-        if (!contains(method.maps, kind)) continue;
+        if (!isListed(method.maps, kind)) continue;
         UsedMap used{kind, choice.options};
         used.options.insert(method.defaults.begin(), method.defaults.end());
         const auto other = used.options.find(std::string(kMapOption));

@@ -10,6 +10,9 @@
 
 namespace relief {
 
+// Returns true if the name is one of these.
+bool isListed(const std::vector<std::string>& names, const std::string& name);
+
 // Kinds of maps that can be built and stored, in the order of lists.
 const std::vector<std::string>& mapKinds();
 // The method that works inside this one, with its options; std::nullopt for methods that have no inner method.

@@ -116,7 +116,7 @@ TEST(SurfaceCones, HoldNoPointOfTheSurface) {
         for (const Address address : allAddresses()) {
             const HeightField field(randomHeights(width, height, 5), Surface::Bilinear, address, 0.2);
             Work work(2);
-            const std::vector<float> slopes = surfaceCones(field, work);
+            const FloatImage slopes = surfaceCones(field, work);
             Random random(11);
             double tightest = 0;
             for (int n = 0; n < 40'000; ++n) {
@@ -128,7 +128,7 @@ TEST(SurfaceCones, HoldNoPointOfTheSurface) {
                     for (const double across : {std::floor(s - 0.5), std::floor(s - 0.5) + 1}) {
                         const int i = addressIndex(static_cast<std::int64_t>(across), width, address);
                         const int j = addressIndex(static_cast<std::int64_t>(down), height, address);
-                        least = std::min(least, static_cast<double>(slopes[static_cast<std::size_t>(j * width + i)]));
+                        least = std::min(least, static_cast<double>(slopes(i, j)));
                     }
                 }
                 const double rise = field.at(s + x, t + y) - field.at(s, t);
@@ -165,7 +165,7 @@ TEST(RobustCones, AreBoundedByFallingEdgesAround) {
         for (const int radius : {3, 12}) {
             const HeightField field(randomHeights(12, 9, 8), Surface::Bilinear, address, 0.2);
             Work work(2);
-            const std::vector<float> slopes = robustRelaxedCones(field, radius, work);
+            const FloatImage slopes = robustRelaxedCones(field, radius, work);
             for (int y = 0; y < field.height(); ++y) {
                 for (int x = 0; x < field.width(); ++x) {
                     double steepest = 0;
@@ -176,8 +176,7 @@ TEST(RobustCones, AreBoundedByFallingEdgesAround) {
                             steepest = std::max(steepest, slopeToFallingEdges(field, i, j, radius));
                         }
                     }
-                    ASSERT_FLOAT_EQ(slopes[static_cast<std::size_t>(y * field.width() + x)],
-                                    static_cast<float>(steepest))
+                    ASSERT_FLOAT_EQ(slopes(x, y), static_cast<float>(steepest))
                         << describe(field) << " " << x << " " << y;
                 }
             }
@@ -188,7 +187,7 @@ TEST(RobustCones, AreBoundedByFallingEdgesAround) {
     for (int x = 0; x < 8; ++x) ramp(x, 0) = 0.1F * static_cast<float>(x);
     Work work(1);
     const HeightField field(share(std::move(ramp)), Surface::Bilinear, Address::Clamp);
-    EXPECT_EQ(robustRelaxedCones(field, 8, work)[0], 0.0F);
+    EXPECT_EQ(robustRelaxedCones(field, 8, work)(0, 0), 0.0F);
 }
 
 std::string jsonOf(const EngineConventions& c) {
