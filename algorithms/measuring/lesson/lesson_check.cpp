@@ -120,7 +120,7 @@ Scenario shownScenario(const Lesson& lesson, std::size_t page, SceneCache& scene
     Scenario scenario = lesson.scenarioOf(page);
     const auto& rule = lesson.pages[page].step;
     if (!rule) return scenario;
-    const SceneRay& ray = scenes.scene(scenario).ray(work);
+    const LoggedRay& ray = scenes.scene(scenario).ray(work);
     const bool departs = ray.judgement.kind != Departure::None;
     const auto step =
         stepOf(*rule, ray.steps, departs ? std::optional(ray.judgement.step) : std::nullopt, ray.judgement.overshoot);

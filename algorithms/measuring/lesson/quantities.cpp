@@ -31,7 +31,7 @@ struct Query {
     Work& work;
 
     MeasuredScene& scene() const { return scenes.scene(scenario); }
-    const SceneRay& ray() const { return scene().ray(work); }
+    const LoggedRay& ray() const { return scene().ray(work); }
     const Frame& frame() const { return scene().frame(work); }
 
     [[noreturn]] void fail(std::size_t index, const Message& why) const {
@@ -341,7 +341,7 @@ std::vector<Quantity> rayQuantities() {
         RELIEF_QUANTITY("trace.height", 0, 0, 1 - q.ray().hit.lambda),
         RELIEF_QUANTITY("trace.s", 0, 0, q.ray().hit.s),
         RELIEF_QUANTITY("trace.t", 0, 0, q.ray().hit.t),
-        RELIEF_QUANTITY("trace.error", 0, 0, q.ray().texels),
+        RELIEF_QUANTITY("trace.error", 0, 0, q.ray().judgement.texels),
         RELIEF_QUANTITY("trace.steps", 0, 0, asNumber(q.ray().steps.size())),
         RELIEF_QUANTITY("trace.reads", 0, 0, asNumber(q.ray().reads)),
         RELIEF_QUANTITY("trace.count", 1, 1, countedSteps(q)),
