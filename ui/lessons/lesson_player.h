@@ -113,6 +113,7 @@ class LessonPlayer : public QObject {
     std::shared_ptr<const relief::Lesson> lesson_;
     relief::Course course_;
     std::size_t page_ = 0;
+    relief::Scenario pageScenario_;    // of the shown page, without the step that its rule finds
     std::set<std::size_t> seenPages_;  // of the open lesson
     bool stepDue_ = false;             // the page's step is chosen when its ray is known
     Measured measured_;

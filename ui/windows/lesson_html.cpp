@@ -121,7 +121,7 @@ class PageWriter {
         if (question.kind == LessonQuestion::Kind::Choose) {
             html += " data-right=\"" + std::to_string(relief::rightChoice(question, source_)) + "\"";
         } else if (question.kind == LessonQuestion::Kind::Number) {
-            const double number = std::get<double>(question.number->value(source_));
+            const double number = question.number->number(source_);
             html += " data-number=\"" + relief::numberText(number) + "\" data-within=\"" +
                     relief::numberText(question.within) + "\"";
         }
