@@ -76,11 +76,7 @@ int checkLessons(const Arguments& arguments, const std::string& datasets) {
 int writeLessonPages(int count, char** values, const Arguments& arguments, const std::string& datasets) {
     const NamedLessons named = namedLessons(arguments.lesson, datasets);
     const bool folder = !named.course.empty();
-    if (!folder && fs::path(arguments.output).extension() != ".html") {
-        throw InputError(arguments.output,
-                         Message(MessageId::FormatUnknown,
-                                 {{"extension", fs::path(arguments.output).extension().string()}, {"known", "html"}}));
-    }
+    if (!folder) reliefui::checkHtmlFile(arguments.output);
     std::vector<Lesson> lessons;
     for (const std::string& one : named.folders) lessons.push_back(readLesson(one, datasets));
     reliefui::prepareFigures();

@@ -238,6 +238,10 @@ Scenario parsedScenario(const Json& json, const std::string& file, std::size_t l
 
 }  // namespace
 
+std::string knobValueText(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 std::string Lesson::file() const {
     return joined(folder, kLessonFile);
 }

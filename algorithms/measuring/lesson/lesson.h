@@ -42,6 +42,9 @@ struct LessonKnob {
     std::vector<Watched> watch;
 };
 
+// Returns a value of a knob as it is shown: a string without quotation marks.
+std::string knobValueText(const Json& value);
+
 struct LessonPage {
     std::string name;
     std::string pane, layer;  // empty: unchanged
