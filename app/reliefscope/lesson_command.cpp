@@ -5,6 +5,7 @@
 
 #include <QApplication>
 
+#include "measuring/lesson/course.h"
 #include "measuring/lesson/lesson_check.h"
 #include "relief/files.h"
 #include "windows/lesson_html.h"
@@ -34,7 +35,7 @@ NamedLessons namedLessons(const std::string& text, const std::string& datasets) 
     };
     std::error_code none;
     if (text != "all" && fs::is_directory(text, none)) {
-        if (fs::exists(fs::path(text) / "lesson.json", none)) return {{text}, {}};
+        if (isLesson(text)) return {{text}, {}};
         return inCourse(text);
     }
     if (shipped.empty()) throw InputError("--lesson", Message(MessageId::LessonsNotFound));

@@ -13,6 +13,7 @@
 #include <QObject>
 #include <QString>
 
+#include "measuring/lesson/course.h"
 #include "measuring/lesson/lesson_check.h"
 #include "workspace/latest_job.h"
 #include "workspace/workspace.h"

@@ -108,9 +108,8 @@ void LessonMenu::addCourse(const QString& folder) {
 }
 
 bool LessonMenu::open(const QString& folder, std::size_t page) {
-    const QFileInfo lesson(QDir(folder).filePath(QStringLiteral("lesson.json")));
     QString first = QFileInfo(folder).absoluteFilePath();
-    if (!lesson.exists()) {
+    if (!relief::isLesson(folder.toStdString())) {
         try {
             const relief::Course course = relief::readCourse(folder.toStdString());
             first = QDir(first).filePath(QString::fromStdString(course.lessons().front()));
@@ -144,8 +143,7 @@ void LessonMenu::askFolder() {
     if (folder.isEmpty()) return;
     keepFolder(folderKind(), folder);
     if (!open(folder)) return;
-    const bool one = QFileInfo::exists(QDir(folder).filePath(QStringLiteral("lesson.json")));
-    own_ = one ? QFileInfo(folder).path() : folder;
+    own_ = relief::isLesson(folder.toStdString()) ? QFileInfo(folder).path() : folder;
 }
 
 void LessonMenu::askNewLesson() {
