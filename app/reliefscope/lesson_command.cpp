@@ -5,6 +5,7 @@
 
 #include <QApplication>
 
+#include "measuring/lesson/course.h"
 #include "measuring/lesson/lesson_check.h"
 #include "relief/files.h"
 #include "windows/lesson_html.h"
@@ -34,7 +35,7 @@ NamedLessons namedLessons(const std::string& text, const std::string& datasets) 
     };
     std::error_code none;
     if (text != "all" && fs::is_directory(text, none)) {
-        if (fs::exists(fs::path(text) / "lesson.json", none)) return {{text}, {}};
+        if (isLesson(text)) return {{text}, {}};
         return inCourse(text);
     }
     if (shipped.empty()) throw InputError("--lesson", Message(MessageId::LessonsNotFound));
@@ -76,11 +77,7 @@ int checkLessons(const Arguments& arguments, const std::string& datasets) {
 int writeLessonPages(int count, char** values, const Arguments& arguments, const std::string& datasets) {
     const NamedLessons named = namedLessons(arguments.lesson, datasets);
     const bool folder = !named.course.empty();
-    if (!folder && fs::path(arguments.output).extension() != ".html") {
-        throw InputError(arguments.output,
-                         Message(MessageId::FormatUnknown,
-                                 {{"extension", fs::path(arguments.output).extension().string()}, {"known", "html"}}));
-    }
+    if (!folder) reliefui::checkHtmlFile(arguments.output);
     std::vector<Lesson> lessons;
     for (const std::string& one : named.folders) lessons.push_back(readLesson(one, datasets));
     reliefui::prepareFigures();

@@ -247,9 +247,10 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     page.caption = arguments.caption;
     page.style.theme = arguments.dark ? reliefui::Theme::Dark : reliefui::Theme::Light;
     page.style.language = reliefui::uiLanguage();
-    if (!arguments.html) reliefui::checkPage(page, arguments.output, kind.vectors);
-    if (arguments.html && std::filesystem::path(arguments.output).extension() != ".html") {
-        throw InputError(arguments.output, Message(MessageId::FormatUnknown, {{"extension", ""}, {"known", "html"}}));
+    if (arguments.html) {
+        reliefui::checkHtmlFile(arguments.output);
+    } else {
+        reliefui::checkPage(page, arguments.output, kind.vectors);
     }
     if (arguments.html && !kind.make) {
         throw InputError("--html", Message(MessageId::ArgumentsExclude, {{"other", "--export " + arguments.figure}}));

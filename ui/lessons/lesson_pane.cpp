@@ -189,9 +189,7 @@ void LessonPane::refresh() {
         const int turn = player_->turn();
         if (turn >= 0) knob_->setValue(turn);
         const relief::Json& value = values[static_cast<std::size_t>(std::max(turn, 0))];
-        knobValue_->setText(turn < 0
-                                ? QStringLiteral("–")
-                                : QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump()));
+        knobValue_->setText(turn < 0 ? QStringLiteral("–") : QString::fromStdString(relief::knobValueText(value)));
     }
     number_->setVisible(page && player_->page().question && player_->page().question->number && !player_->revealed() &&
                         !lecture_);
@@ -283,8 +281,7 @@ QString LessonPane::knobHtml() const {
     html += QStringLiteral("<table cellpadding=\"3\"><tr><td></td>");
     for (const auto& [turn, values] : player_->turns()) {
         const relief::Json& value = knob->values[static_cast<std::size_t>(turn)];
-        html += QStringLiteral("<td align=\"right\"><b>%1</b></td>")
-                    .arg(plain(value.is_string() ? value.get<std::string>() : value.dump()));
+        html += QStringLiteral("<td align=\"right\"><b>%1</b></td>").arg(plain(relief::knobValueText(value)));
     }
     html += QStringLiteral("</tr>");
     for (std::size_t n = 0; n < knob->watch.size(); ++n) {

@@ -72,8 +72,8 @@ void LessonPlayer::close() {
 }
 
 void LessonPlayer::show(std::size_t page) {
-    // Checked before anything changes.
-    const relief::Scenario scenario = lesson_->scenarioOf(page);
+    pageScenario_ = lesson_->scenarioOf(page);  // throws before anything changes
+    job_.drop();                                // its values are those of the page before
     page_ = page;
     measured_ = {};
     chosen_.reset();
@@ -91,7 +91,7 @@ void LessonPlayer::show(std::size_t page) {
     }
     workspace_->setGuessing(this->page().question && this->page().question->kind == relief::LessonQuestion::Kind::Hit);
     workspace_->setLayer(layerNamed(this->page().layer).value_or(Layer::Color));
-    workspace_->show(scenario, changeName([title = QString::fromStdString(lesson_->name)] {
+    workspace_->show(pageScenario_, changeName([title = QString::fromStdString(lesson_->name)] {
                          return LessonPlayer::tr("Lesson %1").arg(title);
                      }));
     Q_EMIT changedPage();
@@ -147,10 +147,10 @@ void LessonPlayer::measure() {
             }
         }
         if (shown.question && shown.question->number) {
-            guarded([&] { result->number = std::get<double>(shown.question->number->value(source)); });
+            guarded([&] { result->number = shown.question->number->number(source); });
         }
         for (std::size_t n = 0; turned && n < shown.knob->watch.size(); ++n) {
-            guarded([&] { result->watched.push_back(std::get<double>(shown.knob->watch[n].value.value(source))); });
+            guarded([&] { result->watched.push_back(shown.knob->watch[n].value.number(source)); });
         }
     };
     const int at = turn();
@@ -173,8 +173,7 @@ QString LessonPlayer::html(const std::string& words) const {
 
 bool LessonPlayer::changed() const {
     if (!lesson_) return false;
-    const relief::Scenario own = lesson_->scenarioOf(page_);
-    return !(relief::withNotesOf(workspace_->scenario(), own) == own);
+    return !(relief::withNotesOf(workspace_->scenario(), pageScenario_) == pageScenario_);
 }
 
 void LessonPlayer::choose(std::size_t choice) {

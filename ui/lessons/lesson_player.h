@@ -13,6 +13,7 @@
 #include <QObject>
 #include <QString>
 
+#include "measuring/lesson/course.h"
 #include "measuring/lesson/lesson_check.h"
 #include "workspace/latest_job.h"
 #include "workspace/workspace.h"
@@ -113,6 +114,7 @@ class LessonPlayer : public QObject {
     std::shared_ptr<const relief::Lesson> lesson_;
     relief::Course course_;
     std::size_t page_ = 0;
+    relief::Scenario pageScenario_;    // of the shown page, without the step that its rule finds
     std::set<std::size_t> seenPages_;  // of the open lesson
     bool stepDue_ = false;             // the page's step is chosen when its ray is known
     Measured measured_;

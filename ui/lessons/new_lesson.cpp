@@ -10,7 +10,7 @@ void writeNewLesson(const QString& folder, const relief::Scenario& scenario, con
     lesson.scenario = scenario;
     lesson.pane = pane.toStdString();
     lesson.datasets = datasets.toStdString();
-    const auto words = [&](const char* title, const char* about, const char* page, const char* text) {
+    const auto words = [](const char* title, const char* about, const char* page, const std::string& text) {
         relief::LessonText out;
         out.title = title;
         out.about = about;
@@ -22,13 +22,11 @@ void writeNewLesson(const QString& folder, const relief::Scenario& scenario, con
         return out;
     };
     // In both languages, whatever the window's is: these are files, to be edited.
-    const char* const steps = scenario.pixel ? " {trace.steps}" : "";
-    lesson.english =
-        words("A new lesson", "What the lesson shows, in one sentence.", "The first page",
-              (std::string("Up to sixty words. Values are filled in, such as the number of steps:") + steps).c_str());
-    lesson.ukrainian =
-        words("Новий урок", "Що показує урок, одним реченням.", "Перша сторінка",
-              (std::string("До шістдесяти слів. Величини підставляються, як-от кількість кроків:") + steps).c_str());
+    const std::string steps = scenario.pixel ? " {trace.steps}" : "";
+    lesson.english = words("A new lesson", "What the lesson shows, in one sentence.", "The first page",
+                           "Up to sixty words. Values are filled in, such as the number of steps:" + steps);
+    lesson.ukrainian = words("Новий урок", "Що показує урок, одним реченням.", "Перша сторінка",
+                             "До шістдесяти слів. Величини підставляються, як-от кількість кроків:" + steps);
     relief::writeLesson(folder.toStdString(), lesson);
 }
 

@@ -1,6 +1,7 @@
 #include "windows/html_page.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 
 #include <QBuffer>
@@ -178,6 +179,13 @@ const char* languageCode(relief::Language language) {
 
 void installPageLanguage(relief::Language language) {
     installTranslations(QLatin1String(languageCode(language)));
+}
+
+void checkHtmlFile(const std::string& path) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    if (ending == ".html") return;
+    throw relief::InputError(
+        path, relief::Message(relief::MessageId::FormatUnknown, {{"extension", ending}, {"known", "html"}}));
 }
 
 std::string inBoth(const std::string& english, const std::string& ukrainian) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,6 +18,9 @@ namespace reliefui {
 inline constexpr std::array<relief::Language, 2> kPageLanguages{relief::Language::English, relief::Language::Ukrainian};
 // Suffix of keys and of CSS classes: "en", "uk".
 const char* languageCode(relief::Language language);
+
+// Throws InputError unless the file's name ends in ".html".
+void checkHtmlFile(const std::string& path);
 
 // A word of the page in both languages.
 std::string inBoth(const std::string& english, const std::string& ukrainian);
@@ -37,12 +41,13 @@ class HtmlParts {
     std::size_t bytes_ = 0;
 };
 
-// Draws the pane's figure at the steps of the snapshot's ray and returns it as a <figure> with a slider, or without one
-// if it is the same at all steps. About kMostFigureBytes of new parts at most: of longer rays, steps are left out.
-// installLanguage: makes the texts of figures those of a language.
 using LanguageSetter = std::function<void(relief::Language)>;
 // Installs the translation of a language; there must be no window.
 void installPageLanguage(relief::Language language);
+
+// Draws the pane's figure at the steps of the snapshot's ray and returns it as a <figure> with a slider, or without one
+// if it is the same at all steps. About kMostFigureBytes of new parts at most: of longer rays, steps are left out.
+// installLanguage: sets the language of the figures' texts.
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work);
 inline constexpr std::size_t kMostFigureBytes = 700000;

@@ -4,6 +4,7 @@
 
 #include "panes/figure_caption.h"
 #include "windows/pane_list.h"
+#include "workspace/hidden_answer.h"
 #include "workspace/layer_names.h"
 #include "workspace/resized_snapshot.h"
 #include "workspace/snapshot_maker.h"
@@ -21,10 +22,6 @@ constexpr int kTurnWidth = 420;  // of the pictures of a knob's turns
 
 std::string escaped(const std::string& text) {
     return relief::escapedHtml(text);
-}
-
-std::string wordOf(const relief::Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 class PageWriter {
@@ -82,11 +79,8 @@ class PageWriter {
         order.layer = layerNamed(lesson_.pages[number_].layer).value_or(Layer::Color);
         auto snapshot = maker_.make(order, work_);
         if (!guessing) return snapshot;
-        auto hidden = std::make_shared<Snapshot>(*snapshot);
-        hidden->trace.hidden = true;
-        hidden->trace.hit = hidden->trace.exact = {};
-        hidden->trace.steps.clear();
-        hidden->trace.judgement = {};
+        auto hidden = withoutAnswer(*snapshot);
+        hidden->trace.exact = {};  // no guess is compared with it on a page
         return hidden;
     }
     std::string result(const std::shared_ptr<const Snapshot>& snapshot, int width) {
@@ -121,7 +115,7 @@ class PageWriter {
         if (question.kind == LessonQuestion::Kind::Choose) {
             html += " data-right=\"" + std::to_string(relief::rightChoice(question, source_)) + "\"";
         } else if (question.kind == LessonQuestion::Kind::Number) {
-            const double number = std::get<double>(question.number->value(source_));
+            const double number = question.number->number(source_);
             html += " data-number=\"" + relief::numberText(number) + "\" data-within=\"" +
                     relief::numberText(question.within) + "\"";
         }
@@ -149,10 +143,10 @@ class PageWriter {
         std::string html = "<div class=\"knob\">\n" + both([](const PageText& words) { return words.knob; });
         std::string values;
         int own = 0;
-        const relief::Json now = lesson_.pages[number_].scenario;
+        const relief::Json& now = lesson_.pages[number_].scenario;
         const relief::Json::json_pointer place(knob.set);
         for (std::size_t turn = 0; turn < knob.values.size(); ++turn) {
-            values += (turn == 0 ? "" : "\x1f") + wordOf(knob.values[turn]);
+            values += (turn == 0 ? "" : "\x1f") + relief::knobValueText(knob.values[turn]);
             if (now.contains(place) && now[place] == knob.values[turn]) own = static_cast<int>(turn);
         }
         html += "<div class=\"slider\"><input type=\"range\" min=\"0\" max=\"" +
@@ -164,7 +158,7 @@ class PageWriter {
                     result(snapshotOf(lesson_.scenarioOf(number_, turn), false), kTurnWidth) + "</div>\n";
         }
         html += "<div class=\"wide\"><table>\n<tr><th>" + escaped(knob.set.substr(knob.set.rfind('/') + 1)) + "</th>";
-        for (const relief::Json& value : knob.values) html += "<th>" + escaped(wordOf(value)) + "</th>";
+        for (const relief::Json& value : knob.values) html += "<th>" + escaped(relief::knobValueText(value)) + "</th>";
         html += "</tr>\n";
         for (std::size_t n = 0; n < knob.watch.size(); ++n) {
             html += "<tr><td><code>" + escaped(knob.watch[n].value.text()) + "</code></td>";

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "measuring/lesson/course.h"
 #include "measuring/lesson/lesson_check.h"
 #include "windows/html_page.h"
 

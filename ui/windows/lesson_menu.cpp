@@ -47,12 +47,11 @@ LessonMenu::LessonMenu(Workspace* workspace, const QString& datasets, QMenu* men
     window_->addDockWidget(Qt::LeftDockWidgetArea, dock_);
     dock_->hide();
     connect(player_, &LessonPlayer::paneWanted, this, [this](const QString& pane) { ways_.focusPane(pane); });
-    connect(player_, &LessonPlayer::changedPage, this, [this] {
-        if (notesText_) notesText_->setHtml(lessonNotesHtml(*player_));
-    });
-    connect(player_, &LessonPlayer::changedState, this, [this] {
-        if (notesText_) notesText_->setHtml(lessonNotesHtml(*player_));
-    });
+    for (const auto signal : {&LessonPlayer::changedPage, &LessonPlayer::changedState}) {
+        connect(player_, signal, this, [this] {
+            if (notesText_) notesText_->setHtml(lessonNotesHtml(*player_));
+        });
+    }
     connect(pane_, &LessonPane::notesRequested, this, &LessonMenu::showNotes);
     const auto add = [&](const QString& text, const char* keys, const QString& help, void (LessonMenu::*slot)()) {
         QAction* const action = ways_.addAction(text, QLatin1String(keys), help);
@@ -109,9 +108,8 @@ void LessonMenu::addCourse(const QString& folder) {
 }
 
 bool LessonMenu::open(const QString& folder, std::size_t page) {
-    const QFileInfo lesson(QDir(folder).filePath(QStringLiteral("lesson.json")));
     QString first = QFileInfo(folder).absoluteFilePath();
-    if (!lesson.exists()) {
+    if (!relief::isLesson(folder.toStdString())) {
         try {
             const relief::Course course = relief::readCourse(folder.toStdString());
             first = QDir(first).filePath(QString::fromStdString(course.lessons().front()));
@@ -145,8 +143,7 @@ void LessonMenu::askFolder() {
     if (folder.isEmpty()) return;
     keepFolder(folderKind(), folder);
     if (!open(folder)) return;
-    const bool one = QFileInfo::exists(QDir(folder).filePath(QStringLiteral("lesson.json")));
-    own_ = one ? QFileInfo(folder).path() : folder;
+    own_ = relief::isLesson(folder.toStdString()) ? QFileInfo(folder).path() : folder;
 }
 
 void LessonMenu::askNewLesson() {
@@ -220,30 +217,22 @@ void LessonMenu::setBlack(bool on) {
     black_->raise();
 }
 
-bool LessonMenu::lectureKey(int key) {
-    if (black_) {
-        setBlack(false);
-        return true;
-    }
+std::function<void()> LessonMenu::lectureAction(int key) {
+    if (black_) return [this] { setBlack(false); };
     switch (key) {
         case Qt::Key_PageDown:
-            player_->forward();
-            return true;
+            return [this] { player_->forward(); };
         case Qt::Key_PageUp:
-            player_->previous();
-            return true;
+            return [this] { player_->previous(); };
         case Qt::Key_B:
-            setBlack(true);
-            return true;
+            return [this] { setBlack(true); };
         case Qt::Key_Escape:
-            setLecture(false);
-            return true;
+            return [this] { setLecture(false); };
         default:
             break;
     }
-    if (key < Qt::Key_1 || key > Qt::Key_9 || player_->votes().empty() || player_->revealed()) return false;
-    player_->vote(static_cast<std::size_t>(key - Qt::Key_1));
-    return true;
+    if (key < Qt::Key_1 || key > Qt::Key_9 || player_->votes().empty() || player_->revealed()) return {};
+    return [this, choice = static_cast<std::size_t>(key - Qt::Key_1)] { player_->vote(choice); };
 }
 
 bool LessonMenu::eventFilter(QObject* watched, QEvent* event) {
@@ -252,17 +241,15 @@ bool LessonMenu::eventFilter(QObject* watched, QEvent* event) {
     if (!lecturing_ || (!press && !claim) || widget == nullptr || widget->window() != window_) return false;
     const auto& key = *static_cast<QKeyEvent*>(event);
     if ((key.modifiers() & ~Qt::KeypadModifier) != 0) return false;
-    const bool digit = key.key() >= Qt::Key_1 && key.key() <= Qt::Key_9;
-    const bool ours = black_ || key.key() == Qt::Key_PageDown || key.key() == Qt::Key_PageUp ||
-                      key.key() == Qt::Key_B || key.key() == Qt::Key_Escape ||
-                      (digit && !player_->votes().empty() && !player_->revealed());
-    if (!ours) return false;
-    // Claimed from the shortcuts first, so that the key press itself arrives here.
-    if (claim) {
+    const auto action = lectureAction(key.key());
+    if (!action) return false;
+    if (press) {
+        action();
+    } else {
+        // Claimed from the shortcuts first, so that the key press itself arrives here.
         event->accept();
-        return true;
     }
-    return lectureKey(key.key());
+    return true;
 }
 
 }  // namespace reliefui

@@ -58,7 +58,8 @@ class LessonMenu : public QObject {
     void askNewLesson();
     void askPage();
     void setBlack(bool on);
-    bool lectureKey(int key);
+    // Returns what the key does in a lecture; empty: nothing of the lecture's.
+    std::function<void()> lectureAction(int key);
 
     Workspace* workspace_;
     QString datasets_;

@@ -1,77 +1,31 @@
 #include "workspace/pixel_trace.h"
 
-#include "relief/files.h"
-#include "scenario/ray_files.h"
+#include "measuring/compare/logged_ray.h"
 
 namespace reliefui {
 
 namespace {
 
-// Gives bit for bit the results of `exact`, but is faster.
-constexpr const char* kExactTracer = "max-pyramid";
-
-void trace(PixelTrace& out, const relief::Tracer& tracer, relief::Work& work) {
-    relief::RayBlock rays;
-    rays.push(out.ray);
-    relief::HitBlock hits;
-    relief::StepLog log;
-    tracer.trace(rays, hits, log, work);
+// Copies what both have.
+void take(PixelTrace& out, relief::LoggedRay ray) {
     out.onRelief = true;
-    out.hit = hits[0];
-    out.steps = std::move(log.steps);
-    out.reads = log.reads.front();
-    out.baseLevel = tracer.baseLevel();
-}
-
-relief::Hit exactHit(const relief::ViewRay& ray, const relief::HeightField& field, relief::MapCache& maps,
-                     relief::Work& work) {
-    relief::RayBlock rays;
-    rays.push(ray);
-    relief::HitBlock hits;
-    relief::NullSink sink;
-    relief::makeTracer({kExactTracer, {}}, field, maps, work)->trace(rays, hits, sink, work);
-    return hits[0];
-}
-
-void judgeIt(PixelTrace& out, const std::string& name, const relief::HeightField& field) {
-    const relief::DuelRun run{name, out.hit, out.steps};
-    out.judgement = relief::judge(run, out.exact, out.ray, field);
-}
-
-// The chosen ray of the files, with its steps.
-std::shared_ptr<const PixelTrace> fileTrace(const relief::OtherTracer& other, const OtherFiles& files,
-                                            const relief::HeightField& field) {
-    const auto ray = static_cast<std::size_t>(other.ray);
-    if (ray >= files.rays.size()) {
-        throw relief::InputError(other.rays,
-                                 relief::Message(relief::MessageId::OutOfRange,
-                                                 {{"what", relief::MessageId::WordRay},
-                                                  {"value", ray},
-                                                  {"range", relief::rangeOf<std::size_t>(0, files.rays.size() - 1)}}));
-    }
-    auto out = std::make_shared<PixelTrace>();
-    out->onRelief = true;
-    out->fromFile = true;
-    out->ray = files.rays[ray];
-    const auto first = files.log.steps.begin() + static_cast<std::ptrdiff_t>(files.log.begin[ray]);
-    const auto last = files.log.steps.begin() + static_cast<std::ptrdiff_t>(files.log.begin[ray + 1]);
-    out->steps.assign(first, last);
-    relief::placeSteps(out->steps, out->ray, field, other.steps, ray);
-    out->hit = relief::answerOf(out->steps, out->ray);
-    return out;
+    out.ray = ray.ray;
+    out.hit = ray.hit;
+    out.steps = std::move(ray.steps);
+    out.reads = ray.reads;
+    out.exact = ray.exact;
+    out.judgement = ray.judgement;
 }
 
 }  // namespace
 
 std::shared_ptr<const OtherFiles> readOtherFiles(const relief::OtherTracer& other) {
-    auto files = std::make_shared<OtherFiles>();
-    files->from = other;
-    files->rays = relief::parseRays(relief::readTextFile(other.rays), other.rays);
-    if (files->rays.size() == 0) {
-        throw relief::InputError(other.rays, relief::Message(relief::MessageId::RaysNone));
-    }
-    files->log = relief::parseSteps(relief::readTextFile(other.steps), other.steps, files->rays.size());
-    return files;
+    relief::RayFiles files = relief::readRayFiles(other);
+    auto out = std::make_shared<OtherFiles>();
+    out->from = other;
+    out->rays = std::move(files.rays);
+    out->log = std::move(files.log);
+    return out;
 }
 
 RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest& request, const relief::Tracer& tracer,
@@ -80,10 +34,12 @@ RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest&
     PixelTrace own;
     if (scenario.pixel) own.pixel = *scenario.pixel;
     if (files != nullptr) {
-        auto other = std::make_shared<PixelTrace>(*fileTrace(scenario.other, *files, request.field));
+        relief::LoggedRay logged = relief::rayOfFiles(scenario.other, files->rays, files->log, request.field);
+        relief::judgeAgainstExact(logged, scenario.other.steps, request.field, maps, work);
+        auto other = std::make_shared<PixelTrace>();
+        take(*other, std::move(logged));
         other->pixel = own.pixel;
-        other->exact = exactHit(other->ray, request.field, maps, work);
-        judgeIt(*other, scenario.other.steps, request.field);
+        other->fromFile = true;
         own.ray = other->ray;
         out.other = other;
         out.otherRays = files->rays.size();
@@ -100,9 +56,10 @@ RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest&
         }
         own.ray = *ray;
     }
-    trace(own, tracer, work);
-    own.exact = exactHit(own.ray, request.field, maps, work);
-    judgeIt(own, scenario.method.name, request.field);
+    relief::LoggedRay logged = relief::tracedRay(tracer, own.ray, work);
+    relief::judgeAgainstExact(logged, scenario.method.name, request.field, maps, work);
+    take(own, std::move(logged));
+    own.baseLevel = tracer.baseLevel();
     out.shown = std::move(own);
     return out;
 }

@@ -6,7 +6,7 @@
 
 #include "scenario/variation.h"
 #include "workspace/change_name.h"
-#include "workspace/discard.h"
+#include "workspace/hidden_answer.h"
 #include "workspace/language.h"
 #include "workspace/pane_store.h"
 #include "workspace/range_json.h"
@@ -195,16 +195,7 @@ void Workspace::setGuessing(bool on) {
 }
 
 void Workspace::hideAnswer() {
-    hidden_.reset();
-    if (!guessing_ || !snapshot_) return;
-    auto hidden = makeFreedInBackground<Snapshot>(*snapshot_);
-    hidden->trace.steps.clear();
-    hidden->trace.hit = relief::Hit::none(relief::Outcome::Unset);
-    hidden->trace.judgement = {};
-    hidden->trace.hidden = true;
-    hidden->other.reset();
-    hidden->footprint.reset();
-    hidden_ = std::move(hidden);
+    hidden_ = guessing_ && snapshot_ ? withoutAnswer(*snapshot_) : nullptr;
 }
 
 void Workspace::setLayer(Layer layer) {

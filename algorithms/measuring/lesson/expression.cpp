@@ -1,5 +1,6 @@
 #include "measuring/lesson/expression.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -28,7 +29,8 @@ using Node = Expression::Node;
 using NodePointer = std::shared_ptr<const Node>;
 
 constexpr std::array<std::string_view, 6> kFunctions{"abs", "min", "max", "sqrt", "log2", "floor"};
-constexpr int kDeepest = 64;  // nested parentheses and signs
+// Parentheses and signs of an expression, nested or not: bounds the recursion.
+constexpr int kDeepest = 64;
 
 bool isFunction(const std::string& name) {
     return std::find(kFunctions.begin(), kFunctions.end(), name) != kFunctions.end();
@@ -234,11 +236,7 @@ class Evaluator {
         }
         return false;
     }
-    double number(const Node& node) const {
-        const LessonValue found = value(node);
-        if (const double* const known = std::get_if<double>(&found)) return *known;
-        throw InputError(text_, Message(MessageId::LessonNoNumber, {{"value", lessonValueText(found)}}));
-    }
+    double number(const Node& node) const { return asNumber(value(node)); }
     bool truth(const Node& node) const {
         const LessonValue found = value(node);
         if (const bool* const known = std::get_if<bool>(&found)) return *known;
@@ -246,6 +244,10 @@ class Evaluator {
     }
 
   private:
+    double asNumber(const LessonValue& found) const {
+        if (const double* const known = std::get_if<double>(&found)) return *known;
+        throw InputError(text_, Message(MessageId::LessonNoNumber, {{"value", lessonValueText(found)}}));
+    }
     QuantityName quantity(const Node& node) const {
         QuantityName name{node.name, {}, node.place};
         for (const NodePointer& part : node.parts) name.arguments.push_back(value(*part));
@@ -285,11 +287,10 @@ class Evaluator {
             throw InputError(text_, Message(MessageId::LessonNoCompare,
                                             {{"value", lessonValueText(left)}, {"other", lessonValueText(right)}}));
         }
-        if (node.parts.size() > 2)
-            return std::abs(number(*node.parts[0]) - number(*node.parts[1])) <= number(*node.parts[2]);
-        if (node.name == "==") return left == right;
+        if (node.parts.size() == 2 && node.name == "==") return left == right;
         if (node.name == "!=") return left != right;
-        const double a = number(*node.parts[0]), b = number(*node.parts[1]);
+        const double a = asNumber(left), b = asNumber(right);
+        if (node.parts.size() > 2) return std::abs(a - b) <= number(*node.parts[2]);
         if (node.name == "<") return a < b;
         if (node.name == "<=") return a <= b;
         return node.name == ">" ? a > b : a >= b;
@@ -310,6 +311,10 @@ Expression::Expression(const std::string& text) : text_(text), root_(Parser(text
 
 LessonValue Expression::value(const QuantitySource& source) const {
     return Evaluator(text_, source).value(*root_);
+}
+
+double Expression::number(const QuantitySource& source) const {
+    return Evaluator(text_, source).number(*root_);
 }
 
 bool Expression::holds(const QuantitySource& source) const {

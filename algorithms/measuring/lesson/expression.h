@@ -33,7 +33,9 @@ class Expression {
     const std::string& text() const { return text_; }
     // Throws InputError if the values do not fit the operators, and what the source throws.
     LessonValue value(const QuantitySource& source) const;
-    // Returns the value of a claim. Throws InputError also if it is neither true nor false.
+    // Returns the value of an expression that gives a number. Throws InputError also if it is none.
+    double number(const QuantitySource& source) const;
+    // Returns whether a claim is true. Throws InputError also if it is neither true nor false.
     bool holds(const QuantitySource& source) const;
     // Returns the claim's text with the values of both sides of its comparisons: "a < 0.5 * b (0.4 < 0.3)".
     std::string explained(const QuantitySource& source) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "measuring/lesson/course.h"
 #include "relief/files.h"
 #include "relief/step_log.h"
 
@@ -13,8 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kLessonFile = "lesson.json";
-constexpr const char* kCourseFile = "course.json";
 constexpr const char* kEnglishText = "text.en.md";
 constexpr const char* kUkrainianText = "text.uk.md";
 constexpr std::array<std::string_view, 3> kTrends{"falls", "rises", "same"};
@@ -238,6 +237,10 @@ Scenario parsedScenario(const Json& json, const std::string& file, std::size_t l
 
 }  // namespace
 
+std::string knobValueText(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 std::string Lesson::file() const {
     return joined(folder, kLessonFile);
 }
@@ -358,74 +361,6 @@ std::optional<int> stepOf(const StepRule& rule, const std::vector<Step>& steps, 
     const auto found =
         std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return decisionName(step.decision) == name; });
     return within(static_cast<std::size_t>(found - steps.begin()));
-}
-
-std::vector<std::string> Course::lessons() const {
-    std::vector<std::string> all;
-    for (const Chapter& chapter : chapters) all.insert(all.end(), chapter.lessons.begin(), chapter.lessons.end());
-    return all;
-}
-
-bool isLessonFolder(const std::string& folder) {
-    std::error_code none;
-    if (fs::exists(joined(folder, kLessonFile), none)) return true;
-    for (const auto& entry : fs::directory_iterator(folder, none)) {
-        if (fs::exists(entry.path() / kLessonFile, none)) return true;
-    }
-    return false;
-}
-
-Course readCourse(const std::string& folder) {
-    Course course;
-    course.folder = folder;
-    std::vector<std::string> names;
-    std::error_code fault;
-    for (const auto& entry : fs::directory_iterator(folder, fault)) {
-        std::error_code none;
-        if (fs::exists(entry.path() / kLessonFile, none)) names.push_back(entry.path().filename().string());
-    }
-    if (names.empty()) throw InputError(folder, Message(MessageId::LessonNone));
-    std::sort(names.begin(), names.end());
-    std::vector<std::string> begins;
-    const std::string file = joined(folder, kCourseFile);
-    if (fs::exists(file, fault)) {
-        const std::string text = readTextFile(file);
-        const Json json = parseJson(text, file);
-        JsonReader reader({text, file}, json, {});
-        int version = 0;
-        reader.readWhole("course", version);
-        if (version != kLessonVersion)
-            reader.fail("course", Message(MessageId::LessonVersion, {{"known", kLessonVersion}}));
-        reader.readObjects("chapters", [&](JsonReader item) {
-            Chapter chapter;
-            std::string begin;
-            item.read("begins", begin);
-            if (begin.empty()) item.fail("begins", MessageId::WantAText);
-            if (item.has("title")) {
-                JsonReader title = item.child("title");
-                title.read("en", chapter.english);
-                title.read("uk", chapter.ukrainian);
-                title.finish();
-            }
-            item.finish();
-            if (chapter.ukrainian.empty()) chapter.ukrainian = chapter.english;
-            if (chapter.english.empty()) chapter.english = chapter.ukrainian;
-            begins.push_back(begin);
-            course.chapters.push_back(std::move(chapter));
-        });
-        reader.finish();
-    }
-    Chapter rest;
-    for (const std::string& name : names) {
-        const auto found =
-            std::find_if(begins.begin(), begins.end(), [&](const std::string& b) { return name.starts_with(b); });
-        Chapter& chapter =
-            found == begins.end() ? rest : course.chapters[static_cast<std::size_t>(found - begins.begin())];
-        chapter.lessons.push_back(name);
-    }
-    if (!rest.lessons.empty()) course.chapters.push_back(std::move(rest));
-    std::erase_if(course.chapters, [](const Chapter& chapter) { return chapter.lessons.empty(); });
-    return course;
 }
 
 }  // namespace relief

@@ -1,5 +1,4 @@
-// Lessons as documents: a folder with lesson.json and its words (FORMATS.md, "Lesson"), and courses, folders of
-// lessons.
+// Lessons as documents: a folder with lesson.json and its words (FORMATS.md, "Lesson").
 #pragma once
 
 #include <optional>
@@ -41,6 +40,9 @@ struct LessonKnob {
     std::vector<Json> values;
     std::vector<Watched> watch;
 };
+
+// Returns a value of a knob as it is shown: a string without quotation marks.
+std::string knobValueText(const Json& value);
 
 struct LessonPage {
     std::string name;
@@ -89,23 +91,5 @@ void writeLesson(const std::string& folder, const NewLesson& lesson);
 // departure, overshoot: as Judgement has them, if there are any.
 std::optional<int> stepOf(const StepRule& rule, const std::vector<Step>& steps, std::optional<std::size_t> departure,
                           std::optional<std::size_t> overshoot);
-
-// A chapter of a course, with the names of its lessons in order.
-struct Chapter {
-    std::string english, ukrainian;  // titles; empty: the course has no chapters
-    std::vector<std::string> lessons;
-
-    const std::string& title(Language language) const { return language == Language::Ukrainian ? ukrainian : english; }
-};
-struct Course {
-    std::string folder;
-    std::vector<Chapter> chapters;
-
-    std::vector<std::string> lessons() const;  // of all chapters
-};
-// Reads course.json, if there is one, and lists the lessons. Throws InputError if the folder holds no lesson.
-Course readCourse(const std::string& folder);
-// Returns true if the folder holds a lesson or lessons.
-bool isLessonFolder(const std::string& folder);
 
 }  // namespace relief

@@ -58,10 +58,9 @@ class Check {
                 rightChoice(question, source);
                 break;
             case LessonQuestion::Kind::Number: {
-                const LessonValue value = question.number->value(source);
-                const double* const number = std::get_if<double>(&value);
-                if (number == nullptr || !std::isfinite(*number)) {
-                    fault(Message(MessageId::LessonNoNumber, {{"value", lessonValueText(value)}}));
+                const double number = question.number->number(source);
+                if (!std::isfinite(number)) {
+                    fault(Message(MessageId::LessonNoNumber, {{"value", lessonValueText(number)}}));
                 }
                 break;
             }
@@ -120,7 +119,7 @@ Scenario shownScenario(const Lesson& lesson, std::size_t page, SceneCache& scene
     Scenario scenario = lesson.scenarioOf(page);
     const auto& rule = lesson.pages[page].step;
     if (!rule) return scenario;
-    const SceneRay& ray = scenes.scene(scenario).ray(work);
+    const LoggedRay& ray = scenes.scene(scenario).ray(work);
     const bool departs = ray.judgement.kind != Departure::None;
     const auto step =
         stepOf(*rule, ray.steps, departs ? std::optional(ray.judgement.step) : std::nullopt, ray.judgement.overshoot);
@@ -153,13 +152,12 @@ std::vector<std::vector<double>> turnedValues(const Lesson& lesson, std::size_t 
         const QuantitySource source = lessonSource(lesson, lesson.scenarioOf(page, turn), scenes, work);
         std::vector<double> values;
         for (const auto& watch : knob.watch) {
-            const LessonValue value = watch.value.value(source);
-            const double* const number = std::get_if<double>(&value);
-            if (number == nullptr || std::isnan(*number)) {
+            const double value = watch.value.number(source);
+            if (std::isnan(value)) {
                 throw InputError(watch.value.text(),
                                  Message(MessageId::LessonNoNumber, {{"value", lessonValueText(value)}}));
             }
-            values.push_back(*number);
+            values.push_back(value);
         }
         turns.push_back(std::move(values));
     }

@@ -1,52 +1,17 @@
 #include "measuring/lesson/measured_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "relief/files.h"
 #include "relief/maps/distance_map.h"
 #include "relief/tracers/map_choice.h"
 #include "rendering/pixel_coefficients.h"
-#include "scenario/ray_files.h"
-#include "scenario/step_sentence.h"
 
 namespace relief {
 
 namespace {
 
-// Gives bit for bit the results of `exact`, but is faster.
-constexpr const char* kExactTracer = "max-pyramid";
 // Largest number of rays whose logs are kept to count children.
 constexpr std::size_t kMostLogged = 4096;
-
-HitBlock traced(const Tracer& tracer, const ViewRay& ray, StepLog& log, Work& work) {
-    RayBlock rays;
-    rays.push(ray);
-    HitBlock hits;
-    tracer.trace(rays, hits, log, work);
-    return hits;
-}
-
-// The chosen ray of another tracer's files.
-SceneRay rayOfFiles(const OtherTracer& other, const HeightField& field) {
-    const RayBlock rays = parseRays(readTextFile(other.rays), other.rays);
-    const StepLog log = parseSteps(readTextFile(other.steps), other.steps, rays.size());
-    const auto number = static_cast<std::size_t>(other.ray);
-    if (number >= rays.size()) {
-        throw InputError(other.rays,
-                         Message(MessageId::OutOfRange, {{"what", MessageId::WordRay},
-                                                         {"value", number},
-                                                         {"range", rangeOf<std::size_t>(0, rays.size() - 1)}}));
-    }
-    SceneRay out;
-    out.ray = rays[number];
-    out.steps.assign(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[number]),
-                     log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[number + 1]));
-    placeSteps(out.steps, out.ray, field, other.steps, number);
-    out.hit = answerOf(out.steps, out.ray);
-    return out;
-}
 
 void requirePixel(const Scenario& scenario) {
     if (!scenario.pixel) throw InputError("", Message(MessageId::LessonNoPixel));
@@ -101,27 +66,21 @@ const ErrorLayer& MeasuredScene::errors(Work& work) {
     return *errors_;
 }
 
-const SceneRay& MeasuredScene::ray(Work& work) {
+const LoggedRay& MeasuredScene::ray(Work& work) {
     if (ray_) return *ray_;
-    SceneRay out;
+    LoggedRay out;
     std::string name = scenario_.method.name;
     if (scenario_.other && scenario_.other.shown) {
-        out = rayOfFiles(scenario_.other, field(work));
+        const RayFiles files = readRayFiles(scenario_.other);
+        out = rayOfFiles(scenario_.other, files.rays, files.log, field(work));
         name = scenario_.other.steps;
     } else {
         requirePixel(scenario_);
         const auto found = pixelRay(request(work), scenario_.pixel->x, scenario_.pixel->y);
         if (!found) failOffRelief(scenario_);
-        out.ray = *found;
-        StepLog log;
-        out.hit = traced(tracer(work), out.ray, log, work)[0];
-        out.steps = std::move(log.steps);
-        out.reads = log.reads.front();
+        out = tracedRay(tracer(work), *found, work);
     }
-    StepLog unused;
-    out.exact = traced(*makeTracer({kExactTracer, {}}, field(work), *store_.maps(), work), out.ray, unused, work)[0];
-    out.judgement = judge({name, out.hit, out.steps}, out.exact, out.ray, field(work));
-    out.texels = answerError(out.hit, out.exact, out.ray);
+    judgeAgainstExact(out, name, field(work), *store_.maps(), work);
     ray_ = std::move(out);
     return *ray_;
 }

@@ -1,5 +1,5 @@
-// What is measured of one scenario, each thing when it is first asked for: the picture, its errors, the ray of the
-// chosen pixel, its footprint, the certificate of its map.
+// Measurements of a scenario for lessons: the picture, its errors, the ray of the chosen pixel, its footprint, the
+// certificate of its map. Each is computed when it is first needed, and kept.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 #include "mapping/rows/coefficients.h"
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/child_counts.h"
-#include "measuring/compare/duel.h"
+#include "measuring/compare/logged_ray.h"
 #include "measuring/compare/picture_error.h"
 #include "measuring/verify/certificate.h"
 #include "relief/tracers/point_distances.h"
@@ -23,17 +23,6 @@
 #include "scenario/scenario.h"
 
 namespace relief {
-
-// The ray of the chosen pixel, or of another tracer's files, as the window shows it.
-struct SceneRay {
-    ViewRay ray;
-    Hit hit;
-    std::vector<Step> steps;
-    std::uint32_t reads = 0;
-    Hit exact;
-    Judgement judgement;
-    double texels = 0;  // between hit and exact hit along the ray, infinite if the outcome differs
-};
 
 struct SceneFootprint {
     FootprintLog log;
@@ -66,7 +55,8 @@ class MeasuredScene {
     const Frame& frame(Work& work);    // with counted steps
     const Tracer& tracer(Work& work);  // that made the frame
     const ErrorLayer& errors(Work& work);
-    const SceneRay& ray(Work& work);
+    // The ray that the window shows: of the chosen pixel, or of another tracer's files.
+    const LoggedRay& ray(Work& work);
     const PixelCoefficients& coefficients(Work& work);
     const SceneFootprint& footprint(Work& work);
     const std::vector<SkipRow>& skipped(Work& work);
@@ -84,7 +74,7 @@ class MeasuredScene {
     std::shared_ptr<const Frame> frame_;
     std::shared_ptr<const Tracer> tracer_;
     std::optional<ErrorLayer> errors_;
-    std::optional<SceneRay> ray_;
+    std::optional<LoggedRay> ray_;
     std::optional<PixelCoefficients> coefficients_;
     std::optional<SceneFootprint> footprint_;
     std::optional<std::vector<SkipRow>> skipped_;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "measuring/lesson/course.h"
 #include "measuring/lesson/lesson_check.h"
 #include "relief/files.h"
 
