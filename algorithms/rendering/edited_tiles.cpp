@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "filtering/elliptical_options.h"
+#include "filtering/grid_stages.h"
 #include "rendering/frame_tools.h"
 
 namespace relief {
@@ -17,9 +18,11 @@ namespace {
 constexpr int kMostSquares = 256;  // along an axis of ChangedTexels
 // Texels around a point that its height and its slope depend on, and one for rounding.
 constexpr double kAroundPoint = 3;
-// Pixels around a tile whose rays the grid filter may trace for it (grid::kTileHalo and half a pixel, rounded up). No
-// pixel whose surroundings of this size lie before the horizon is left to another form.
+// Pixels around a tile that count as part of it for the grid filter, which traces rays for it up to grid::kTileHalo and
+// half a pixel away. It leaves a pixel to another form if the horizon is closer than (kTileHalo + 1) / 0.75 pixels
+// (beforeHorizon() in elliptical_grid.cpp), so none whose surroundings of this size lie before the horizon.
 constexpr int kAroundPixel = 6;
+static_assert(3 * kAroundPixel >= 4 * (grid::kTileHalo + 1));
 
 // The part of a polygon that a tile sees.
 struct Seen {
