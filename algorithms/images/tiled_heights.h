@@ -31,12 +31,13 @@ struct TileRange {
     int right = 0, bottom = 0;  // last texel, included
 };
 
-// Where SIMD finds heights and maxima: tile_lanes-inl.h.
+// Where SIMD (tile_lanes-inl.h) finds the heights and maxima in the file mapped into memory.
 struct TileAccess {
     static constexpr int kLevels = 32;
     static constexpr std::uint8_t kUsed = 2;  // the state of tiles that may be read without touch()
     const std::byte* map = nullptr;           // the file
-    // One for every kLeastTileBytes of the file, and three more; null if their numbers take more than 31 bits.
+    // One for every kLeastTileBytes of the file, and three more, since SIMD reads words of 32 bits; null if their
+    // indices take more than 31 bits.
     const std::atomic<std::uint8_t>* states = nullptr;
     NumberType type = NumberType::Float;
     int tileBytesShift = 0, acrossShift = 0, downShift = 0;  // as in TilePage

@@ -22,6 +22,16 @@ inline bool gathersHeights(const HeightField& field) {
     return field.tiles() == nullptr && field.texels() < std::size_t{1} << 31;
 }
 
+// Heights at (i0, j0), (i1, j0), (i0, j1), (i1, j1): read from the tiles, or if these are null from an array with
+// `stride` texels per row.
+inline std::array<float, 4> cornersOf(const TiledHeights* tiles, const float* heights, std::ptrdiff_t stride, int i0,
+                                      int i1, int j0, int j1) {
+    if (tiles != nullptr) return tiles->corners(i0, i1, j0, j1);
+    const float* const above = heights + j0 * stride;
+    const float* const below = heights + j1 * stride;
+    return {above[i0], above[i1], below[i0], below[i1]};
+}
+
 // Returns use(source) for the field's heights.
 template <class Use>
 [[gnu::always_inline]] inline decltype(auto) withHeights(const HeightField& field, const Use& use) {

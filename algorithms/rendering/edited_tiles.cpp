@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "filtering/elliptical_options.h"
+#include "filtering/grid_stages.h"
 #include "rendering/frame_tools.h"
 
 namespace relief {
@@ -17,11 +18,13 @@ namespace {
 constexpr int kMostSquares = 256;  // along an axis of ChangedTexels
 // Texels around a point that its height and its slope depend on, and one for rounding.
 constexpr double kAroundPoint = 3;
-// Pixels around a tile whose rays the grid filter may trace for it (grid::kTileHalo and half a pixel, rounded up). No
-// pixel whose surroundings of this size lie before the horizon is left to another form.
+// Pixels around a tile that count as part of it for the grid filter, which traces rays for it up to grid::kTileHalo and
+// half a pixel away. It leaves a pixel to another form if the horizon is closer than (kTileHalo + 1) / 0.75 pixels
+// (beforeHorizon() in elliptical_grid.cpp), so none whose surroundings of this size lie before the horizon.
 constexpr int kAroundPixel = 6;
+static_assert(3 * kAroundPixel >= 4 * (grid::kTileHalo + 1));
 
-// What a tile sees of a polygon.
+// The part of a polygon that a tile sees.
 struct Seen {
     TexelRange s, t;  // texels that the tile's rays pass over within the slab
     double side = 0;  // bound of the larger semi-axis of a pixel's footprint, texels
@@ -196,24 +199,16 @@ bool ChangedTexels::within(TexelRange s, TexelRange t, Address address) const {
         int first[2], last[2];
     };
     const auto rangesOf = [&](TexelRange span, int size) {
-        Ranges ranges;
+        const auto square = [&](double x) {
+            return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0)) >> shift_;
+        };
         // Written so that NaN gives the whole axis.
         if (!(span.high - span.low < size)) return Ranges{1, {0}, {(size - 1) >> shift_}};
-        if (address != Address::Repeat) {
-            const auto at = [&](double x) { return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0)); };
-            return Ranges{1, {at(span.low) >> shift_}, {at(span.high) >> shift_}};
-        }
+        if (address != Address::Repeat) return Ranges{1, {square(span.low)}, {square(span.high)}};
         const double turn = std::floor(span.low / size) * size;
-        const auto at = [&](double x) { return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0)); };
         const double low = span.low - turn, high = span.high - turn;
-        ranges.first[0] = at(low) >> shift_;
-        ranges.last[0] = at(high) >> shift_;
-        if (high >= size) {
-            ranges.count = 2;
-            ranges.first[1] = 0;
-            ranges.last[1] = at(high - size) >> shift_;
-        }
-        return ranges;
+        if (high < size) return Ranges{1, {square(low)}, {square(high)}};
+        return Ranges{2, {square(low), 0}, {square(high), square(high - size)}};
     };
     const Ranges across = rangesOf(s, width_), down = rangesOf(t, height_);
     const auto sum = [&](int x, int y) {

@@ -136,7 +136,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
     frame.lit = parts.onlyRows.orAll(frame.height);
     frame.light = fitLight(band_->light, frame);
-    if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.end - made.begin));
+    if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.count()));
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
     for (int y = made.begin; y < made.end; y += rows) {
         maker.make({y, std::min(made.end, y + rows)}, halo, !partOfMore_);

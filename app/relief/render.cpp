@@ -23,6 +23,8 @@ namespace {
 
 // Largest picture, in pixels, that is not written in tiles unless --tiled is given, if its format has tiles.
 constexpr std::int64_t kMostWholePixels = std::int64_t{1} << 26;
+// File name endings of the formats that have tiles.
+const std::vector<std::string> kTileEndings{"tif", "tiff", "exr"};
 // Largest side of a .jpg, .bmp or .hdr, pixels.
 constexpr int kMaxOtherSide = 1 << 15;
 
@@ -51,8 +53,8 @@ std::vector<std::string> checkedLayers(const RenderOptions& options, const std::
     return layers;
 }
 
-// Returns the line that identifies the part and holds what `relief merge` needs.
-// run: OnePicture::run().
+// Returns the line that identifies the part and holds what `relief merge` needs. height: of the whole picture. run:
+// OnePicture::run().
 std::string partText(const PartNumber& number, const RowRange& rows, bool tiled, int height, Json run) {
     Part part;
     static_cast<PartNumber&>(part) = number;
@@ -162,7 +164,7 @@ void renderTiled(OnePicture& picture, const RenderOptions& options, const PartNu
 
 // Returns true if pictures with this file name ending can be written in tiles.
 bool canTile(const std::string& ending) {
-    return ending == "tif" || ending == "tiff" || ending == "exr";
+    return std::find(kTileEndings.begin(), kTileEndings.end(), ending) != kTileEndings.end();
 }
 
 // Throws InputError if the format cannot hold the picture.
@@ -195,7 +197,7 @@ int runRender(const RenderOptions& options, Session& session) {
     if (options.many.requested()) {
         return options.many.run(options.scenario, output, checkedLayers(options, "picture.exr"), number, session);
     }
-    std::vector<std::string> endings{"tif", "tiff", "exr"};
+    std::vector<std::string> endings = kTileEndings;
     if (!options.tiled) endings.insert(endings.begin(), "png");
     if (!options.part && !shared && !options.tiled) endings.insert(endings.end(), {"jpg", "jpeg", "bmp", "hdr"});
     if (leadsRun(options.part.has_value())) checkOutput(output, endings);

@@ -1,12 +1,13 @@
 // relief_changes [--rounds N]
-//  What a change in the window computes: for each kind of change the stages that were made again, counts of the work,
-//  and the median processor time until the window has its new state, compared with that of a new picture. Prints the
-//  table `changes` of RESULTS.md.
-#include <algorithm>
+//  Measures what a change in the window computes: for each kind of change the stages that were made again, counts of
+//  the work, and the median processor time until the window has its new state, compared with that of a new picture.
+//  Prints the table `changes` of RESULTS.md.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -107,8 +108,8 @@ void measure(const relief::Scenario& first, const std::vector<Change>& changes, 
     }
 }
 
-// Returns the number of requests to the worker and of new states after changes that need neither.
-int requestsOfLooks(const relief::Scenario& first) {
+// Returns the number of requests to the worker, and of new states, after changes that should cause neither.
+int requestsWithoutNeed(const relief::Scenario& first) {
     Workspace workspace;
     workspace.start(first);
     while (!workspace.snapshot() || workspace.busy()) {
@@ -132,8 +133,8 @@ int requestsOfLooks(const relief::Scenario& first) {
 void print(const std::vector<std::pair<std::string, Measured>>& rows) {
     std::printf(
         "| change | stages made | tiles | rays traced | texels read | hits with shadow queries | maps, KB | processor "
-        "ms "
-        "| of a new picture |\n| --- | --- | --: | --: | --: | --: | --: | --: | --: |\n");
+        "ms | "
+        "of a new picture |\n| --- | --- | --: | --: | --: | --: | --: | --: | --: |\n");
     for (const auto& [name, row] : rows) {
         std::printf("| %s | %s | %s | %s | %s | %s | %s | %.1f | %.1f |\n", name.c_str(), row.stages.c_str(),
                     readable(row.tiles).c_str(), readable(row.rays).c_str(), readable(row.texels).c_str(),
@@ -164,9 +165,9 @@ int main(int argc, char** argv) {
         relief::Work work;
         std::printf(
             "\nChosen step, theme, language and a change to the same values: %d requests of a picture.\n\n(%s, %d "
-            "thread(s), %s, medians of %d rounds)\n",
-            requestsOfLooks(scene), relief::cpuText().c_str(), work.threads().size(), relief::compilerText().c_str(),
-            rounds);
+            "thread(s), %s, sources %s, medians of %d rounds)\n",
+            requestsWithoutNeed(scene), relief::cpuText().c_str(), work.threads().size(),
+            relief::compilerText().c_str(), relief::commitText().c_str(), rounds);
         return 0;
     } catch (const std::exception& error) {
         std::cerr << error.what() << "\n";

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Measures every table of RESULTS.md and writes it there: numbers between the page's marks are never typed by hand.
+# Measures every table between marks of RESULTS.md and writes it there: these numbers are never typed by hand. The tables
+# without marks, which the page's beginning lists, are not measured here.
 #   tests/benchmarks/measure.sh [FOLDER [BUILD]]     default: build/measured build
 # Resumes after an interruption: results in FOLDER are not measured again. Takes hours on two cores; nothing else should
 # run on the machine. Afterwards review the text between the tables, which quotes them.

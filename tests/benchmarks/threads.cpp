@@ -1,14 +1,17 @@
 // relief_threads [--threads N,...] [--rounds N] [--side N]
 //  Measures what more threads gain: hits, filter, shadows and light of a frame of 800 x 600 pixels, and builds of maps,
-//  of a procedural relief of N x N texels. Efficiency is T(1) / (N T(N)), of the shortest of the rounds, since other
-//  programs only lengthen one. Processor time is that of all threads together over that of one thread: above 1 is
-//  what threads cost each other (memory, caches, tiles shared out), however busy the machine.
+//  of a procedural relief of N x N texels. Efficiency is T(1) / (N T(N)), where T is the wall time of the shortest
+//  round, since other programs only lengthen rounds. Processor time is that of all threads together over that of one
+//  thread: what is above 1 the threads cost each other (memory, caches, distribution of tiles), however busy the
+//  machine is.
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <functional>
 #include <iostream>
-#include <numeric>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +33,7 @@ double processorSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// The shortest times of the rounds, in seconds.
 struct Times {
     double wall = 1e300, processor = 1e300;
 };

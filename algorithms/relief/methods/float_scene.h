@@ -53,10 +53,7 @@ struct FloatScene {
 
     // Heights at (i0, j0), (i1, j0), (i0, j1), (i1, j1).
     std::array<float, 4> cornersAt(int i0, int i1, int j0, int j1) const {
-        if (heights == nullptr) return tiles->corners(i0, i1, j0, j1);
-        const float* const above = heights + static_cast<std::ptrdiff_t>(j0) * stride;
-        const float* const below = heights + static_cast<std::ptrdiff_t>(j1) * stride;
-        return {above[i0], above[i1], below[i0], below[i1]};
+        return cornersOf(tiles, heights, stride, i0, i1, j0, j1);
     }
 };
 

@@ -14,7 +14,9 @@
 // step.
 #pragma once
 
-#include <optional>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "relief/describe.h"
 #include "relief/methods/depth_walk.h"
@@ -47,12 +49,14 @@ class MaxPyramidTracer {
     static bool simdWith(const Options& options) { return options.base == "0"; }
     static MaxPyramidTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
         const BaseField base = baseField(field, baseLevelNumber(options.base), cache, work);
-        MaxPyramidTracer tracer(PyramidWalk(base, field, maxPyramidMap(base.field, cache, work)));
-        tracer.useDepths(depthPyramid(base.field, tracer.pyramidWalk().map(), cache, work));
-        return tracer;
+        PyramidWalk walk(base, field, maxPyramidMap(base.field, cache, work));
+        auto depths = depthPyramid(base.field, walk.map(), cache, work);
+        return {std::move(walk), std::move(depths)};
     }
 
-    explicit MaxPyramidTracer(PyramidWalk walk) : paper_(std::move(walk)) {}
+    // depths: those of the walk's map.
+    MaxPyramidTracer(PyramidWalk walk, std::shared_ptr<const DepthPyramid> depths)
+        : paper_(std::move(walk)), depths_(std::move(depths)), walk_(pyramidWalk(), *depths_) {}
 
     template <class Sink>
     Hit trace(const ViewRay& viewRay, Sink& sink) const {
@@ -70,7 +74,7 @@ class MaxPyramidTracer {
             return;
         }
         std::vector<std::size_t> left;
-        traceByPyramid(walk_->scene(), *depths_, rays, first, last, hits, left);
+        traceByPyramid(walk_.scene(), *depths_, rays, first, last, hits, left);
         for (const std::size_t i : left) hits.set(i, trace(rays[i], sink));
     }
 
@@ -83,20 +87,15 @@ class MaxPyramidTracer {
     const PyramidWalk& pyramidWalk() const { return paper_.pyramidWalk(); }
 
   private:
-    void useDepths(std::shared_ptr<const DepthPyramid> depths) {
-        depths_ = std::move(depths);
-        walk_.emplace(pyramidWalk(), *depths_);
-    }
-
     MaxPyramidPaperTracer paper_;
     std::shared_ptr<const DepthPyramid> depths_;
-    std::optional<DepthWalk> walk_;
+    DepthWalk walk_;
 };
 
 template <class Sink, class DoubleSink>
 Hit MaxPyramidTracer::trace(const ViewRay& viewRay, Sink& sink, DoubleSink& inDouble) const {
     const GridRay ray = pyramidWalk().gridRay(viewRay);
-    const DepthWalk::Answer answer = walk_->trace(pyramidWalk(), ray, sink);
+    const DepthWalk::Answer answer = walk_.trace(pyramidWalk(), ray, sink);
     switch (answer.end) {
         case DepthWalk::End::Hit:
             return Hit::at(viewRay, answer.lambda);

@@ -8,35 +8,42 @@
 #define RELIEF_CONE_PACKET_SLOTS_INL_H
 #endif
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
 #include "relief/simd/cone_slots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief::HWY_NAMESPACE {
 
 inline constexpr std::size_t kChunkPackets = kLaneChunk / kLanes;
-// Cells that the rays of a packet may be apart where they begin.
+// Largest distance, in cells on either axis, between the first cells of a packet's rays.
 inline constexpr float kLongestPacket = 64;
-// Cells in v that they may be apart at the same u; on large maps, where a single ray's steps wait for memory, more.
+// Largest distance between them in v at the same u, in cells; larger on maps that do not fit L2, where the steps of a
+// single ray wait for memory.
 inline constexpr float kWidestPacket = 0.65F, kWidestOnLargeMaps = 1.1F;
-// Cells in v per cell in u of the steepest ray.
+// Largest slope of a packet's rays, in cells of v per cell of u.
 inline constexpr float kSteepestPacket = 1.2F;
-// Packets begin at any ray. After this number of packets in a row that are too wide, the next one is searched for ray
-// by ray, at most so many times in a chunk.
+// Packets may begin at any ray. After kMostWide packets in a row that are too wide, the start of the next one is
+// searched for ray by ray, at most kMostSearches times per chunk.
 inline constexpr std::size_t kMostWide = 2, kMostSearches = 3;
-// Packets of fewer rays cost more than they save.
+// Vectors of fewer lanes form no packets, which would cost more than they save.
 inline constexpr std::size_t kLeastPacket = 16;
-// Packets that touch more cells of a slice are left to the single walk.
+// Largest number of a slice's cells in which a packet tests its rays; beyond it the single walk takes them over.
 inline constexpr float kMostCells = 8;
-// Times 1 + 1 / run: how much later than its rays a packet leaves a slice, in lambda; above the error of positions
-// of up to kLongestPacket cells.
+// Times 1 + 1 / run: how much later than its rays a packet leaves a slice, in lambda; covers the rounding of positions
+// of up to kLongestPacket cells. These margins: margins.md.
 inline constexpr float kPacketMargin = 0x1p-15F;
 // Cells in v, and per cell in u, by which a packet is wider than its rays.
 inline constexpr float kPacketPlace = 0x1p-10F, kPacketSlope = 0x1p-20F;
 
 using PacketColumn = std::array<float, kChunkPackets + kLanes>;
 
+// Rays on one axis. A ray crosses line n at (n - ahead) * inverse + base, or slightly before; line `ahead` is its
+// first.
 struct PacketRayAxis {
-    // The ray crosses line n at (n - ahead) * inverse + base, or slightly before; line `ahead` is the first one.
     alignas(64) std::array<float, kLaneSlots> inverse, base, run, ahead;
 };
 
@@ -51,7 +58,7 @@ inline constexpr std::size_t kMostTests = static_cast<std::size_t>(kMostCells) *
 struct PacketColumns {
     PacketRayAxis u, v;
     alignas(64) std::array<float, kLaneSlots> tie;
-    // v at U = 0, v per U, lambda at U = 0 with its margin.
+    // v at U = 0; v per U; lambda at U = 0, late by its margin.
     alignas(64) std::array<float, kLaneSlots> place, slope, late;
     // Results of rays: LaneEnd, cell, its period.
     alignas(64) std::array<std::int32_t, kLaneSlots> end, cellX, cellY, periodX, periodY;
@@ -84,6 +91,7 @@ class PacketSlots {
                 LaneRays& rays, PacketColumns& columns)
         : scene_(scene),
           map_(cones, false),
+          frames_{EntryFrame<kAddress>(scene.grid.x), EntryFrame<kAddress>(scene.grid.y)},
           widest_(map_.prefetchesNodes ? kWidestOnLargeMaps : kWidestPacket),
           given_(given),
           rays_(rays),
@@ -155,13 +163,12 @@ class PacketSlots {
         VF cell, share, run, inverse;  // cell from the packet's origin
         double origin;
     };
-    HWY_INLINE bool entry(int a, std::size_t from, Entry& out) const {
+    // Returns false if one of the rays from `from` on is outside the map or has no usual run, or if they begin too far
+    // apart; then `out` must not be used.
+    HWY_INLINE bool entry(std::size_t a, std::size_t from, Entry& out) const {
         const DD d;
         const DHF dhf;
-        const GridAxis& axis = a == 0 ? scene_.grid.x : scene_.grid.y;
-        const bool border = kAddress == Address::Border;
-        const double end = kAddress == Address::Repeat ? axis.texels + axis.shift : axis.cells;
-        const double lowEnd = border ? axis.low : 0, highEnd = border ? axis.high : end;
+        const EntryFrame<kAddress>& frame = frames_[a];
         MD usual = hn::FirstN(d, kHalfLanes);
         std::array<VD, kHalves> at;
         std::array<hn::Vec<DHF>, kHalves> run, cell, share;
@@ -169,13 +176,13 @@ class PacketSlots {
         for (std::size_t h = 0; h < kHalves; ++h) {
             const VD signedRun = hn::LoadU(d, given_[2 + a] + from + h * kHalfLanes);
             const VD absRun = hn::Abs(signedRun);
-            const VD start = hn::Add(hn::LoadU(d, given_[a] + from + h * kHalfLanes), hn::Set(d, axis.shift));
+            const VD start = hn::Add(hn::LoadU(d, given_[a] + from + h * kHalfLanes), hn::Set(d, frame.axis.shift));
             const VD along = hn::Add(start, hn::Mul(hn::Set(d, scene_.start), signedRun));
             usual =
                 hn::And(usual, hn::And(hn::Gt(absRun, hn::Set(d, kLeastRun)), hn::Lt(absRun, hn::Set(d, kFloatRun))));
-            usual = hn::And(usual, hn::And(hn::Gt(hn::Min(start, along), hn::Set(d, lowEnd)),
-                                           hn::Lt(hn::Max(start, along), hn::Set(d, highEnd))));
-            at[h] = back_[a] ? hn::Sub(hn::Set(d, axis.cells), along) : along;
+            usual = hn::And(usual, hn::And(hn::Gt(hn::Min(start, along), hn::Set(d, frame.low)),
+                                           hn::Lt(hn::Max(start, along), hn::Set(d, frame.high))));
+            at[h] = back_[a] ? hn::Sub(hn::Set(d, frame.axis.cells), along) : along;
             least = hn::Min(least, at[h]);
             run[h] = hn::DemoteTo(dhf, absRun);
         }
@@ -186,32 +193,15 @@ class PacketSlots {
             cell[h] = hn::DemoteTo(dhf, hn::Sub(whole, hn::Set(d, out.origin)));
             share[h] = hn::DemoteTo(dhf, hn::Sub(at[h], whole));
         }
-#if HWY_TARGET == HWY_SCALAR
-        out.cell = cell[0], out.share = share[0], out.run = run[0];
-#else
-        out.cell = hn::Combine(DF(), cell[1], cell[0]);
-        out.share = hn::Combine(DF(), share[1], share[0]);
-        out.run = hn::Combine(DF(), run[1], run[0]);
-#endif
+        out.cell = joined(DF(), cell[0], cell[1]);
+        out.share = joined(DF(), share[0], share[1]);
+        out.run = joined(DF(), run[0], run[1]);
         out.inverse = hn::Div(hn::Set(DF(), 1.0F), out.run);
         return hn::AllTrue(DF(), hn::Lt(out.cell, hn::Set(DF(), kLongestPacket)));
     }
 
-    static float lowest(VF v) {
-        return hn::GetLane(hn::MinOfLanes(DF(), v));
-    }
-    static float most(VF v) {
-        return hn::GetLane(hn::MaxOfLanes(DF(), v));
-    }
-
-    HWY_INLINE void prefetchRays(std::size_t from) const {
-        if (from + kRaysAhead + kLanes > rays_.count + rays_.behind) return;
-        for (std::size_t c = 0; c < 4; ++c) {
-            for (std::size_t i = 0; i < kLanes; i += kLineOfDoubles) {
-                __builtin_prefetch(given_[c] + from + kRaysAhead + i, 0, 2);
-            }
-        }
-    }
+    static float lowest(VF v) { return hn::GetLane(hn::MinOfLanes(DF(), v)); }
+    static float most(VF v) { return hn::GetLane(hn::MaxOfLanes(DF(), v)); }
 
     // v of the rays at U = 0.
     HWY_INLINE VF placeOf(const Entry* axes) const {
@@ -227,7 +217,7 @@ class PacketSlots {
         const DF df;
         PacketColumns& c = columns_;
         PacketColumns::Slots& slots = c.slots;
-        prefetchRays(from);
+        prefetchRays(rays_, given_, from);
         Entry axes[2];
         if (!entry(0, from, axes[0]) || !entry(1, from, axes[1])) return Fit::Wide;
         // All packets of a chunk have the axis of the first.
@@ -238,7 +228,7 @@ class PacketSlots {
             HWY_ALIGN float places[2 * kLanes];
             hn::Store(place, df, places);
             hn::Store(hn::Set(df, 1e30F), df, places + kLanes);
-            // A square of 16 rays has three such distances to a side.
+            // Along a side of a square of 16 rays there are three distances between neighbours.
             const VF apart = hn::Abs(hn::Sub(hn::LoadU(df, places + 1), place));
             return 3 * lowest(apart) < widest_ ? Fit::Wide : Fit::Never;
         }
@@ -274,7 +264,8 @@ class PacketSlots {
         ++formed_, ++used_;
         return Fit::Narrow;
     }
-    // Marks some rays from the given one on as left to the single walk, or not.
+
+    // Sets whether some of the rays from `from` on are left to the single walk.
     HWY_INLINE void mark(std::size_t from, std::uint64_t who, bool left) {
         const std::size_t word = from / 64, bit = from % 64;
         const auto set = [&](std::uint64_t& to, std::uint64_t bits) { to = left ? to | bits : to & ~bits; };
@@ -282,7 +273,7 @@ class PacketSlots {
         if (bit + kLanes > 64) set(columns_.left[word + 1], who >> (64 - bit));
     }
 
-    // The bounds of some of a packet's rays.
+    // Sets a packet's bounds to those of some of its rays.
     HWY_INLINE void bound(std::size_t n, MF who) {
         const DF df;
         PacketColumns& c = columns_;
@@ -302,7 +293,8 @@ class PacketSlots {
 
     const FloatScene& scene_;
     WalkMap map_;
-    float widest_;  // kWidestPacket of this map
+    EntryFrame<kAddress> frames_[2];
+    float widest_;  // kWidestPacket or kWidestOnLargeMaps
     const double* const* given_;
     LaneRays& rays_;
     PacketColumns& columns_;

@@ -5,8 +5,8 @@
 // slice to slice: slice U is the row of cells between the lines U and U + 1 of u, counted from the packet's first cell.
 // In it the rays are between two values of v and above one height, both linear in U. The slice is clear if its cells
 // between these bounds are lower; a cone that is clear of all rays leads over several slices. Otherwise each ray is
-// tested against each cell in doubt, whose heights are read once for all rays. A ray that the test cannot exclude
-// leaves the packet with this cell as its candidate.
+// tested against each cell that is not lower, whose heights are read once for all rays. A ray that the test cannot
+// exclude leaves the packet with this cell as its candidate.
 //
 // So a packet visits more cells than each of its rays, but gathers none. Its bounds only exclude cells, as the single
 // walk does, and it visits the cells of each ray in their order. Hence the first candidate that the leaf accepts is the
@@ -93,9 +93,32 @@ class PacketWalk : PacketSlots<kAddress, Arithmetic> {
     }
 
   private:
-    // Cells of one axis, counted in the direction of the rays, within the map.
+    // Returns cells of one axis, counted in the direction of the rays, reduced to the first period.
     HWY_INLINE static VF wrapped(VF cell, VF cells) {
         return hn::Sub(cell, hn::Mul(hn::Floor(hn::Div(cell, cells)), cells));
+    }
+
+    // Brings the first cell (cu, cv) of each packet's slice into the map; v is moved as cv is. at: number of the slice.
+    // vTop: the last cell, like v from originV. Returns the packets that end here: under border their rays have left
+    // the map; otherwise the single walk takes them over.
+    HWY_INLINE MF address(VF& cu, VF& cv, VF& v, VF at, VF originV, VF vTop) const {
+        const DF df;
+        const VF cellsU = hn::Set(df, cells_[u_]), cellsV = hn::Set(df, cells_[v_]);
+        if constexpr (kAddress == Address::Repeat) {
+            cu = wrapped(cu, cellsU), cv = wrapped(cv, cellsV);
+            // All rays end before, at the latest at the bottom of the slab.
+            return hn::Gt(at, hn::Set(df, static_cast<float>(2 * kFloatRun)));
+        } else {
+            const VF one = hn::Set(df, 1.0F), lastU = hn::Sub(cellsU, one), lastV = hn::Sub(cellsV, one);
+            cv = hn::Max(cv, hn::Zero(df));
+            v = hn::Sub(cv, originV);
+            // Under clamp the outermost cells have no end.
+            const MF stop = kAddress == Address::Border
+                                ? hn::Or(hn::Gt(cu, lastU), hn::Gt(cv, lastV))
+                                : hn::Or(hn::Ge(cu, lastU), hn::Ge(hn::Add(originV, vTop), lastV));
+            cu = hn::Min(cu, lastU), cv = hn::Min(cv, lastV);
+            return stop;
+        }
     }
 
     // A step of the packets in the slots from g on. Notes the cells in which rays must be tested.
@@ -112,26 +135,12 @@ class PacketWalk : PacketSlots<kAddress, Arithmetic> {
         VF v = hn::Floor(Arithmetic::mulAdd(at, load(slots.lowSlope), load(slots.low)));
         const VF highV = Arithmetic::mulAdd(next, highSlope, load(slots.high));
         const VF vTop = hn::Floor(highV);
-        const VF cellsU = hn::Set(df, cells_[u_]), cellsV = hn::Set(df, cells_[v_]);
+        const VF cellsV = hn::Set(df, cells_[v_]);
         VF cu = hn::Add(load(slots.originU), at), cv = hn::Add(originV, v);
-        MF stop;
-        if constexpr (kAddress == Address::Repeat) {
-            cu = wrapped(cu, cellsU), cv = wrapped(cv, cellsV);
-            // All rays end before.
-            stop = hn::Gt(at, hn::Set(df, static_cast<float>(2 * kFloatRun)));
-        } else {
-            const VF lastU = hn::Sub(cellsU, one), lastV = hn::Sub(cellsV, one);
-            cv = hn::Max(cv, zero);
-            v = hn::Sub(cv, originV);
-            // Under clamp the outermost cells have no end.
-            stop = kAddress == Address::Border ? hn::Or(hn::Gt(cu, lastU), hn::Gt(cv, lastV))
-                                               : hn::Or(hn::Ge(cu, lastU), hn::Ge(hn::Add(originV, vTop), lastV));
-            cu = hn::Min(cu, lastU), cv = hn::Min(cv, lastV);
-        }
-        stop = hn::And(stop, on);
+        const MF stop = hn::And(address(cu, cv, v, at, originV, vTop), on);
         if (HWY_UNLIKELY(!hn::AllFalse(df, stop))) {
-            forEach(bitsOf(stop),
-                    [&](std::size_t k) { kAddress == Address::Border ? miss(slots.packet[g + k]) : handOn(g + k); });
+            overLanes(bitsOf(stop),
+                      [&](std::size_t k) { kAddress == Address::Border ? miss(slots.packet[g + k]) : handOn(g + k); });
             on = hn::AndNot(stop, on);
         }
         const auto indexOf = [&](VF along, std::size_t a) {
@@ -141,7 +150,7 @@ class PacketWalk : PacketSlots<kAddress, Arithmetic> {
         const VI entry = hn::GatherIndex(di, map_.entries, hn::Add(row, indexOf(cv, v_)));
         const VF kappa = hn::BitCast(df, entry);
         const VF gap = hn::Max(hn::Sub(highV, hn::Add(v, one)), zero);
-        const VF free = Arithmetic::negMulAdd(kappa, gap, hn::Sub(apexOf(entry), out));
+        const VF free = Arithmetic::negMulAdd(kappa, gap, hn::Sub(apexOf<Arithmetic>(map_, entry), out));
         const VF widening = hn::Mul(kappa, hn::Max(highSlope, one));
         const VF steepness = hn::Mul(hn::Add(widening, slowest), hn::Set(df, kSteeper));
         const VF jump = Arithmetic::mulSub(free, Arithmetic::reciprocal(steepness), load(slots.shorter));
@@ -150,30 +159,31 @@ class PacketWalk : PacketSlots<kAddress, Arithmetic> {
         // The cells that are not lower than all rays.
         const VF more = hn::Sub(vTop, v);
         const MF doubtful = hn::AndNot(leads, on), several = hn::And(doubtful, hn::Ge(more, one));
-        const MF test0 = hn::AndNot(hn::Lt(out, ownOf(entry)), doubtful);
+        const MF test0 = hn::AndNot(hn::Lt(out, ownOf<Arithmetic>(map_, entry)), doubtful);
         const auto higher = [&](MF who, VF cell) {
             if (hn::AllFalse(df, who)) return who;
             cell = kAddress == Address::Repeat ? wrapped(cell, cellsV) : hn::Min(cell, hn::Sub(cellsV, one));
             const VI index = hn::IfThenElseZero(asInt(who), hn::Add(row, indexOf(cell, v_)));
-            return hn::AndNot(hn::Lt(out, ownOf(hn::GatherIndex(di, map_.entries, index))), who);
+            return hn::AndNot(hn::Lt(out, ownOf<Arithmetic>(map_, hn::GatherIndex(di, map_.entries, index))), who);
         };
         const MF test1 = higher(several, hn::Add(cv, one));
         const VF two = hn::Set(df, 2.0F);
         const MF test2 = higher(hn::And(several, hn::Ge(more, two)), hn::Add(cv, two));
         const MF test = hn::Or(hn::Or(test0, test1), hn::Or(test2, hn::And(several, hn::Gt(more, two))));
         hn::Store(hn::IfThenElse(hn::AndNot(test, on), to, at), df, slots.at.data() + g);
-        if (!hn::AllFalse(df, test))
-            note(g, test, {bitsOf(test0), bitsOf(test1), bitsOf(test2)}, v,
-                 kAddress == Address::Repeat ? vTop : hn::Min(vTop, hn::Sub(hn::Sub(cellsV, one), originV)));
+        if (hn::AllFalse(df, test)) return;
+        note(g, test, {bitsOf(test0), bitsOf(test1), bitsOf(test2)}, v,
+             kAddress == Address::Repeat ? vTop : hn::Min(vTop, hn::Sub(hn::Sub(cellsV, one), originV)));
     }
-    // Lists the cells in which rays must be tested. cells: the first three cells of the slices that are in doubt.
+    // Lists the cells in which rays must be tested. cells: the packets for which the first, the second and the third
+    // cell of the slice must be; later cells, up to vTop, always must be.
     HWY_INLINE void note(std::size_t g, MF test, std::array<std::uint64_t, 3> cells, VF v, VF vTop) {
         const DF df;
         PacketColumns& c = columns_;
         HWY_ALIGN float low[kLanes], high[kLanes];
         hn::Store(v, df, low);
         hn::Store(vTop, df, high);
-        forEach(bitsOf(test), [&](std::size_t k) {
+        overLanes(bitsOf(test), [&](std::size_t k) {
             const auto slot = static_cast<std::uint32_t>(g + k);
             if (high[k] - low[k] >= kMostCells) return handOn(slot);
             const std::size_t before = tests_;
@@ -192,24 +202,7 @@ class PacketWalk : PacketSlots<kAddress, Arithmetic> {
         });
     }
 
-    template <class Body>
-    HWY_INLINE static void forEach(std::uint64_t bits, const Body& body) {
-        for (; bits != 0; bits &= bits - 1) body(static_cast<std::size_t>(__builtin_ctzll(bits)));
-    }
-
-    HWY_INLINE VF ownOf(VI entry) const {
-        const DF df;
-        const VI bits = hn::And(entry, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
-        return Arithmetic::mulAdd(hn::ConvertTo(df, bits), hn::Set(df, map_.unit), hn::Set(df, map_.top));
-    }
-    HWY_INLINE VF apexOf(VI entry) const {
-        const DF df;
-        const DI di;
-        const VI bits =
-            hn::OrAnd(hn::Set(di, kApexBits), entry, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
-        return Arithmetic::mulAdd(hn::BitCast(df, bits), hn::Set(df, map_.unit), hn::Set(df, map_.topOfApex));
-    }
-
+    // Ends the rays still walked as misses.
     void miss(std::size_t p) {
         const DI di;
         const MI who = maskOf(columns_.walking[p]);
@@ -221,7 +214,7 @@ class PacketWalk : PacketSlots<kAddress, Arithmetic> {
         columns_.ended[p] |= columns_.walking[p];
         columns_.walking[p] = 0;
     }
-    // Leaves the rays still walked to the single walk.
+    // Hands the rays still walked over to the single walk.
     void handOn(std::size_t n) {
         PacketColumns& c = columns_;
         const std::size_t p = c.slots.packet[n];

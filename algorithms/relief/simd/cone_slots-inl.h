@@ -90,6 +90,60 @@ struct WalkMap {
     }
 };
 
+// Lambda at which the ray is as high as the cell's highest point, and as the apex of its cone.
+template <class Arithmetic>
+HWY_INLINE VF ownOf(const WalkMap& map, VI entry) {
+    const DF df;
+    const VI bits = hn::And(entry, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
+    return Arithmetic::mulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
+}
+template <class Arithmetic>
+HWY_INLINE VF apexOf(const WalkMap& map, VI entry) {
+    const DF df;
+    const DI di;
+    const VI bits = hn::OrAnd(hn::Set(di, kApexBits), entry, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
+    return Arithmetic::mulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
+}
+
+// Constants for setting up rays on one axis.
+template <Address kAddress>
+struct EntryFrame {
+    GridAxis axis;
+    double low, high;  // range of positions within the map, or within the first period
+    float toRim = 0;   // from the line after the last cell to the edge of the map
+    explicit EntryFrame(const GridAxis& of) : axis(of) {
+        const bool border = kAddress == Address::Border;
+        // Under repeat: the range in which starts need no reduction to the first period, since s lies within the
+        // texels.
+        const double whole = kAddress == Address::Repeat ? axis.texels + axis.shift : axis.cells;
+        low = border ? axis.low : 0;
+        high = border ? axis.high : whole;
+        toRim = static_cast<float>(border ? axis.high - axis.cells : 0);
+    }
+};
+
+// Joins two halves of a vector.
+template <class D, class Half>
+HWY_INLINE hn::Vec<D> joined(D d, Half low, Half high) {
+#if HWY_TARGET == HWY_SCALAR
+    (void)d, (void)high;
+    return low;
+#else
+    return hn::Combine(d, high, low);
+#endif
+}
+
+// Prefetches the rays that are taken kRaysAhead after `from`. given: the columns of the chunk. They are read once and
+// in order, but column by column and in chunks, which the hardware prefetcher does not predict.
+HWY_INLINE void prefetchRays(const LaneRays& rays, const double* const* given, std::size_t from) {
+    if (from + kRaysAhead + kLanes > rays.count + rays.behind) return;
+    for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = 0; i < kLanes; i += kLineOfDoubles) {
+            __builtin_prefetch(given[c] + from + kRaysAhead + i, 0, 2);  // to L2
+        }
+    }
+}
+
 // The slots of the rays that are walked together. Rays are taken in the given order, and slots are compacted when many
 // rays have ended.
 template <Address kAddress, class Arithmetic>
@@ -113,21 +167,6 @@ class WalkSlots {
     void only(const RayBits& left) { left_ = &left; }
 
   protected:
-    // Constants for setting up rays on one axis.
-    struct EntryFrame {
-        GridAxis axis;
-        double low, high;  // range of positions within the map, or within the first period
-        float toRim = 0;   // from the line after the last cell to the edge of the map
-        explicit EntryFrame(const GridAxis& of) : axis(of) {
-            const bool border = kAddress == Address::Border;
-            // Under repeat: the range in which starts need no reduction to the first period, since s lies within the
-            // texels.
-            const double whole = kAddress == Address::Repeat ? axis.texels + axis.shift : axis.cells;
-            low = border ? axis.low : 0;
-            high = border ? axis.high : whole;
-            toRim = static_cast<float>(border ? axis.high - axis.cells : 0);
-        }
-    };
     // Starts of rays on one axis: cell of the map; cell before addressing; distance to the next line; absolute value of
     // the run, and whether it is backwards.
     struct Entry {
@@ -200,7 +239,7 @@ class WalkSlots {
                 columns[c] = rest[c].data();
             }
         }
-        prefetchRays(from);
+        prefetchRays(rays_, given_, from);
         const double begin = rays_.start[from / kLaneGroup];
         MI starting = hn::FirstN(di_, count);
         if (left_ != nullptr) {
@@ -249,23 +288,12 @@ class WalkSlots {
         }
     }
 
-    // Prefetches later rays. They are read once and in order, but column by column and in chunks, which the hardware
-    // prefetcher does not predict.
-    HWY_INLINE void prefetchRays(std::size_t from) const {
-        if (from + kRaysAhead + kLanes > end_ + rays_.behind) return;
-        for (std::size_t c = 0; c < 4; ++c) {
-            for (std::size_t i = 0; i < kLanes; i += kLineOfDoubles) {
-                __builtin_prefetch(given_[c] + from + kRaysAhead + i, 0, 2);  // to L2
-            }
-        }
-    }
-
     // Faster than Iota(di_, first), which is built lane by lane.
     HWY_INLINE VI countedFrom(std::int32_t first) const { return hn::Add(hn::Iota(di_, 0), hn::Set(di_, first)); }
 
     // Sets up the starts of rays on one axis for the common case: strictly inside the map, not on a line, a run between
     // kLeastRun and kFloatRun. Returns false if one of the rays is different; then `out` must not be used.
-    HWY_INLINE bool entry(const EntryFrame& frame, const double* origins, const double* runs, double begin,
+    HWY_INLINE bool entry(const EntryFrame<kAddress>& frame, const double* origins, const double* runs, double begin,
                           Entry& out) const {
         const DD d;
         const DHF df;
@@ -300,16 +328,6 @@ class WalkSlots {
         out.ahead = hn::Sub(hn::Set(df_, 1.0F), joined(df_, share[0], share[1]));
         return hn::AllTrue(d, usual);
     }
-    template <class D, class Half>
-    HWY_INLINE static hn::Vec<D> joined(D d, Half low, Half high) {
-#if HWY_TARGET == HWY_SCALAR
-        (void)d, (void)high;
-        return low;
-#else
-        return hn::Combine(d, high, low);
-#endif
-    }
-
     // The same for any rays. Returns the rays that float can walk, and stores what becomes of the others.
     HWY_NOINLINE MI generalEntry(std::size_t from, const double* const* columns, double begin, Entry& x, Entry& y) {
         const auto column = [&](std::size_t c) { return columns[c] - from; };
@@ -347,8 +365,8 @@ class WalkSlots {
     }
 
     // Stores one axis of the slots. Returns the margin of its crossings.
-    HWY_INLINE VF takeAxis(const EntryFrame& frame, const Entry& in, VF start, std::size_t from, std::size_t to,
-                           std::int32_t stride, WalkAxis& out, LaneAxisRays& rays, VF& rim) const {
+    HWY_INLINE VF takeAxis(const EntryFrame<kAddress>& frame, const Entry& in, VF start, std::size_t from,
+                           std::size_t to, std::int32_t stride, WalkAxis& out, LaneAxisRays& rays, VF& rim) const {
         const VF one = hn::Set(df_, 1.0F);
         const VF inverse = hn::Div(one, hn::Max(in.run, hn::Set(df_, 1e-30F)));
         const VF margin = hn::Mul(hn::Set(df_, kCrossingMargin), hn::Add(inverse, one));
@@ -437,7 +455,7 @@ class WalkSlots {
     LaneRays& rays_;
     WalkColumns& columns_;
     WalkMap map_;
-    EntryFrame frameX_, frameY_;
+    EntryFrame<kAddress> frameX_, frameY_;
     bool resumes_;
     const RayBits* left_ = nullptr;  // rays to be walked; null: all
     std::size_t next_ = 0, end_;

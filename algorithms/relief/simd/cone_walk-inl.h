@@ -38,7 +38,6 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     using Slots::used_;
     using Slots::waiting_;
     using Slots::walking_;
-    using typename Slots::EntryFrame;
 
   public:
     using Slots::only;
@@ -117,20 +116,6 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         return out;
     }
 
-    // Lambda at which the ray is as high as the cell's highest point, and as the apex of its cone.
-    HWY_INLINE static VF ownOf(const WalkMap& map, VI entry) {
-        const DF df;
-        const VI bits = hn::And(entry, hn::Set(DI(), static_cast<std::int32_t>(kConeDepths)));
-        return Arithmetic::mulAdd(hn::ConvertTo(df, bits), hn::Set(df, map.unit), hn::Set(df, map.top));
-    }
-    HWY_INLINE static VF apexOf(const WalkMap& map, VI entry) {
-        const DF df;
-        const DI di;
-        const VI bits =
-            hn::OrAnd(hn::Set(di, kApexBits), entry, hn::Set(di, static_cast<std::int32_t>(kConeDepths << 10)));
-        return Arithmetic::mulAdd(hn::BitCast(df, bits), hn::Set(df, map.unit), hn::Set(df, map.topOfApex));
-    }
-
     // The data of a step, fetched while the vector before is processed.
     struct Fetched {
         Axis x, y;
@@ -186,12 +171,12 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         const VI state = hn::Load(di, columns.state.data() + i);
         const MF walking = asFloat(hn::Eq(state, hn::Set(di, kWalking)));
         if constexpr (Arithmetic::kRecords) Arithmetic::visit(columns, i, at.x.n, at.y.n, at.entry, walking);
-        const MF above = hn::Lt(at.out, ownOf(map, at.entry));
+        const MF above = hn::Lt(at.out, ownOf<Arithmetic>(map, at.entry));
         const MF leaf = hn::AndNot(above, walking);
         hn::Store(hn::IfThenElse(asInt(leaf), hn::Set(di, kAtLeaf), state), di, columns.state.data() + i);
         waiting += hn::CountTrue(df, leaf);
         // Where the ray meets the cone.
-        const VF apex = apexOf(map, at.entry);
+        const VF apex = apexOf<Arithmetic>(map, at.entry);
         const VF steepness = Arithmetic::mulAdd(hn::BitCast(df, at.entry), hn::Load(df, columns.steep.data() + i),
                                                 hn::Set(df, kSteeper));
         const VF free = hn::Max(hn::Sub(apex, at.out), hn::Zero(df));
@@ -293,7 +278,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     }
 
     // n of the last cell on this axis.
-    HWY_INLINE VF lastOf(std::size_t i, const EntryFrame& frame, const WalkAxis& column,
+    HWY_INLINE VF lastOf(std::size_t i, const EntryFrame<kAddress>& frame, const WalkAxis& column,
                          const LaneAxisRays& rays) const {
         if constexpr (kAddress != Address::Border) return hn::Load(df_, column.last.data() + i);
         const VI cell = hn::GatherIndex(di_, rays.cell.data(), hn::Load(di_, columns_.slot.data() + i));
@@ -304,7 +289,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
 
     // The next cell's n within the map. Under repeat the period of the column advances; under border a ray that leaves
     // the map ends.
-    HWY_INLINE VF within(std::size_t i, MF who, const Axis& axis, const EntryFrame& frame, WalkAxis& column,
+    HWY_INLINE VF within(std::size_t i, MF who, const Axis& axis, const EntryFrame<kAddress>& frame, WalkAxis& column,
                          const LaneAxisRays& rays, VF next) {
         VF last = lastOf(i, frame, column, rays);
         MF beyond = hn::And(who, hn::Gt(next, last));
@@ -329,7 +314,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
     // Returns the rays that are certainly above the neighbour along one axis until they have passed the corner.
     template <bool kWide>
     HWY_INLINE MF sideClear(std::size_t i, const CellExit& at, MF who, bool alongX) const {
-        const EntryFrame& frame = alongX ? frameX_ : frameY_;
+        const EntryFrame<kAddress>& frame = alongX ? frameX_ : frameY_;
         const WalkAxis& column = alongX ? columns_.x : columns_.y;
         const MF beyond = hn::Eq((alongX ? at.x : at.y).n, lastOf(i, frame, column, alongX ? rays_.x : rays_.y));
         const MI backwards = asInt(hn::Lt(hn::Load(df_, column.stride.data() + i), hn::Zero(df_)));
@@ -342,7 +327,7 @@ class ConeKernel : WalkSlots<kAddress, Arithmetic> {
         }
         const MI there = asInt(kAddress == Address::Repeat ? who : hn::AndNot(beyond, who));
         const VI index = hn::Add(Slots::template entryIndexOf<kWide>(columns_, i, at.x.n, at.y.n), step);
-        const VF own = ownOf(map_, hn::GatherIndex(di_, map_.entries, hn::IfThenElseZero(there, index)));
+        const VF own = ownOf<Arithmetic>(map_, hn::GatherIndex(di_, map_.entries, hn::IfThenElseZero(there, index)));
         const MF clear = hn::Lt(hn::Add(at.out, hn::Add(at.tie, at.tie)), own);
         if constexpr (kAddress == Address::Clamp) return hn::Or(clear, beyond);
         if constexpr (kAddress == Address::Border) return hn::AndNot(beyond, clear);

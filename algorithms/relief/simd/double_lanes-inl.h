@@ -46,11 +46,6 @@ HWY_INLINE std::uint32_t bitsOf(M mask) {
     hn::StoreMaskBits(D(), mask, bits);
     return bits[0];
 }
-// Calls body(lane) for each lane whose bit is set.
-template <class Body>
-HWY_INLINE void overLanes(std::uint32_t lanes, const Body& body) {
-    for (; lanes != 0; lanes &= lanes - 1) body(static_cast<std::size_t>(__builtin_ctz(lanes)));
-}
 
 // The rays [next, last) that a Search has yet to trace, shared by all vectors. fallback receives the indices of rays
 // that the reference has to trace. segments: of each ray of the block, if only these are traced.

@@ -26,6 +26,12 @@ using VHI = hn::Vec<DHI>;
 
 inline constexpr std::size_t kHalfLanes = hn::MaxLanes(DD());
 
+// Calls body(lane) for each lane whose bit is set.
+template <class Body>
+HWY_INLINE void overLanes(std::uint64_t lanes, const Body& body) {
+    for (; lanes != 0; lanes &= lanes - 1) body(static_cast<std::size_t>(__builtin_ctzll(lanes)));
+}
+
 }  // namespace relief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -162,7 +162,8 @@ class PyramidKernel {
         if (HWY_UNLIKELY(!gathers_)) return hn::Mul(hn::ConvertTo(df_, someByLanes(who, x, y, level)), unit);
         return hn::Mul(hn::ConvertTo(df_, gathered(who, x, y, level, offsetOf(level))), unit);
     }
-    // Lanes other than those of `who` have any depth.
+    // The depths of the lanes `who`; those of the other lanes are unspecified. offset: index of the level's first
+    // depth.
     HWY_INLINE VI gathered(MI who, VI x, VI y, VI level, VI offset) const {
         const VI width = hn::Add(hn::Shr(hn::Set(di_, scene_.grid.x.cells - 1), level), hn::Set(di_, 1));
         const VI index = hn::Add(hn::Add(hn::Mul(y, width), x), offset);

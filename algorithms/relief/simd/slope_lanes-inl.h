@@ -90,23 +90,18 @@ HWY_INLINE Slope slopeOf(V h00, V h10, V h01, V h11, const Nodes& x, const Nodes
     return {mixed(hn::Sub(h10, h00), hn::Sub(h11, h01), y.share), mixed(hn::Sub(h01, h00), hn::Sub(h11, h10), x.share),
             hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00))};
 }
-// The slope from the heights that height(i, j) loads.
-template <class Height>
-HWY_INLINE Slope slopeBy(const SlopeScene& scene, V s, V t, const Height& height) {
-    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
-    const V h00 = height(x.first, y.first), h10 = height(x.second, y.first);
-    const V h01 = height(x.first, y.second), h11 = height(x.second, y.second);
-    return slopeOf(h00, h10, h01, h11, x, y);
-}
 HWY_INLINE Slope slopeByHeights(const SlopeScene& scene, V s, V t) {
     const D d;
     const hn::Rebind<float, D> df;
     const DI di;
+    const Nodes x = nodesAt(s, scene.width, scene.repeat), y = nodesAt(t, scene.height, scene.repeat);
     const auto height = [&](VI i, VI j) HWY_ATTR {
         const VI at = hn::Add(hn::Mul(j, hn::Set(di, scene.width)), i);
         return hn::PromoteTo(d, hn::GatherIndex(df, scene.heights, at));
     };
-    return slopeBy(scene, s, t, height);
+    const V h00 = height(x.first, y.first), h10 = height(x.second, y.first);
+    const V h01 = height(x.first, y.second), h11 = height(x.second, y.second);
+    return slopeOf(h00, h10, h01, h11, x, y);
 }
 // The same for scenes whose heights are not gathered.
 HWY_INLINE Slope slopeByLanes(const SlopeScene& scene, V s, V t) {

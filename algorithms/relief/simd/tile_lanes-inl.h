@@ -26,8 +26,8 @@ template <class D>
 using TileMask = hn::Mask<hn::RebindToSigned<D>>;
 
 #if HWY_TARGET <= HWY_AVX2
-// Two neighbouring heights, from the bytes `at` of tiles at the bytes `low` of groups of tiles: as two vectors of 32
-// bits, or, if they are shorter, at the begin of the first.
+// The 64 bits that hold two neighbouring heights, as two vectors of 32 bits; shorter heights are both in the first.
+// group, low, at: number of the group of tiles, byte of the tile in it, byte of the first height in the tile.
 template <class DI>
 HWY_INLINE void tileWords(DI d, const TileAccess& access, hn::Vec<DI> group, hn::Vec<DI> low, hn::Vec<DI> at,
                           hn::Vec<DI>& first, hn::Vec<DI>& second) {
@@ -56,7 +56,7 @@ HWY_INLINE void tileWords(DI d, const TileAccess& access, hn::Vec<DI> group, hn:
     }
 }
 
-// Two neighbouring heights in the first bytes of these words.
+// The two neighbouring heights that tileWords() fetched.
 template <class D>
 HWY_INLINE void decodedPair(D d, NumberType type, TileIndex<D> first, TileIndex<D> second, hn::Vec<D>& left,
                             hn::Vec<D>& right) {
@@ -121,14 +121,14 @@ HWY_INLINE TileMask<D> heightsInTiles(D d, const TileAccess& access, TileMask<D>
 #endif
 }
 
-// The heights of the lanes `who`, for scenes whose heights are not gathered. Other lanes hold anything.
+// The heights of the lanes `who`, for scenes whose heights are not gathered. The other lanes are unspecified.
 template <class D, class Scene>
 HWY_INLINE FourHeights<D> fourHeights(D d, const Scene& scene, TileMask<D> who, TileIndex<D> i0, TileIndex<D> i1,
                                       TileIndex<D> j0, TileIndex<D> j1) {
     const hn::RebindToSigned<D> di;
     constexpr std::size_t kCount = hn::MaxLanes(D());
     FourHeights<D> out;
-    TileMask<D> done = hn::MaskFromVec(hn::Zero(di));
+    TileMask<D> done;
     if (scene.tiles != nullptr) {
         const TileAccess& access = scene.tiles->access();
         done = heightsInTiles(d, access, who, hn::Set(di, access.firstGroup[0]), hn::Set(di, access.groupsAcross[0]),

@@ -18,6 +18,7 @@
 #include "relief/addressing.h"
 #include "relief/reliefs.h"
 #include "workspace/change_name.h"
+#include "workspace/language.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -168,8 +169,12 @@ void DrawnView::startFromPicture() {
     const double t = hit ? snapshot->trace.hit.t : field.height() / 2.0;
     const auto corner = [&](double at) { return static_cast<int>(std::floor(at)) - side() / 2; };
     const auto height = [&](int x, int y) { return field.texel(x, y); };
-    set(drawnOf(height, field.width(), field.height(), corner(s), corner(t), side()),
-        changeName([] { return tr("Start from the picture"); }));
+    try {
+        set(drawnOf(height, field.width(), field.height(), corner(s), corner(t), side()),
+            changeName([] { return tr("Start from the picture"); }));
+    } catch (const relief::InputError& error) {  // a damaged tile of a map that is read by tiles
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(uiLanguage())));
+    }
 }
 
 void DrawnView::startFlat(double height) {

@@ -139,7 +139,7 @@ StepShape stepShape(const relief::Step& s) {
 std::vector<int> profileLevels(const ProfileSource& source, const ProfileOptions& options) {
     std::set<int> levels;
     if (options.levels == LevelsShown::All) {
-        for (int l = 0; l < source.maxima->top() + 1; ++l) levels.insert(l);
+        for (int l = 0; l <= source.maxima->top(); ++l) levels.insert(l);
     } else if (options.levels == LevelsShown::Visited && source.steps != nullptr && !source.atPoints()) {
         for (std::size_t k = 0; k < source.steps->size(); ++k) {
             const relief::Step& step = (*source.steps)[k];

@@ -1,5 +1,7 @@
 // Packets of neighbouring rays find the candidates that each ray finds by itself.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -49,8 +51,8 @@ void expectSame(const HeightField& field, const RayBlock& rays, Counts& counts) 
             counts.misses += hits[i].outcome == Outcome::Miss ? 1 : 0;
             if (!lanes[i].candidate) continue;
             ++counts.inPackets;
-            // The readable form, begun in the candidate cell before the hit, tests this cell. At corners it may reject
-            // it, as the leaf does for the packet, and hit in the next one.
+            // The reference, begun in the candidate cell before the hit, tests this cell. At corners it may reject it,
+            // as the leaf does for the packet, and hit in the next one.
             const GridRay exact(walk.scene().grid, rays[i]);
             const auto [x, y] = *lanes[i].candidate;
             const CellGrid& grid = walk.scene().grid;

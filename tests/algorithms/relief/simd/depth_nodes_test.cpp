@@ -2,11 +2,12 @@
 // by one.
 #include "depth_nodes.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "algorithms/images/temporary_folder.h"
 #include "images/height_rows.h"
-#include "images/recipe_rows.h"
 #include "images/tiled_heights.h"
 #include "images/tiled_writer.h"
 #include "lanes.h"
