@@ -52,9 +52,10 @@ HeightRange parseHeightRange(const std::string& text);
 std::string heightRangeText(const HeightRange& range);
 
 struct HeightReadOptions {
-    std::string channel;  // number from 0, or name (R, G, B, A, Y, ...); empty: Y if there is one, otherwise the first
+    // Number from 0, or name (R, G, B, A, Y, ...); empty: Y if there is one, otherwise the first.
+    std::string channel{};
     bool invert = false;  // 1 - h, after scaling
-    HeightRange range;
+    HeightRange range{};
     std::int64_t maxPixels = kDefaultMaxPixels;
     bool operator==(const HeightReadOptions&) const = default;
 };
