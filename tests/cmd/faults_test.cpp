@@ -95,7 +95,7 @@ class FaultsTest : public CommandTest {
         for (const std::string& file : files()) {
             const bool known = std::count(before_.begin(), before_.end(), file) != 0 || good_.contains(file);
             // What is done of a long run is kept, and named in the error.
-            ASSERT_TRUE(known || file.ends_with(".part")) << file << " is left";
+            ASSERT_TRUE(known || file.ends_with(".part") || file.ends_with(".rows")) << file << " is left";
         }
     }
 
@@ -108,7 +108,7 @@ class FaultsTest : public CommandTest {
     static RunSetup preloaded(const std::string& name, const std::string& value) {
         RunSetup setup;
         setup.program = RELIEF_PROGRAM;
-        setup.variables = {{"LD_PRELOAD", RELIEF_FAULTS}, {name, value}};
+        setup.variables = {{"LD_PRELOAD", RELIEF_FAULTS}, {"SOURCE_DATE_EPOCH", "0"}, {name, value}};
         return setup;
     }
     void cleanUp() const {
@@ -135,8 +135,8 @@ TEST_P(FaultsTest, FailingCallsLoseNothing) {
                                                                           {"map", {ENOMEM}}};
         for (const auto& [kind, errors] : kinds) {
             const int calls = counts.at(kind);
-            for (int n = 0; n < std::min(calls, most(3, 100)); ++n) {
-                const int call = calls <= most(3, 100) ? n + 1 : 1 + random.below(calls);
+            for (int n = 0; n < std::min(calls, most(1, 100)); ++n) {
+                const int call = calls <= most(1, 100) ? n + 1 : 1 + random.below(calls);
                 for (const int error : errors) ASSERT_NO_FATAL_FAILURE(tryFault(command, kind, call, error));
             }
         }
@@ -148,7 +148,11 @@ TEST_P(FaultsTest, FailingCallsLoseNothing) {
 // Allocations of a whole run are sampled; with "stays" there is no memory from then on.
 TEST_P(FaultsTest, FailingAllocationsEndInOneLine) {
     Random random(kSeed);
-    const FaultyCommand command = commands()[1];
+    // Rendered and written by our own code: libraries that read pictures end the process when they find no memory.
+    const FaultyCommand command{
+        "render",
+        {"render", "--relief", "bricks:48x40", "--size", "64x48", "--tiled", "-o", path("o.tif"), "--quiet"},
+        {"o.tif"}};
     const int calls = counted(command).at("memory");
     for (int n = 0; n < most(12, 200); ++n) {
         ASSERT_NO_FATAL_FAILURE(tryFault(command, "memory", 1 + random.below(calls), ENOMEM, n % 2 == 1));

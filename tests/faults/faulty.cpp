@@ -30,6 +30,8 @@ long faultCall = 0;
 int faultError = 0;
 bool faultStays = false;
 bool ready = false;
+// Libraries do not survive a failure while they are loaded; what they call then is not counted.
+thread_local bool loading = false;
 
 __attribute__((constructor)) void readSettings() {
     if (const char* const text = std::getenv("RELIEF_FAULT")) {
@@ -60,7 +62,7 @@ __attribute__((destructor)) void writeCounts() {
 
 // Counts a call; returns true if it is to fail.
 bool fails(Kind kind) {
-    if (!ready) return false;
+    if (!ready || loading) return false;
     const long call = ++counts[kind];
     return kind == faultKind && (call == faultCall || (faultStays && call > faultCall));
 }
@@ -125,6 +127,13 @@ std::FILE* fopen(const char* path, const char* mode) {
 }
 std::FILE* fopen64(const char* path, const char* mode) {
     return failsToOpen(path) ? nullptr : next<std::FILE*(const char*, const char*)>("fopen64")(path, mode);
+}
+
+void* dlopen(const char* path, int mode) {
+    loading = true;
+    void* const library = next<void*(const char*, int)>("dlopen")(path, mode);
+    loading = false;
+    return library;
 }
 
 ssize_t read(int descriptor, void* to, size_t bytes) {
