@@ -52,7 +52,7 @@ class FaultsTest : public CommandTest {
                  {"o.png"}},
                 {"tile", {"tile", height_, "-o", tif, "--quiet"}, {"o.tif"}},
                 {"map", over({"map", "cone", "-o", tif}), {"o.tif"}},
-                {"map for an engine", over({"map", "cone", "-o", png}), {"o.png", "o.json"}},
+                {"map for an engine", over({"map", "cone", "-o", png}), {"o.png", "o.png.json"}},
                 {"trace", over({"trace", "--ray", "3,3,5,4", "-o", csv, "--steps", path("s.csv")}), {"o.csv", "s.csv"}},
                 {"export rays", over({"export", "rays", "--size", "16x12", "-o", csv}), {"o.csv", "o.json"}}};
     }

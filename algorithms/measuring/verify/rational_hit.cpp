@@ -76,9 +76,11 @@ struct Parabola {
 
 class Walk {
   public:
-    Walk(const HeightField& field, const ViewRay& ray)
+    // shortest: columns only: passages that are shorter, texels, are taken for touches in a corner, which are no hits.
+    Walk(const HeightField& field, const ViewRay& ray, double shortest = 0)
         : field_(field),
           bilinear_(field.surface() == Surface::Bilinear),
+          shortest_(shortest / std::max(std::hypot(ray.a, ray.b), std::numeric_limits<double>::min())),
           x_(ray.s0, ray.a, field.surface()),
           y_(ray.t0, ray.b, field.surface()) {
         if (field.address() != Address::Border) return;
@@ -181,6 +183,7 @@ class Walk {
         const Rational out = exactOut(sides);
         const Rational length = out - in;
         if (length <= 0 && sides != 0) return false;
+        if (!bilinear_ && nearest(length) < shortest_) return false;
         const Parabola f = parabola(in);
         if (f.constant >= 0) {
             if (inLines_ != 0) note(f.constant);
@@ -227,6 +230,7 @@ class Walk {
 
     const HeightField& field_;
     bool bilinear_;
+    double shortest_;  // lambda
     Axis x_, y_;
     bool outside_ = false;
     Rational end_ = 1;
@@ -244,6 +248,21 @@ bool liesOnSurface(const HeightField& field, const ViewRay& ray, double lambda, 
         if (std::abs(rationalGap(field, ray, at)) > height) return false;
     }
     return true;
+}
+
+// Returns true if a hit of columns is explained by corners: the ray certainly passes above all columns before it, and
+// the column that it names is within `rounding`, texels, of the ray.
+bool explainedByCorners(const HeightField& field, const ViewRay& ray, const Hit& hit, double rounding) {
+    const auto certain = Walk(field, ray, 4 * rounding).firstHit();
+    const double slack = kRationalTexels / std::max(1.0, std::hypot(ray.a, ray.b));
+    if (!certain || (certain->hit && hit.lambda > certain->lambda + slack)) return false;
+    const Hit place = Hit::at(ray, hit.lambda);
+    for (int n = 0; n < 9; ++n) {
+        const auto i = static_cast<std::int64_t>(std::floor(place.s + (n % 3 - 1) * 4 * rounding));
+        const auto j = static_cast<std::int64_t>(std::floor(place.t + (n / 3 - 1) * 4 * rounding));
+        if (static_cast<double>(field.texel(i, j)) >= 1 - hit.lambda - slack) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -291,7 +310,10 @@ RationalVerdict judgeHit(const HeightField& field, const ViewRay& ray, const Hit
         const auto truth = rationalHit(field, shifted);
         if (truth && same(*truth)) return RationalVerdict::Rounding;
     }
-    return RationalVerdict::Wrong;
+    // At each corner it may pass on another side.
+    const bool corners = field.surface() == Surface::Columns && answered && exact.hit;
+    return corners && explainedByCorners(field, ray, hit, rounding) ? RationalVerdict::Rounding
+                                                                    : RationalVerdict::Wrong;
 }
 
 }  // namespace relief

@@ -172,6 +172,18 @@ TEST(RationalHit, JudgesAnswers) {
     EXPECT_NEAR(rationalGap(field, ray, 0.5), 0.8 - 0.5, 1e-7);
 }
 
+// Rays through many corners, on which each rounding may choose another side (found by relief stress --oracle).
+TEST(RationalHit, CornersExplainOtherSides) {
+    const HeightField city(share(makeRelief("city", 13, 9, 511839)), Surface::Columns, Address::Repeat, 0.02);
+    const ViewRay ray{3, 6, 335.7440347778818, 503.61605216682267};
+    const auto exact = rationalHit(city, ray);
+    ASSERT_TRUE(exact && exact->hit);
+    EXPECT_EQ(judgeHit(city, ray, traced("exact", city, ray), *exact), RationalVerdict::Rounding);
+    EXPECT_EQ(judgeHit(city, ray, Hit::at(ray, 0.05), *exact), RationalVerdict::Wrong) << "above all columns";
+    EXPECT_EQ(judgeHit(city, ray, Hit::at(ray, 0.5), *exact), RationalVerdict::Wrong) << "behind a hit";
+    EXPECT_EQ(judgeHit(city, ray, Hit::none(Outcome::Miss), *exact), RationalVerdict::Wrong);
+}
+
 TEST(RationalHit, RefusesWhatItCannotCount) {
     const HeightField field(randomHeights(4, 4, kSeed));
     EXPECT_FALSE(rationalHit(field, {0, 0, kMaxRun, 0}));
