@@ -13,10 +13,13 @@ namespace relief::app {
 
 namespace {
 
-enum class Group : std::uint8_t { Cones, Distances, Pyramid, Normals };
+enum class Group : std::uint8_t { Cones, Distances, Pyramid, Normals, Heights };
+
+constexpr const char* kHeightsKind = "heights";
 
 Group groupOf(const std::string& kind) {
     if (kind == kRobustRelaxedKind) return Group::Cones;
+    if (kind == kHeightsKind) return Group::Heights;
     if (isListed(engineOnlyKinds(), kind)) return Group::Normals;
     if (isListed(pyramidMapKinds(), kind)) return Group::Pyramid;
     for (const ConeKind cone : {ConeKind::Conservative, ConeKind::Dummer, ConeKind::Relaxed}) {
@@ -41,6 +44,7 @@ std::vector<EngineRole> defaultChannels(Group group) {
         case Group::Distances:
             return {EngineRole::Distance};
         case Group::Pyramid:
+        case Group::Heights:
             return {EngineRole::Height};
         case Group::Normals:
             break;
@@ -58,6 +62,7 @@ void checkChannels(const std::string& kind, Group group, const std::vector<Engin
             case Group::Distances:
                 return role == EngineRole::Distance;
             case Group::Pyramid:
+            case Group::Heights:
                 return height;
             case Group::Normals:
                 break;
@@ -113,7 +118,7 @@ EngineConventions conventionsOf(const std::string& kind, Group group, const Engi
 // Options of the method that an engine's map does not have.
 void checkOptions(const std::string& kind, Group group, const OptionValues& options) {
     for (const auto& [name, text] : options) {
-        if (group == Group::Pyramid || group == Group::Normals) {
+        if (group == Group::Pyramid || group == Group::Normals || group == Group::Heights) {
             throw InputError("--set",
                              unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, name, {}));
         }
@@ -142,6 +147,7 @@ EngineMap built(const std::string& kind, Group group, const Scenario& scenario, 
         case Group::Cones:
             return buildEngineCones(coneKindOf(kind), coneParameters(scenario.method.options), field, c, levels, work);
         case Group::Normals:
+        case Group::Heights:
             return buildEngineNormals(field, c, levels, work);
         case Group::Pyramid:
             return buildEnginePyramid(pyramidKindOf(kind), field, c, work);
@@ -168,7 +174,7 @@ void noteStalled(const EngineMap& map, const std::string& output, Session& sessi
 }  // namespace
 
 const std::vector<std::string>& engineOnlyKinds() {
-    static const std::vector<std::string> kinds{std::string(kRobustRelaxedKind), "normals"};
+    static const std::vector<std::string> kinds{std::string(kRobustRelaxedKind), "normals", kHeightsKind};
     return kinds;
 }
 
