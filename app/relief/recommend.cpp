@@ -242,7 +242,7 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
     addAsked(*parser, *options);
     addText(*parser, "--seconds", options->seconds, "S",
             "time for everything, seconds, 1 or more; default 4 up to 1024 x 1024 texels, growing with the side to 16 "
-            "from 4096 x 4096 on",
+            "from 4096 x 4096 on; with --form shader ten times as much",
             "Run");
     addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Run");
     CLI::Option* const check =

@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Time for everything, in multiples of that of the advice for processors: each form draws pictures.
-constexpr double kPictureTimes = 6;
+constexpr double kPictureTimes = 10;
 // Mean FLIPs that differ by less count as equal: by this share, or by so little that it is the noise of single pixels.
 constexpr double kTieShare = 0.02, kTieFlip = 2e-4;
 

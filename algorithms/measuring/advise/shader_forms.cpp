@@ -7,7 +7,6 @@
 
 #include "images/pyramid.h"
 #include "relief/maps/engine_builders.h"
-#include "relief/shaders/shader_export.h"
 #include "relief/tracers/map_choice.h"
 #include "scenario/command_text.h"
 
@@ -15,8 +14,9 @@ namespace relief {
 
 namespace {
 
-// A technique. loop: the option that limits its loop; empty: its steps depend on the ray. For n turns of the loop and b
-// bisections it takes at most n + steps + b steps, and n * each + fetches + b fetches.
+// A technique; those whose maps take long to build last. loop: the option that limits its loop; empty: its steps depend
+// on the ray. For n turns of the loop and b bisections it takes at most n + steps + b steps, and n * each + fetches + b
+// fetches.
 struct Technique {
     std::string_view tracer, loop;
     ShaderMap map;
@@ -30,9 +30,9 @@ constexpr std::array<Technique, 10> kTechniques{{
     {"layers", "layers", ShaderMap::Heights, FetchKind::Bilinear, 2, 1, 1},
     {"layers-secant", "layers", ShaderMap::Heights, FetchKind::Bilinear, 3, 1, 1},
     {"layers-bisection", "layers", ShaderMap::Heights, FetchKind::Bilinear, 2, 1, 1, true},
+    {"max-pyramid", "", ShaderMap::Maxima, FetchKind::Texels},
     {"cone-dummer", "iterations", ShaderMap::SurfaceCones, FetchKind::HeightAndCone, 2, 1, 0},
     {"relaxed-cone", "iterations", ShaderMap::RelaxedCones, FetchKind::HeightAndCone, 2, 1, 1, true},
-    {"max-pyramid", "", ShaderMap::Maxima, FetchKind::Texels},
     {"cone", "", ShaderMap::CellCones, FetchKind::Texels},
     {"distance", "iterations", ShaderMap::Distances, FetchKind::Volume, 2, 2, 0},
 }};
@@ -240,15 +240,24 @@ ShaderStore shaderStore(const ShaderForm& form, const HeightField& field, Work& 
     return store;
 }
 
+ShaderChoice shaderChoiceOf(const ShaderForm& form, Address address, double coneScale) {
+    ShaderChoice choice;
+    choice.method = form.method;
+    choice.address = address;
+    if (readsCones(form.method.name)) {
+        setConeUnit(choice, coneUnitName(ConeUnit::Slope), "--unit");
+        choice.cones.length = ConeLength::Width;
+        choice.cones.scale = coneScale;
+    }
+    return choice;
+}
+
 void setCommands(ShaderForm& form, const ShaderAdviceOptions& options, double coneScale) {
     const HeightField& field = options.field;
     const std::string ofField = fieldArguments(field.reliefDepth(), field.address(), field.surface());
     const std::string bits = " --bits " + std::to_string(form.bits);
     const std::string coding = " --unit slope --length width" + bits;
     constexpr const char* kHeights = "heights.png";
-    ShaderChoice choice;
-    choice.method = form.method;
-    choice.address = field.address();
     form.commands.clear();
     // Other maps are built for the heights as the first texture holds them.
     const auto first = [&](const std::string& kind, const std::string& more, const char* file) {
@@ -286,12 +295,7 @@ void setCommands(ShaderForm& form, const ShaderAdviceOptions& options, double co
             break;
         }
     }
-    if (readsCones(form.method.name)) {
-        setConeUnit(choice, coneUnitName(ConeUnit::Slope), "--unit");
-        choice.cones.length = ConeLength::Width;
-        choice.cones.scale = coneScale;
-    }
-    form.commands.push_back(shaderCommand(choice) + " -o relief.frag");
+    form.commands.push_back(shaderCommand(shaderChoiceOf(form, field.address(), coneScale)) + " -o relief.frag");
 }
 
 std::int64_t fetchesOf(const ShaderForm& form, std::int64_t steps, std::int64_t reads, Outcome outcome) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "measuring/advise/recommend_shader.h"
+#include "relief/shaders/shader_export.h"
 
 namespace relief {
 
@@ -17,7 +18,9 @@ struct ShaderStore {
 // MemoryError, InputError.
 ShaderStore shaderStore(const ShaderForm& form, const HeightField& field, Work& work);
 
-// Sets the commands. coneScale: that of the form's store.
+// The shader that reads the form's textures. coneScale: that of the form's store.
+ShaderChoice shaderChoiceOf(const ShaderForm& form, Address address, double coneScale);
+// Sets the commands.
 void setCommands(ShaderForm& form, const ShaderAdviceOptions& options, double coneScale);
 
 // Returns the texture fetches of a ray of this form from the counts of its method; of FetchKind::Texels by

@@ -191,6 +191,7 @@ EngineMap buildEngineCones(ConeKind kind, const ConeParameters& parameters, cons
 EngineMap buildEngineNormals(const HeightField& field, EngineConventions conventions, int levels, Work& work) {
     EngineMap map;
     map.conventions = ofField(std::move(conventions), field);
+    map.conventions.rounding = EngineRounding::Nearest;
     HeightField at = roundedField(field, map.conventions);
     for (int l = 0; l < levels; ++l) {
         if (l > 0) at = coarser(at, work);
