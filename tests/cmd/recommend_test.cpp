@@ -62,15 +62,12 @@ TEST_P(RecommendTest, ComparedWithTheFullTable) {
 
 // Every command that the advice for shaders prints runs, and the shader decodes cones as the map's sidecar states.
 TEST_P(RecommendTest, CommandsOfTheAdviceForShadersRun) {
-    const std::vector<std::string> asked{"recommend", "--relief", "hills:24x16:3", "--form", "shader",    "--max-steps",
-                                         "24",        "--quiet",  "--address",     "clamp",  "--seconds", "60"};
-    std::vector<std::string> asJson = asked;
-    asJson.emplace_back("--json");
-    const auto json = nlohmann::json::parse(run(asJson).out);
+    const auto json =
+        nlohmann::json::parse(run({"recommend", "--relief", "hills:24x16:3", "--form", "shader", "--max-steps", "24",
+                                   "--quiet", "--address", "clamp", "--seconds", "600", "--views", "30", "--json"})
+                                  .out);
     EXPECT_EQ(json["form"], "shader");
     EXPECT_LE(json["chosen"]["steps_max"], 24);
-    EXPECT_NE(run(asked).out.find("\nTechnique: " + json["chosen"]["text"].get<std::string>() + "\n"),
-              std::string::npos);
     std::set<std::string> tracers;
     for (const auto& form : json["forms"]) {
         if (!tracers.insert(form["method"]).second) continue;
@@ -94,7 +91,9 @@ TEST_P(RecommendTest, CommandsOfTheAdviceForShadersRun) {
         const std::string shader = read("relief.frag");
         const std::size_t at = shader.find("CONE_SCALE = ");
         EXPECT_EQ(at != std::string::npos, scale > 0) << form["text"];
-        if (scale > 0) EXPECT_EQ(std::stod(shader.substr(at + 13)), scale);
+        if (scale > 0) {
+            EXPECT_EQ(std::stod(shader.substr(at + 13)), scale);
+        }
     }
     EXPECT_EQ(tracers.size(), 10U);
 }

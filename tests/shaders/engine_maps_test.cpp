@@ -1,5 +1,7 @@
 // The maps that `relief map` writes for engines, as the exported shaders read them: in codes of 8 or 16 bits, rounded
 // outward, with the conventions that both state.
+#include <set>
+
 #include "algorithms/relief/fields.h"
 #include "measuring/advise/shader_forms.h"
 #include "relief/maps/engine_builders.h"
@@ -103,11 +105,12 @@ TEST_F(ShaderEngineMaps, LevelsOfMaximaFindTheExactHit) {
 TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
     ShaderAdviceOptions options(field_);
     options.maxSteps = 24;
-    int tried = 0;
+    std::set<std::pair<ShaderMap, int>> tried;
     for (const int bits : {8, 16}) {
         for (const ShaderForm& form : shaderForms(options, bits)) {
             const bool relaxed = form.map == ShaderMap::RelaxedCones;
             if (!relaxed && form.map != ShaderMap::SurfaceCones) continue;
+            if (!tried.emplace(form.map, bits).second) continue;  // the largest number of steps comes first
             EngineConventions c = conventions("R=height,G=cone", bits, ConeUnit::Slope);
             c.cone.length = ConeLength::Width;
             const EngineMap map =
@@ -128,10 +131,9 @@ TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
                 other += off * texelsOf(rounded[i]) > kSameAnswer ? 1 : 0;
             }
             EXPECT_LE(other, rounded.size() / 100) << methodText(form.method) << " " << bits;
-            ++tried;
         }
     }
-    EXPECT_GE(tried, 8);
+    EXPECT_EQ(tried.size(), 4U);
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ TEST(ShaderAdvice, ExactTechniquesHaveNoError) {
     const auto offset = std::find_if(advice.forms.begin(), advice.forms.end(),
                                      [](const ShaderForm& form) { return form.method.name == "offset"; });
     EXPECT_GT(offset->flip, 0.01);
-    EXPECT_GT(offset->displaced, 0.05);
+    EXPECT_GT(offset->displaced, 0.02);
 }
 
 ShaderForm made(const std::string& name, double flip, double fetches, int side, Verdict verdict = Verdict::Kept) {
