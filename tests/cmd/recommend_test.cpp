@@ -95,7 +95,7 @@ TEST_P(RecommendTest, CommandsOfTheAdviceForShadersRun) {
             EXPECT_EQ(std::stod(shader.substr(at + 13)), scale);
         }
     }
-    EXPECT_EQ(tracers.size(), 10U);
+    EXPECT_EQ(tracers.size(), 11U);
 }
 
 TEST_P(RecommendTest, Refusals) {

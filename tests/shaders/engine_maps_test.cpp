@@ -1,5 +1,6 @@
 // The maps that `relief map` writes for engines, as the exported shaders read them: in codes of 8 or 16 bits, rounded
 // outward, with the conventions that both state.
+#include <map>
 #include <set>
 
 #include "algorithms/relief/fields.h"
@@ -65,7 +66,7 @@ TEST_F(ShaderEngineMaps, ConesOnTheSurfaceNeverLeadThroughIt) {
         const EngineMap map =
             buildEngineCones(ConeKind::Conservative, {}, field_, conventions("R=height,G=cone", 8, unit), 1, work_);
         const HeightField rounded(share(*map.heights()), Surface::Bilinear, Address::Repeat, 0.1);
-        ShaderChoice choice = shader("cone-dummer", map.conventions);
+        ShaderChoice choice = shader("cone-robust", map.conventions);
         choice.method.options["iterations"] = "1024";
         bindMaps(*gl_, choice, rounded, {}, work_);
         gl_->setTexture(1, texture(map.levels[0], true), Address::Repeat);
@@ -108,13 +109,14 @@ TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
     std::set<std::pair<ShaderMap, int>> tried;
     for (const int bits : {8, 16}) {
         for (const ShaderForm& form : shaderForms(options, bits)) {
-            const bool relaxed = form.map == ShaderMap::RelaxedCones;
-            if (!relaxed && form.map != ShaderMap::SurfaceCones) continue;
+            const std::map<ShaderMap, ConeKind> kinds{{ShaderMap::SurfaceCones, ConeKind::Robust},
+                                                      {ShaderMap::RelaxedCones, ConeKind::Relaxed},
+                                                      {ShaderMap::RobustRelaxedCones, ConeKind::RelaxedRobust}};
+            if (!kinds.contains(form.map)) continue;
             if (!tried.emplace(form.map, bits).second) continue;  // the largest number of steps comes first
             EngineConventions c = conventions("R=height,G=cone", bits, ConeUnit::Slope);
             c.cone.length = ConeLength::Width;
-            const EngineMap map =
-                buildEngineCones(relaxed ? ConeKind::Relaxed : ConeKind::Conservative, {}, field_, c, 1, work_);
+            const EngineMap map = buildEngineCones(kinds.at(form.map), {}, field_, c, 1, work_);
             const ShaderStore store = shaderStore(form, field_, work_);
             const ShaderChoice choice = shaderChoiceOf(form, Address::Repeat, store.coneScale);
             bindMaps(*gl_, choice, store.field, {}, work_);
@@ -133,7 +135,7 @@ TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
             EXPECT_LE(other, rounded.size() / 100) << methodText(form.method) << " " << bits;
         }
     }
-    EXPECT_EQ(tried.size(), 4U);
+    EXPECT_EQ(tried.size(), 6U);
 }
 
 }  // namespace

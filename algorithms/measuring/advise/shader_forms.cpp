@@ -24,15 +24,16 @@ struct Technique {
     int steps = 0, each = 0, fetches = 0;
     bool bisects = false;
 };
-constexpr std::array<Technique, 10> kTechniques{{
+constexpr std::array<Technique, 11> kTechniques{{
     {"offset", "", ShaderMap::Heights, FetchKind::Bilinear, 0, 0, 1},
     {"offset-limited", "", ShaderMap::Heights, FetchKind::Bilinear, 0, 0, 1},
     {"layers", "layers", ShaderMap::Heights, FetchKind::Bilinear, 2, 1, 1},
     {"layers-secant", "layers", ShaderMap::Heights, FetchKind::Bilinear, 3, 1, 1},
     {"layers-bisection", "layers", ShaderMap::Heights, FetchKind::Bilinear, 2, 1, 1, true},
     {"max-pyramid", "", ShaderMap::Maxima, FetchKind::Texels},
-    {"cone-dummer", "iterations", ShaderMap::SurfaceCones, FetchKind::HeightAndCone, 2, 1, 0},
+    {"cone-robust", "iterations", ShaderMap::SurfaceCones, FetchKind::HeightAndCone, 2, 1, 0},
     {"relaxed-cone", "iterations", ShaderMap::RelaxedCones, FetchKind::HeightAndCone, 2, 1, 1, true},
+    {"relaxed-cone-robust", "iterations", ShaderMap::RobustRelaxedCones, FetchKind::HeightAndCone, 2, 1, 1, true},
     {"cone", "", ShaderMap::CellCones, FetchKind::Texels},
     {"distance", "iterations", ShaderMap::Distances, FetchKind::Volume, 2, 2, 0},
 }};
@@ -68,6 +69,7 @@ std::vector<ShaderTexture> texturesOf(const ShaderForm& form, const HeightField&
             return {texture(1, bits, MessageId::TextureHeights, w, h)};
         case ShaderMap::SurfaceCones:
         case ShaderMap::RelaxedCones:
+        case ShaderMap::RobustRelaxedCones:
             return {texture(2, bits, MessageId::TextureHeightsCones, w, h)};
         case ShaderMap::CellCones: {
             const ConeShape shape = coneMapShape(ConeKind::Conservative, {}, field);
@@ -112,7 +114,7 @@ std::vector<std::int64_t> turnsOf(const Technique& technique, const ShaderAdvice
     return all;
 }
 
-EngineConventions conventions(const char* kind, const std::string& pack, int bits) {
+EngineConventions conventions(std::string_view kind, const std::string& pack, int bits) {
     EngineConventions c;
     c.kind = kind;
     c.channels = parseEnginePack(pack, "--pack");
@@ -198,12 +200,12 @@ ShaderStore shaderStore(const ShaderForm& form, const HeightField& field, Work& 
         return fieldOf(buildEngineNormals(field, conventions("heights", "R=height", form.bits), 1, work), field);
     };
     ShaderStore store{field, std::make_shared<MapCache>()};
-    const auto cones = [&](const char* kind, ConeKind from, ConeKind as) {
+    const auto cones = [&](ConeKind kind) {
         const EngineMap map =
-            buildEngineCones(from, {}, field, conventions(kind, "R=height,G=cone", form.bits), 1, work);
+            buildEngineCones(kind, {}, field, conventions(coneKindName(kind), "R=height,G=cone", form.bits), 1, work);
         store.field = fieldOf(map, field);
         store.coneScale = map.conventions.cone.scale;
-        store.maps->put(coneMapKey(as, {}, store.field), texelCones(map, as, store.field));
+        store.maps->put(coneMapKey(kind, {}, store.field), texelCones(map, kind, store.field));
     };
     switch (form.map) {
         case ShaderMap::Heights:
@@ -211,10 +213,13 @@ ShaderStore shaderStore(const ShaderForm& form, const HeightField& field, Work& 
             store.field = heights();
             break;
         case ShaderMap::SurfaceCones:
-            cones("cone", ConeKind::Conservative, ConeKind::Dummer);
+            cones(ConeKind::Robust);
             break;
         case ShaderMap::RelaxedCones:
-            cones("relaxed-cone", ConeKind::Relaxed, ConeKind::Relaxed);
+            cones(ConeKind::Relaxed);
+            break;
+        case ShaderMap::RobustRelaxedCones:
+            cones(ConeKind::RelaxedRobust);
             break;
         case ShaderMap::CellCones: {
             store.field = heights();
@@ -271,10 +276,10 @@ void setCommands(ShaderForm& form, const ShaderAdviceOptions& options, double co
             first("heights", bits, kHeights);
             break;
         case ShaderMap::SurfaceCones:
-            first("cone", coding, "relief.png");
-            break;
         case ShaderMap::RelaxedCones:
-            first("relaxed-cone", coding, "relief.png");
+        case ShaderMap::RobustRelaxedCones:
+            // Maps have the names of their tracers.
+            first(form.method.name, coding, "relief.png");
             break;
         case ShaderMap::CellCones:
             first("heights", bits, kHeights);
@@ -307,6 +312,7 @@ std::int64_t fetchesOf(const ShaderForm& form, std::int64_t steps, std::int64_t 
             // The last height was fetched with its cone.
             return (reads + kBilinear) / kCone;
         case ShaderMap::RelaxedCones:
+        case ShaderMap::RobustRelaxedCones:
             // One for each step but the start; and whether the last step ended below the surface.
             return std::min(steps, form.mostFetches);
         case ShaderMap::Distances:

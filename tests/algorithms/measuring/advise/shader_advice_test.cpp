@@ -79,6 +79,7 @@ std::int64_t fetchesOfStep(const ShaderForm& form, const Step& step) {
         case ShaderMap::Distances:
             return step.decision == Decision::Hit ? 1 : 2;
         case ShaderMap::RelaxedCones:
+        case ShaderMap::RobustRelaxedCones:
             return step.decision == Decision::Hit ? 2 : 1;
         default:
             return refines && form.method.name == "layers-secant" ? 0 : 1;
@@ -220,8 +221,8 @@ TEST(ShaderAdvice, SaysAllInBothLanguagesAndAsJson) {
     const ShaderAdvice advice = recommendShader(options, work);
     const std::string method = methodText(advice.best().method);
     const std::string text = shaderAdviceText(options, advice);
-    for (const char* const name : {"offset", "layers", "layers-secant", "layers-bisection", "cone", "cone-dummer",
-                                   "relaxed-cone", "max-pyramid", "distance"}) {
+    for (const char* const name : {"offset", "layers", "layers-secant", "layers-bisection", "cone", "cone-robust",
+                                   "relaxed-cone", "relaxed-cone-robust", "max-pyramid", "distance"}) {
         EXPECT_NE(text.find(std::string("\n  ") + name), std::string::npos) << name << "\n" << text;
     }
     EXPECT_NE(text.find("Technique: " + method), std::string::npos) << text;
