@@ -1,5 +1,5 @@
 #include "rendering/pinhole.h"
-#include "scenario/scenario.h"
+#include "scenario/command_text.h"
 
 namespace relief {
 
@@ -24,28 +24,12 @@ void addFlag(std::string& line, const std::string& flag, const std::string& valu
 
 // Returns "relief trace" or "relief render" with the options for heights and method.
 std::string commandBegin(const Scenario& scenario, const std::string& command = "relief trace") {
-    const Scenario defaults;
-    std::string line = command;
+    std::string line = command + heightArguments(scenario.pictures);
     const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
-    const Pictures& pictures = scenario.pictures;
-    if (!pictures.height.empty()) {
-        add("--height", pictures.height);
-    } else if (!pictures.drawn.empty()) {
-        add("--relief", drawnRecipe(pictures.drawn));
-    } else {
-        add("--relief", pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" +
-                            std::to_string(pictures.recipeHeight) + ":" + std::to_string(pictures.seed));
-    }
-    if (!pictures.reading.channel.empty()) add("--channel", pictures.reading.channel);
-    if (pictures.reading.invert) line += " --invert";
-    if (!(pictures.reading.range == HeightRange{})) add("--range", heightRangeText(pictures.reading.range));
-    if (pictures.memory > 0) add("--memory", std::to_string(pictures.memory));
+    if (scenario.pictures.memory > 0) add("--memory", std::to_string(scenario.pictures.memory));
     add("--tracer", scenario.method.name);
     for (const auto& [name, text] : scenario.method.options) add("--set", name + "=" + text);
-    if (scenario.reliefDepth != defaults.reliefDepth) add("--relief-depth", numberText(scenario.reliefDepth));
-    if (scenario.address != defaults.address) add("--address", std::string(addressName(scenario.address)));
-    if (scenario.surface != defaults.surface) add("--surface", std::string(surfaceName(scenario.surface)));
-    return line;
+    return line + fieldArguments(scenario.reliefDepth, scenario.address, scenario.surface);
 }
 
 // Appends scene, camera and size.
@@ -68,6 +52,33 @@ void addView(std::string& line, const Scenario& scenario) {
 }
 
 }  // namespace
+
+std::string heightArguments(const Pictures& pictures) {
+    std::string line;
+    const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
+    if (!pictures.height.empty()) {
+        add("--height", pictures.height);
+    } else if (!pictures.drawn.empty()) {
+        add("--relief", drawnRecipe(pictures.drawn));
+    } else {
+        add("--relief", pictures.recipe + ":" + std::to_string(pictures.recipeWidth) + "x" +
+                            std::to_string(pictures.recipeHeight) + ":" + std::to_string(pictures.seed));
+    }
+    if (!pictures.reading.channel.empty()) add("--channel", pictures.reading.channel);
+    if (pictures.reading.invert) line += " --invert";
+    if (!(pictures.reading.range == HeightRange{})) add("--range", heightRangeText(pictures.reading.range));
+    return line;
+}
+
+std::string fieldArguments(double reliefDepth, Address address, Surface surface) {
+    const Scenario defaults;
+    std::string line;
+    const auto add = [&](const std::string& flag, const std::string& value) { addFlag(line, flag, value); };
+    if (reliefDepth != defaults.reliefDepth) add("--relief-depth", numberText(reliefDepth));
+    if (address != defaults.address) add("--address", std::string(addressName(address)));
+    if (surface != defaults.surface) add("--surface", std::string(surfaceName(surface)));
+    return line;
+}
 
 std::string traceCommand(const Scenario& scenario) {
     std::string line = commandBegin(scenario);

@@ -107,7 +107,7 @@ int runMap(const MapOptions& options, Session& session) {
     const std::string kind = checkedKind(text);
     const bool isPyramid = isListed(pyramidMapKinds(), kind);
     const bool forEngines = isListed(engineOnlyKinds(), kind);
-    if ((isPyramid || kind == "normals") && kind != text) {
+    if ((isPyramid || kind == "normals" || kind == "heights") && kind != text) {
         const MethodChoice given = splitMethodChoice(text, "KIND");
         throw InputError(text, unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})},
                                            given.options.begin()->first, {}));
@@ -169,8 +169,7 @@ void addMapCommand(CLI::App& program, Commands& commands) {
             "cone.png.json, and into the picture. If the picture holds heights, the map is built for them as rounded; "
             "values are rounded to the safe side. Conservative cones are then built for shaders that step from the "
             "surface below the ray, however they fetch the cones; relief certify proves it for the picture. "
-            "relaxed-cone-robust (relaxed cones as corrected by Ban et al. 2024) and normals are written for engines "
-            "only.",
+            "normals and heights (the height map alone) are written for engines only.",
         "  relief map refined:layers=16:precision=u8 heights.png -o refined.tif\n"
         "  relief trace heights.png --tracer distance-refined --map refined.tif --ray 10,20,30,5\n"
         "  relief map refined heights.png --at 10,20,0.6\n"

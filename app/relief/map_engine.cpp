@@ -2,36 +2,33 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "output.h"
 #include "relief/maps/engine_builders.h"
 #include "relief/maps/pyramid_files.h"
-#include "relief/maps/robust_cones.h"
 #include "relief/tracers/map_choice.h"
 
 namespace relief::app {
 
 namespace {
 
-enum class Group : std::uint8_t { Cones, Distances, Pyramid, Normals };
+enum class Group : std::uint8_t { Cones, Distances, Pyramid, Normals, Heights };
+
+constexpr const char* kHeightsKind = "heights";
+
+std::optional<ConeKind> coneKindOf(const std::string& kind) {
+    for (int k = 0; k < kConeKinds; ++k) {
+        if (coneKindName(static_cast<ConeKind>(k)) == kind) return static_cast<ConeKind>(k);
+    }
+    return std::nullopt;
+}
 
 Group groupOf(const std::string& kind) {
-    if (kind == kRobustRelaxedKind) return Group::Cones;
+    if (kind == kHeightsKind) return Group::Heights;
     if (isListed(engineOnlyKinds(), kind)) return Group::Normals;
     if (isListed(pyramidMapKinds(), kind)) return Group::Pyramid;
-    for (const ConeKind cone : {ConeKind::Conservative, ConeKind::Dummer, ConeKind::Relaxed}) {
-        if (coneKindName(cone) == kind) return Group::Cones;
-    }
-    return Group::Distances;
-}
-
-bool isRelaxed(const std::string& kind) {
-    return kind == coneKindName(ConeKind::Relaxed) || kind == kRobustRelaxedKind;
-}
-
-ConeKind coneKindOf(const std::string& kind) {
-    if (kind == coneKindName(ConeKind::Dummer)) return ConeKind::Dummer;
-    return isRelaxed(kind) ? ConeKind::Relaxed : ConeKind::Conservative;
+    return coneKindOf(kind) ? Group::Cones : Group::Distances;
 }
 
 std::vector<EngineRole> defaultChannels(Group group) {
@@ -41,6 +38,7 @@ std::vector<EngineRole> defaultChannels(Group group) {
         case Group::Distances:
             return {EngineRole::Distance};
         case Group::Pyramid:
+        case Group::Heights:
             return {EngineRole::Height};
         case Group::Normals:
             break;
@@ -58,6 +56,7 @@ void checkChannels(const std::string& kind, Group group, const std::vector<Engin
             case Group::Distances:
                 return role == EngineRole::Distance;
             case Group::Pyramid:
+            case Group::Heights:
                 return height;
             case Group::Normals:
                 break;
@@ -99,7 +98,7 @@ EngineConventions conventionsOf(const std::string& kind, Group group, const Engi
     const std::string ending = fileEnding(output);
     c.bits = ending == "exr" ? 32 : 16;
     engine.apply(c);
-    c.relaxed = isRelaxed(kind);
+    c.relaxed = group == Group::Cones && areRelaxed(*coneKindOf(kind));
     if (ending == "exr" && c.bits != 32) {
         throw InputError("--bits", Message(MessageId::EngineBits, {{"ending", ".exr"}, {"known", "32 (float)"}}));
     }
@@ -113,13 +112,12 @@ EngineConventions conventionsOf(const std::string& kind, Group group, const Engi
 // Options of the method that an engine's map does not have.
 void checkOptions(const std::string& kind, Group group, const OptionValues& options) {
     for (const auto& [name, text] : options) {
-        if (group == Group::Pyramid || group == Group::Normals) {
+        if (group == Group::Pyramid || group == Group::Normals || group == Group::Heights) {
             throw InputError("--set",
                              unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, name, {}));
         }
         const bool ofCells = kind == "cone" && !(name == "sectors" && text == "1");
-        const bool ofMarch = kind == kRobustRelaxedKind && name != "radius";
-        if (name == "precision" || ofCells || ofMarch) {
+        if (name == "precision" || ofCells) {
             throw InputError("--set " + name, Message(MessageId::ArgumentsExclude, {{"other", "--bits, --pack"}}));
         }
     }
@@ -140,8 +138,9 @@ EngineMap built(const std::string& kind, Group group, const Scenario& scenario, 
                 const EngineConventions& c, int levels, Work& work) {
     switch (group) {
         case Group::Cones:
-            return buildEngineCones(coneKindOf(kind), coneParameters(scenario.method.options), field, c, levels, work);
+            return buildEngineCones(*coneKindOf(kind), coneParameters(scenario.method.options), field, c, levels, work);
         case Group::Normals:
+        case Group::Heights:
             return buildEngineNormals(field, c, levels, work);
         case Group::Pyramid:
             return buildEnginePyramid(pyramidKindOf(kind), field, c, work);
@@ -168,7 +167,7 @@ void noteStalled(const EngineMap& map, const std::string& output, Session& sessi
 }  // namespace
 
 const std::vector<std::string>& engineOnlyKinds() {
-    static const std::vector<std::string> kinds{std::string(kRobustRelaxedKind), "normals"};
+    static const std::vector<std::string> kinds{"normals", kHeightsKind};
     return kinds;
 }
 
@@ -179,11 +178,10 @@ int writeMapForEngine(const std::string& kind, const std::string& text, const Sc
     const EngineConventions conventions = conventionsOf(kind, group, engine, output);
     ScenarioOptions chosen = scenarioOptions;
     const bool ofMethod = group == Group::Cones || group == Group::Distances;
-    const std::string builder = kind == kRobustRelaxedKind ? std::string(coneKindName(ConeKind::Relaxed)) : kind;
-    chosen.chooseTracer(ofMethod ? methodOfMap(builder) + text.substr(kind.size()) : "max-pyramid", text);
+    chosen.chooseTracer(ofMethod ? methodOfMap(kind) + text.substr(kind.size()) : "max-pyramid", text);
     const Scenario scenario = chosen.scenario();
     checkOptions(kind, group, scenario.method.options);
-    if (group == Group::Cones && scenario.surface == Surface::Columns && kind == "cone" &&
+    if (group == Group::Cones && scenario.surface == Surface::Columns && (kind == "cone" || kind == "cone-robust") &&
         !packs(conventions.channels, EngineRole::Apex)) {
         throw InputError("--surface", Message(MessageId::EngineColumns));
     }

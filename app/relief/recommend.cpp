@@ -1,13 +1,14 @@
-// relief recommend PICTURE|SCENARIO.json [--views LO,HI] [--error E] [--memory MB] [--seconds S] [--form lanes|scalar]
-// [--json] [--check] [-o FILE]
+// relief recommend PICTURE|SCENARIO.json [--views LO,HI] [--error E] [--memory MB] [--seconds S]
+// [--form simd|scalar|shader] [--max-steps N] [--fetches N] [--json] [--check] [-o FILE]
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "measuring/advise/recommend.h"
+#include "measuring/advise/recommend_shader.h"
 #include "options_common.h"
 #include "output.h"
 #include "relief/reliefs.h"
+#include "scenario/command_text.h"
 
 namespace relief::app {
 
@@ -18,15 +19,19 @@ constexpr double kMostMemory = 1 << 20;  // megabytes
 constexpr double kMostSeconds = 24 * 3600;
 constexpr double kMostStepCost = 1000;
 constexpr std::int64_t kMostSteps = 1'000'000'000;
+constexpr const char* kShaderForm = "shader";
 constexpr int kCheckSide = 128;  // texels of the reliefs used by --check
 
 struct RecommendOptions {
     ScenarioOptions scenario;
-    OptionText views, error, outliers, memory, seconds, form, stepCost, maxSteps, seed, color, output;
+    OptionText views, error, outliers, memory, seconds, form, stepCost, maxSteps, fetches, seed, color, output;
     bool json = false;
     bool noFilter = false;
     bool check = false;
     RunOptions run;
+
+    bool forShaders() const { return form == kShaderForm; }
+    bool asJson() const { return json || (output && fileEnding(*output) == "json"); }
 };
 
 double parseRange(const std::string& text, const std::string& option, double low, double high) {
@@ -38,21 +43,27 @@ double parseRange(const std::string& text, const std::string& option, double low
     return value;
 }
 
-void applyAsked(const RecommendOptions& given, AdviceOptions& options) {
+// Sets the requirements that both kinds of advice have.
+template <class Options>
+void applyCommon(const RecommendOptions& given, Options& options) {
     if (given.views) options.views = parseViews(*given.views, "--views");
-    if (given.error) options.error = parseRange(*given.error, "--error", 0, kMostError);
-    if (given.outliers) options.outliers = parseRange(*given.outliers, "--outliers", 0, 100) / 100;
     if (given.memory) {
         options.memory = static_cast<std::int64_t>(parseRange(*given.memory, "--memory", 0, kMostMemory) * 1048576);
     }
     if (given.seconds) options.seconds = parseRange(*given.seconds, "--seconds", 1, kMostSeconds);
+    if (given.maxSteps) options.maxSteps = parseWhole(*given.maxSteps, "--max-steps", 1, kMostSteps);
+    if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
+}
+
+void applyAsked(const RecommendOptions& given, AdviceOptions& options) {
+    applyCommon(given, options);
+    if (given.error) options.error = parseRange(*given.error, "--error", 0, kMostError);
+    if (given.outliers) options.outliers = parseRange(*given.outliers, "--outliers", 0, 100) / 100;
     if (given.form) options.form = parseForm(*given.form, "--form");
     if (given.stepCost && options.form != Form::Scalar) {
         throw InputError("--step-cost", Message(MessageId::NeedsArgument, {{"other", "--form scalar"}}));
     }
     if (given.stepCost) options.stepCost = parseRange(*given.stepCost, "--step-cost", 0, kMostStepCost);
-    if (given.maxSteps) options.maxSteps = parseWhole(*given.maxSteps, "--max-steps", 1, kMostSteps);
-    if (given.seed) options.seed = parseSeed(*given.seed, "--seed");
     options.filters = !given.noFilter;
 }
 
@@ -85,8 +96,50 @@ int runCheck(const RecommendOptions& given, Session& session) {
     return keepsBounds(checked) ? kDone : kFailed;
 }
 
+// Throws InputError for options that the form does not have.
+void checkForm(const RecommendOptions& given) {
+    if (given.fetches && !given.forShaders()) {
+        throw InputError("--fetches", Message(MessageId::NeedsArgument, {{"other", "--form shader"}}));
+    }
+    if (!given.form) return;
+    if (!given.forShaders()) {
+        // The names that parseForm() knows are not all.
+        if (*given.form != "lanes" && *given.form != formName(Form::Simd) && *given.form != formName(Form::Scalar)) {
+            throw InputError("--form",
+                             unknownName({"what", MessageId::WordValue}, *given.form, "simd, scalar, shader"));
+        }
+        return;
+    }
+    for (const auto& [name, isGiven] :
+         {std::pair("--outliers", given.outliers.has_value()), std::pair("--step-cost", given.stepCost.has_value()),
+          std::pair("--check", given.check)}) {
+        if (isGiven) throw InputError(name, Message(MessageId::ArgumentsExclude, {{"other", "--form shader"}}));
+    }
+}
+
+int recommendForShader(const RecommendOptions& given, const Scenario& scenario, const Assets& assets,
+                       Session& session) {
+    if (assets.tiles)
+        throw InputError("--resident", Message(MessageId::ArgumentsExclude, {{"other", "--form shader"}}));
+    ShaderAdviceOptions options(assets.field(scenario));
+    applyCommon(given, options);
+    if (given.error) options.error = parseRange(*given.error, "--error", 0, 1);
+    if (given.fetches) options.maxFetches = parseWhole(*given.fetches, "--fetches", 1, kMostSteps);
+    options.name = heightsName(scenario.pictures);
+    options.heights = heightArguments(scenario.pictures);
+    options.color = assets.color;
+    const ShaderAdvice advice = recommendShader(options, session.work());
+    session.eraseBar();
+    TextOutput out(given.output.value_or("-"), session.stop());
+    out.write(given.asJson() ? shaderAdviceJson(options, advice)
+                             : shaderAdviceText(options, advice, session.language()));
+    out.commit();
+    return kDone;
+}
+
 int runRecommend(const RecommendOptions& given, Session& session) {
     given.run.apply(session);
+    checkForm(given);
     if (given.output) checkOutputFolder(*given.output);
     if (given.check) return runCheck(given, session);
     Scenario scenario = given.scenario.scenario();
@@ -95,7 +148,7 @@ int runRecommend(const RecommendOptions& given, Session& session) {
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work, true);
     // The filters' pictures are of the whole map.
-    if (assets.tiles && !given.noFilter) {
+    if (assets.tiles && !given.noFilter && !given.forShaders()) {
         throw InputError("--resident", Message(MessageId::NeedsArgument, {{"other", "--no-filter"}}));
     }
     noteHeights(session, assets, scenario);
@@ -105,6 +158,7 @@ int runRecommend(const RecommendOptions& given, Session& session) {
                      Message(MessageId::HeightChannelTaken,
                              {{"name", assets.height->channel}, {"known", commaList(info.channels)}}));
     }
+    if (given.forShaders()) return recommendForShader(given, scenario, assets, session);
     AdviceOptions options(assets.field(scenario));
     applyAsked(given, options);
     options.name = heightsName(scenario.pictures);
@@ -113,9 +167,7 @@ int runRecommend(const RecommendOptions& given, Session& session) {
     session.eraseBar();
     for (const Message& note : adviceNotes(options, advice)) session.note(options.name, note);
     TextOutput out(given.output.value_or("-"), session.stop());
-    out.write(given.json || (given.output && fileEnding(*given.output) == "json")
-                  ? adviceJson(options, advice)
-                  : adviceText(options, advice, session.language()));
+    out.write(given.asJson() ? adviceJson(options, advice) : adviceText(options, advice, session.language()));
     out.commit();
     return 0;
 }
@@ -126,20 +178,34 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
             "range of elevations from which the relief is seen, degrees; a single number: only that elevation; random: "
             "random entry, azimuth and elevation; default 10,80",
             group);
-    addText(parser, "--error", options.error, "E", "largest allowed error of a hit, texels, default 0.5", group);
+    addText(
+        parser, "--error", options.error, "E",
+        "largest allowed error of a hit, texels, default 0.5; with --form shader: largest mean FLIP, 0 to 1, within "
+        "which the fewest fetches are sought; default: the smallest error is sought",
+        group);
     addText(parser, "--outliers", options.outliers, "PERCENT",
             "percentage of the rays that may exceed this error, hit where exact misses, or miss where exact hits; "
             "default 0.01",
             group);
-    addText(parser, "--memory", options.memory, "MB",
-            "largest memory of the maps besides the heights, MiB, default 256; for the heights: --resident", group);
-    addText(parser, "--form", options.form, "simd|scalar",
-            "simd (default): for use of this library; the cost is processor time on one thread. scalar: for porting to "
-            "a shader; the cost is height samples (reads) + C x steps",
-            group);
+    addText(
+        parser, "--memory", options.memory, "MB",
+        "largest memory of the maps besides the heights, MiB, default 256; for the heights: --resident. With --form "
+        "shader: of all textures that the tracing function reads, the heights included, as a graphics card stores "
+        "them",
+        group);
+    addText(
+        parser, "--form", options.form, "simd|scalar|shader",
+        "simd (default): for use of this library; the cost is processor time on one thread. scalar: for porting to "
+        "a shader; the cost is height samples (reads) + C x steps. shader: for the shaders of relief export shader; "
+        "the error is that of pictures",
+        group);
     addText(parser, "--max-steps", options.maxSteps, "N",
             "largest number of steps per ray (as in relief trace --steps, the start included), except for the share "
-            "--outliers; for example, the limit of a shader's loop. Default: no limit",
+            "--outliers; with --form shader without exception. Default: no limit",
+            group);
+    addText(parser, "--fetches", options.fetches, "N",
+            "with --form shader: largest number of texture fetches per ray, a filtered one counted as one. Default: no "
+            "limit",
             group);
     addText(parser, "--step-cost", options.stepCost, "C",
             "cost of the arithmetic of a step, in height samples (--form scalar), default 2", group);
@@ -163,15 +229,20 @@ void addRecommendCommand(CLI::App& program, Commands& commands) {
         "of the middle of maps larger than 1024 x 1024. Of a map that is read by tiles (--resident, with --no-filter), "
         "only the methods that can are measured, and the properties of the relief are those of a sample. With --form "
         "scalar the answer depends on counts only: the same seed gives the same answer if the time "
-        "sufficed to build every map.",
+        "sufficed to build every map.\n"
+        "With --form shader every tracer that has a shader is measured over textures as relief map writes them for "
+        "engines, with 8 and 16 bits, and with as many layers or iterations as the limits of steps and fetches allow. "
+        "The answer is the one whose pictures are nearest to those of exact (FLIP), or of nearly equal ones the one "
+        "with the fewest fetches, with the commands that write its textures and its shader.",
         "  relief recommend heights.png --views 15,70 --error 0.5 --memory 64 --seconds 20\n"
-        "  relief recommend --relief city:512x512 --form scalar --json -o city.json");
+        "  relief recommend --relief city:512x512 --form scalar --json -o city.json\n"
+        "  relief recommend heights.png --form shader --max-steps 32 --fetches 40 --memory 1");
     options->scenario.add(*parser, ScenarioOptions::OptionGroups::HeightsOnly);
     options->scenario.addMemory(*parser, "--resident");
     addAsked(*parser, *options);
     addText(*parser, "--seconds", options->seconds, "S",
             "time for everything, seconds, 1 or more; default 4 up to 1024 x 1024 texels, growing with the side to 16 "
-            "from 4096 x 4096 on",
+            "from 4096 x 4096 on; with --form shader ten times as much",
             "Run");
     addText(*parser, "--seed", options->seed, "S", "seed of the rays, default 1", "Run");
     CLI::Option* const check =

@@ -231,7 +231,7 @@ Options, with defaults in parentheses
   --layer NAME          result: layer to show with its legend: color, steps, error, outcome, depth, normal, uv,
                         footprint, hidden
   --map KIND            distance: map to show: euclidean, euclidean-conservative, refined-sampled, refined, cone,
-                        cone-dummer, relaxed-cone (that of the method)
+                        cone-dummer, cone-robust, relaxed-cone, relaxed-cone-robust (that of the method)
   --minus KIND          distance: map to subtract, which shows where the two differ
   --axis x|y|z          distance: slice at constant x, y or height (along the ray)
   --slice N             distance: number of the slice, from 0 (the one at the scenario's step)

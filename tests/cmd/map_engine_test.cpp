@@ -79,7 +79,12 @@ TEST_P(MapEngineTest, OtherKindsAreChecked) {
     expectPart(undecided.out, "relaxed-cone-robust, R=height,G=cone, 16 bits");
     expectPart(undecided.out, "relaxed, fetched bilinear");
     expectRefusal({"map", "relaxed-cone-robust:directions=8", height, "-o", path("x.png")}, 2, {"directions"});
-    expectRefusal({"map", "relaxed-cone-robust", height, "-o", path("x.tif"), "--at", "1,1,1"}, 2, {"--at"});
+    expectRefusal({"map", "normals", height, "-o", path("x.tif"), "--at", "1,1,1"}, 2, {"--at"});
+    const std::string corrected = path("corrected.png");
+    runFine({"map", "cone-robust", height, "--bits", "8", "--unit", "slope", "-o", corrected});
+    EXPECT_EQ(certified({"--map", corrected}).status, 0);
+    expectRefusal({"map", "cone-robust", height, "--surface", "columns", "-o", path("x.tif")}, 2, {"bilinear"});
+    expectRefusal({"map", "cone-robust", height, "--surface", "columns", "-o", path("x.png")}, 2, {"--surface"});
     EXPECT_EQ(certified({"--map", path("max-pyramid.png")}).status, 0) << "against its own heights";
     runFine({"map", "normals", height, "--green", "down", "-o", path("normals.png")});
     expectRefusal({"certify", height, "--map", path("normals.png")}, 2, {"normals.png", "normals"});

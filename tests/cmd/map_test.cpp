@@ -19,7 +19,9 @@ TEST_P(MapTest, StoredMapsGiveTheSameHits) {
         {"refined-sampled", "distance-refined-sampled"},
         {"refined", "distance-refined"},
         {"cone-dummer", "cone-dummer"},
+        {"cone-robust", "cone-robust"},
         {"relaxed-cone", "relaxed-cone"},
+        {"relaxed-cone-robust", "relaxed-cone-robust"},
     };
     for (const auto& [kind, tracer] : kinds) {
         const std::string map = path(kind + ".tif");

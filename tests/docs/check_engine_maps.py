@@ -129,7 +129,7 @@ with tempfile.TemporaryDirectory() as folder:
     bricks = ["--relief", "bricks:32x24"]
     for number, arguments in enumerate([["max-pyramid"], ["mean-pyramid"], ["euclidean"], ["refined"], ["refined-sampled"],
                                         ["relaxed-cone", "--convention", "policarpo"], ["cone-dummer", "--convention", "dummer"],
-                                        ["cone", "--pack", "R=apex,G=cone", "--surface", "columns"], ["normals", "--green", "down"],
+                                        ["cone", "--pack", "R=apex,G=cone", "--surface", "columns"], ["normals", "--green", "down"], ["heights"],
                                         ["cone", "--mips", "3", "--zero-level", "0.5"], ["relaxed-cone-robust"]]):
         made(f"kind{number}.png", *arguments, *bricks)
         made(f"kind{number}.exr", *arguments, *bricks)

@@ -1,6 +1,10 @@
 // The maps that `relief map` writes for engines, as the exported shaders read them: in codes of 8 or 16 bits, rounded
 // outward, with the conventions that both state.
+#include <map>
+#include <set>
+
 #include "algorithms/relief/fields.h"
+#include "measuring/advise/shader_forms.h"
 #include "relief/maps/engine_builders.h"
 #include "shaders/shader_maps.h"
 
@@ -62,7 +66,7 @@ TEST_F(ShaderEngineMaps, ConesOnTheSurfaceNeverLeadThroughIt) {
         const EngineMap map =
             buildEngineCones(ConeKind::Conservative, {}, field_, conventions("R=height,G=cone", 8, unit), 1, work_);
         const HeightField rounded(share(*map.heights()), Surface::Bilinear, Address::Repeat, 0.1);
-        ShaderChoice choice = shader("cone-dummer", map.conventions);
+        ShaderChoice choice = shader("cone-robust", map.conventions);
         choice.method.options["iterations"] = "1024";
         bindMaps(*gl_, choice, rounded, {}, work_);
         gl_->setTexture(1, texture(map.levels[0], true), Address::Repeat);
@@ -95,6 +99,43 @@ TEST_F(ShaderEngineMaps, LevelsOfMaximaFindTheExactHit) {
     const Found found = trace(choice, rounded);
     EXPECT_LE(found.behind, kSameAnswer);
     EXPECT_LE(found.before, kSameAnswer);
+}
+
+// The shader that `relief recommend --form shader` advises, over the textures that it advises, hits where the method
+// hits that was measured, in no more steps than the limit.
+TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
+    ShaderAdviceOptions options(field_);
+    options.maxSteps = 24;
+    std::set<std::pair<ShaderMap, int>> tried;
+    for (const int bits : {8, 16}) {
+        for (const ShaderForm& form : shaderForms(options, bits)) {
+            const std::map<ShaderMap, ConeKind> kinds{{ShaderMap::SurfaceCones, ConeKind::Robust},
+                                                      {ShaderMap::RelaxedCones, ConeKind::Relaxed},
+                                                      {ShaderMap::RobustRelaxedCones, ConeKind::RelaxedRobust}};
+            if (!kinds.contains(form.map)) continue;
+            if (!tried.emplace(form.map, bits).second) continue;  // the largest number of steps comes first
+            EngineConventions c = conventions("R=height,G=cone", bits, ConeUnit::Slope);
+            c.cone.length = ConeLength::Width;
+            const EngineMap map = buildEngineCones(kinds.at(form.map), {}, field_, c, 1, work_);
+            const ShaderStore store = shaderStore(form, field_, work_);
+            const ShaderChoice choice = shaderChoiceOf(form, Address::Repeat, store.coneScale);
+            bindMaps(*gl_, choice, store.field, {}, work_);
+            gl_->setTexture(1, texture(map.levels[0], true), Address::Repeat);
+            const auto [numbers, rounded] = shaderRays(randomRays(7, field_, 1000, 10));
+            const std::vector<float> answers = gl_->compute(computeText(shaderText(choice, "test")), numbers);
+            HitBlock hits;
+            NullSink sink;
+            makeTracer(form.method, store.field, *store.maps, work_)->trace(rounded, hits, sink, work_);
+            std::size_t other = 0;
+            for (std::size_t i = 0; i < rounded.size(); ++i) {
+                EXPECT_LE(answers[4 * i + 2], options.maxSteps) << methodText(form.method);
+                const double off = std::abs(static_cast<double>(answers[4 * i + 1]) - hits.lambda[i]);
+                other += off * texelsOf(rounded[i]) > kSameAnswer ? 1 : 0;
+            }
+            EXPECT_LE(other, rounded.size() / 100) << methodText(form.method) << " " << bits;
+        }
+    }
+    EXPECT_EQ(tried.size(), 6U);
 }
 
 }  // namespace

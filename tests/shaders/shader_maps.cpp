@@ -116,9 +116,12 @@ void bindMaps(Gl& gl, const ShaderChoice& choice, const HeightField& field, cons
     const std::string& tracer = choice.method.name;
     float more = 1 / static_cast<float>(field.width());  // distances in texels
     TextureData relief = textureOf(field.heights());
-    if (tracer == "cone-dummer" || tracer == "relaxed-cone") {
-        const ConeKind kind = tracer == "relaxed-cone" ? ConeKind::Relaxed : ConeKind::Dummer;
-        relief = conesTexture(choice, field.heights(), buildConeMap(kind, {}, field, work), false);
+    if (readsCones(tracer) && tracer != "cone") {
+        // Maps have the names of their tracers.
+        int kind = 0;
+        while (coneKindName(static_cast<ConeKind>(kind)) != tracer) ++kind;
+        relief =
+            conesTexture(choice, field.heights(), buildConeMap(static_cast<ConeKind>(kind), {}, field, work), false);
     } else if (tracer == "cone") {
         gl.setTexture(
             3, conesTexture(choice, field.heights(), buildConeMap(ConeKind::Conservative, {}, field, work), true),

@@ -60,7 +60,8 @@ struct AdviceOptions {
 std::vector<MethodChoice> adviceForms(const HeightField& field, double lowest, std::int64_t maxSteps = 0,
                                       Form form = Form::Simd);
 
-enum class Verdict : std::uint8_t { Kept, Error, Steps, Memory, BuildTime, Refused, Slow };
+// Fetches: of recommend_shader.h only.
+enum class Verdict : std::uint8_t { Kept, Error, Steps, Memory, BuildTime, Refused, Slow, Fetches };
 std::string_view verdictName(Verdict verdict);
 
 // Measurements of a form; NaN: not measured, because it was dropped before.

@@ -189,6 +189,8 @@ std::string_view verdictName(Verdict verdict) {
             return "refused";
         case Verdict::Slow:
             return "slow";
+        case Verdict::Fetches:
+            return "fetches";
     }
     return "";
 }

@@ -3,13 +3,10 @@
 #include <ctime>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <new>
-#include <thread>
 
+#include "measuring/advise/build_watch.h"
 #include "measuring/random_rays.h"
 #include "relief/tracers/map_choice.h"
 
@@ -51,35 +48,6 @@ std::string mapKey(const MethodChoice& method) {
     }
     return key;
 }
-
-// Requests a stop at the deadline or when the outer work is stopped, from a thread of its own.
-class Watch {
-  public:
-    Watch(const Work& outer, double seconds)
-        : until_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
-          thread_([this, &outer](const std::stop_token& over) { watch(outer, over); }) {}
-
-    std::stop_token token() const { return source_.get_token(); }
-
-  private:
-    void watch(const Work& outer, const std::stop_token& over) {
-        constexpr auto kPollInterval = std::chrono::milliseconds(20);
-        std::unique_lock lock(mutex_);
-        while (!over.stop_requested()) {
-            if (outer.stopped() || Clock::now() > until_) {
-                source_.request_stop();
-                return;
-            }
-            wake_.wait_for(lock, over, kPollInterval, [] { return false; });
-        }
-    }
-
-    Clock::time_point until_;
-    std::stop_source source_;
-    std::mutex mutex_;
-    std::condition_variable_any wake_;
-    std::jthread thread_;
-};
 
 // Side of the piece from which building time and memory are estimated.
 constexpr int kPieceSide = 64;
@@ -237,7 +205,7 @@ bool AdviceMaps::fits(AdviceTrial& trial, double limit) {
 }
 
 std::unique_ptr<Tracer> AdviceMaps::built(const MethodChoice& method, double limit, double& seconds) {
-    const Watch watch(work_, limit);
+    const BuildWatch watch(work_, limit);
     Work work(work_.threads().size(), watch.token());
     const auto begun = Clock::now();
     auto tracer = makeTracer(method, options_.field, maps_, work, options_.form);

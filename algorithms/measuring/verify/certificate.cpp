@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "measuring/verify/certificate_rays.h"
+#include "measuring/verify/engine_bounds.h"
 #include "relief/tracers/map_choice.h"
 
 namespace relief {
@@ -58,6 +59,7 @@ class Certifier {
         if (const ConeMap* map = cones(); map != nullptr && map->kind == ConeKind::Conservative) {
             result_.bounds = checkConeBounds(*map, field_, work_);
         }
+        if (const ConeMap* map = cones(); map != nullptr && map->kind == ConeKind::Robust) proveSurfaceCones(*map);
         overRays();
         if (result_.bounds && result_.bounds->broken > 0 && !result_.first) witness();
         return std::move(result_);
@@ -84,6 +86,23 @@ class Certifier {
         NullSink sink;
         tracer.trace(rays, hits, sink, work_);
         return hits;
+    }
+
+    // Interpolated cones that stand on the surface. They are proven, or nothing is said of their values: a cell
+    // without proof is no violation.
+    void proveSurfaceCones(const ConeMap& map) {
+        ConeCoding coding;
+        coding.unit = ConeUnit::Slope;
+        coding.length = ConeLength::Width;
+        coding.scale = field_.width();
+        FloatImage slopes(map.nx(), map.ny());
+        for (int y = 0; y < map.ny(); ++y) {
+            for (int x = 0; x < map.nx(); ++x) slopes(x, y) = map.slopes(x, y, 0);
+        }
+        const EngineBoundCheck check = checkEngineCones(field_, slopes, coding, work_);
+        if (check.open > 0) return;
+        result_.bounds.emplace();
+        result_.bounds->values = check.cells;
     }
 
     void overRays() {

@@ -5,12 +5,15 @@
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/map_field.h"
 #include "relief/maps/map_memory.h"
+#include "relief/maps/robust_cones.h"
+#include "relief/maps/surface_cones.h"
 
 namespace relief {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kKindNames{"cone", "cone-dummer", "relaxed-cone"};
+constexpr std::array<std::string_view, kConeKinds> kKindNames{"cone", "cone-dummer", "cone-robust", "relaxed-cone",
+                                                              "relaxed-cone-robust"};
 
 std::size_t valuesOf(const ConeShape& shape) {
     return static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny);
@@ -41,9 +44,10 @@ std::uint64_t coneBuildBytes(ConeKind kind, const ConeParameters& parameters, co
     const ConeShape shape = coneMapShape(kind, parameters, field);
     const std::size_t codes = parameters.precision == Precision::Float ? 0 : bytesEach(parameters.precision);
     constexpr std::uint64_t kPlanes = 28, kStrips = 4;  // bytes per texel
+    const bool ofCells = kind == ConeKind::Conservative || kind == ConeKind::Robust;
     return byteSum(
         {byteProduct({valuesOf(shape), static_cast<std::uint64_t>(shape.sectors) + 1, sizeof(float) + codes}),
-         bytesForTexels(field, kind == ConeKind::Conservative ? kPlanes : kStrips)});
+         bytesForTexels(field, ofCells ? kPlanes : kStrips)});
 }
 
 }  // namespace
@@ -63,6 +67,13 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
         case ConeKind::Dummer:
             dummerCones(field, slopes, work);
             break;
+        case ConeKind::Robust:
+        case ConeKind::RelaxedRobust: {
+            const FloatImage cones = kind == ConeKind::Robust ? surfaceCones(field, work)
+                                                              : robustRelaxedCones(field, parameters.radius, work);
+            slopes.assign(cones.pixels().begin(), cones.pixels().end());
+            break;
+        }
         case ConeKind::Relaxed:
             relaxedCones(field, parameters.directions, parameters.radius, slopes, work);
             break;
@@ -87,6 +98,10 @@ MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightF
 
 std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                                        MapCache& cache, Work& work) {
+    const bool robust = kind == ConeKind::Robust || kind == ConeKind::RelaxedRobust;
+    if (robust && field.surface() != Surface::Bilinear) {
+        throw InputError("--surface", Message(MessageId::ConesBilinear, {{"kind", std::string(coneKindName(kind))}}));
+    }
     checkMapMemory(std::string(coneKindName(kind)), coneMapBytes(kind, parameters, field), cache);
     return cache.get<ConeMap>(coneMapKey(kind, parameters, field), coneBuildBytes(kind, parameters, field), work,
                               [&](Work& w) { return buildConeMap(kind, parameters, field, w); });

@@ -18,9 +18,16 @@ namespace relief {
 // gap(q); valid for every point of the cell and the interpolated surface. Stored at most kConeSlack steeper. Cells of
 // cell_grid.h.
 // Dummer: apex at the texel's height, between texel centres only; as published. Texels.
+// Robust: surface_cones.h, safe wherever the ray steps from; bilinear surface only. Texels.
 // Relaxed: the widest cone within which a ray from outside crosses the surface at most once, along sampled directions.
-enum class ConeKind : std::uint8_t { Conservative, Dummer, Relaxed };
+// RelaxedRobust: robust_cones.h, which ends at falling edges; bilinear surface only.
+enum class ConeKind : std::uint8_t { Conservative, Dummer, Robust, Relaxed, RelaxedRobust };
+inline constexpr int kConeKinds = 5;
 std::string_view coneKindName(ConeKind kind);
+// Returns true if a ray may cross the surface once within a cone.
+constexpr bool areRelaxed(ConeKind kind) {
+    return kind == ConeKind::Relaxed || kind == ConeKind::RelaxedRobust;
+}
 
 struct ConeParameters {
     int sectors = 1;  // azimuth sectors with slopes of their own (conservative): 1 to 8
@@ -46,14 +53,14 @@ class ConeMap {
     int nx() const { return slopes.width(); }
     int ny() const { return slopes.height(); }
     std::size_t bytes() const { return apex.bytes() + slopes.bytes(); }
-    RayClass rays() const { return kind == ConeKind::Relaxed ? RayClass::ViewRays : RayClass::AnyRays; }
+    RayClass rays() const { return areRelaxed(kind) ? RayClass::ViewRays : RayClass::AnyRays; }
 };
 
 // Takes the map from the cache, or builds it in parallel, with progress. Throws Cancelled, and InputError if it exceeds
-// the cache's memory.
+// the cache's memory, or if the kind does not serve the field's surface.
 std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                                        MapCache& cache, Work& work);
-// Builds the map without a cache.
+// Builds the map without a cache. The kind must serve the field's surface.
 ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const HeightField& field, Work& work);
 // The key under which the cache stores the map.
 MapKey coneMapKey(ConeKind kind, const ConeParameters& parameters, const HeightField& field);

@@ -9,7 +9,6 @@
 #include "base/parallel.h"
 #include "relief/maps/map_atlas.h"
 #include "relief/maps/map_field.h"
-#include "relief/maps/robust_cones.h"
 #include "relief/maps/surface_cones.h"
 
 namespace relief {
@@ -108,9 +107,6 @@ Cones conesOf(ConeKind kind, ConeParameters parameters, const HeightField& field
     }
     parameters.precision = Precision::Float;
     parameters.radius = std::max(1, parameters.radius >> level);
-    if (c.kind == kRobustRelaxedKind) {
-        return {{}, robustRelaxedCones(field, parameters.radius, work)};
-    }
     const ConeMap map = buildConeMap(kind, parameters, field, work);
     return {imageOf(map.apex), imageOf(map.slopes)};
 }
@@ -191,6 +187,7 @@ EngineMap buildEngineCones(ConeKind kind, const ConeParameters& parameters, cons
 EngineMap buildEngineNormals(const HeightField& field, EngineConventions conventions, int levels, Work& work) {
     EngineMap map;
     map.conventions = ofField(std::move(conventions), field);
+    map.conventions.rounding = EngineRounding::Nearest;
     HeightField at = roundedField(field, map.conventions);
     for (int l = 0; l < levels; ++l) {
         if (l > 0) at = coarser(at, work);

@@ -13,8 +13,7 @@ namespace relief {
 // Cones, one per texel. Conservative: surface_cones.h, on the surface itself, or with a channel of apexes those of
 // cone_map.h, one per cell of cell_grid.h, for shaders that step from cell to cell. Dummer, relaxed: as published, with
 // apexes on the surface. levels: of MIP levels; the heights of a level are the maxima of 2 x 2 heights below it, and
-// its cones are those of that surface. Conventions of the kind kRobustRelaxedKind give robust_cones.h in place of
-// relaxed ones. Throws Cancelled, MemoryError.
+// its cones are those of that surface. Throws Cancelled, MemoryError.
 EngineMap buildEngineCones(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
                            EngineConventions conventions, int levels, Work& work);
 // Normals (and heights), in MIP levels as above.

@@ -204,7 +204,7 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
     Shell shell;
     const std::string kind = header.at("kind").get<std::string>();
     const auto distance = kindOf<DistanceKind>(kind, 4, distanceKindName);
-    const auto cone = kindOf<ConeKind>(kind, 3, coneKindName);
+    const auto cone = kindOf<ConeKind>(kind, kConeKinds, coneKindName);
     if (distance) {
         DistanceMap map;
         map.kind = *distance;

@@ -1,15 +1,10 @@
 // Corrected relaxed cones: Ban, Valasek, Balint, Vad, Robust Cone Step Mapping (EGSR 2024).
 #pragma once
 
-#include <string_view>
-
 #include "relief/height_field.h"
 #include "relief/work.h"
 
 namespace relief {
-
-// The kind's name in `relief map` and in sidecars.
-inline constexpr std::string_view kRobustRelaxedKind = "relaxed-cone-robust";
 
 // Returns for each texel a slope (heights per texel): the steepest towards a falling edge, a texel at
 // which the surface falls in one of the cells behind it as seen from the apex (a ray that touches it there may leave

@@ -125,12 +125,18 @@ bool readsCones(const std::string& tracer) {
     });
 }
 
-std::string shaderText(const ShaderChoice& choice, const std::string& made) {
-    const ShaderText& shader = findShader(choice);
-    const MethodDescription& method = findTracer(shader.tracer);
-    std::string text = choice.language == ShaderLanguage::Glsl ? shader.glsl : shader.hlsl;
-    std::string command = "relief export shader --tracer " + shader.tracer;
-    std::string ofMap;
+namespace {
+
+// The shader below its opening comment, the command that makes it, and the options that only its map has.
+struct Export {
+    std::string text, command, ofMap;
+};
+
+Export exported(const ShaderChoice& choice, const ShaderText& shader, const MethodDescription& method) {
+    Export made;
+    auto& [text, command, ofMap] = made;
+    text = choice.language == ShaderLanguage::Glsl ? shader.glsl : shader.hlsl;
+    command = "relief export shader --tracer " + shader.tracer;
     for (const OptionDescription& option : method.options) {
         const std::string value = checkedValue(choice.method, method, option.name);
         if (choice.method.options.contains(option.name)) command += " --set " + option.name + "=" + value;
@@ -157,6 +163,20 @@ std::string shaderText(const ShaderChoice& choice, const std::string& made) {
     const std::string scale = numberText(cones.scale);
     if (setConstant(text, "CONE_SCALE", scale)) command += " --cone-scale " + scale;
     command += " --lang " + std::string(shaderLanguageName(choice.language));
+    return made;
+}
+
+}  // namespace
+
+std::string shaderCommand(const ShaderChoice& choice) {
+    const ShaderText& shader = findShader(choice);
+    return exported(choice, shader, findTracer(shader.tracer)).command;
+}
+
+std::string shaderText(const ShaderChoice& choice, const std::string& made) {
+    const ShaderText& shader = findShader(choice);
+    const MethodDescription& method = findTracer(shader.tracer);
+    const auto [text, command, ofMap] = exported(choice, shader, method);
     std::string opening = "// " + shader.tracer + ", " + method.title + " (" + method.source + "): " + method.help +
                           "\n// Made by " + made + ": " + command + "\n//\n" + shader.header;
     if (!method.maps.empty()) {

@@ -37,6 +37,10 @@ bool readsCones(const std::string& tracer);
 // build.
 std::string shaderText(const ShaderChoice& choice, const std::string& made);
 
+// Returns the command that writes the shader, with every convention: "relief export shader --tracer ...", without -o.
+// Throws as shaderText().
+std::string shaderCommand(const ShaderChoice& choice);
+
 // The line at which the shader's functions end and its inputs, outputs and main() begin: a test or another pass may put
 // its own in their place.
 inline constexpr std::string_view kShaderPixelPart = "// --- The pixel";

@@ -58,8 +58,9 @@ class HybridTracer {
 
     static bool simdWith(const Options& options) { return segmentsInSimd({options.inner, options.innerOptions}); }
     static std::string formNote() {
-        return "In SIMD with the inner methods distance-conservative, distance-refined, cone-dummer, relaxed-cone and "
-               "cone:layout=texel; with others, whose SIMD versions begin at the top plane, the reference runs.";
+        return "In SIMD with the inner methods distance-conservative, distance-refined, cone-dummer, cone-robust, "
+               "relaxed-cone, relaxed-cone-robust and cone:layout=texel; with others, whose SIMD versions begin at the "
+               "top plane, the reference runs.";
     }
 
     HybridTracer(PyramidWalk walk, int level, std::shared_ptr<const SegmentBlockTracer> inner)

@@ -7,19 +7,22 @@
 #include "base/for_each_type.h"
 #include "relief/methods/cone.h"
 #include "relief/methods/cone_dummer.h"
+#include "relief/methods/cone_robust.h"
 #include "relief/methods/distance.h"
 #include "relief/methods/distance_conservative.h"
 #include "relief/methods/distance_refined.h"
 #include "relief/methods/distance_refined_sampled.h"
 #include "relief/methods/relaxed_cone.h"
+#include "relief/methods/relaxed_cone_robust.h"
 #include "relief/tracers.h"
 
 namespace relief {
 
 namespace {
 
-using MapTracers = std::tuple<DistanceTracer, DistanceConservativeTracer, DistanceRefinedSampledTracer,
-                              DistanceRefinedTracer, ConeTracer, ConeDummerTracer, RelaxedConeTracer>;
+using MapTracers =
+    std::tuple<DistanceTracer, DistanceConservativeTracer, DistanceRefinedSampledTracer, DistanceRefinedTracer,
+               ConeTracer, ConeDummerTracer, ConeRobustTracer, RelaxedConeTracer, RelaxedConeRobustTracer>;
 
 // A map parameter as an option's text, and its text in maps of kinds that do not use it.
 struct ParameterText {

@@ -14,6 +14,7 @@
 #include "relief/methods/bump.h"
 #include "relief/methods/cone.h"
 #include "relief/methods/cone_dummer.h"
+#include "relief/methods/cone_robust.h"
 #include "relief/methods/displacement.h"
 #include "relief/methods/distance.h"
 #include "relief/methods/distance_conservative.h"
@@ -28,6 +29,7 @@
 #include "relief/methods/offset.h"
 #include "relief/methods/offset_limited.h"
 #include "relief/methods/relaxed_cone.h"
+#include "relief/methods/relaxed_cone_robust.h"
 #include "relief/tracers/hybrid.h"
 
 namespace relief {
@@ -43,7 +45,9 @@ using TracerTypes = std::tuple<    //
     LayersBisectionTracer,         //
     ConeTracer,                    //
     ConeDummerTracer,              //
+    ConeRobustTracer,              //
     RelaxedConeTracer,             //
+    RelaxedConeRobustTracer,       //
     DistanceTracer,                //
     DistanceConservativeTracer,    //
     DistanceRefinedSampledTracer,  //

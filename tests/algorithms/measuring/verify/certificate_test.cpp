@@ -122,6 +122,34 @@ TEST(Certificate, LargeMapsAreProvenToo) {
     }
 }
 
+// The cones of Ban et al. 2024: the corrected ones are proven, though interpolated; the relaxed ones are refuted.
+TEST(Certificate, CorrectedConesAreProvenAndRelaxedOnesRefuted) {
+    for (const char* recipe : {"bricks", "spikes"}) {
+        for (const Address address : {Address::Repeat, Address::Border}) {
+            const HeightField field(share(makeRelief(recipe, 64, 48, 5)), Surface::Bilinear, address);
+            for (const char* precision : {"float", "u8"}) {
+                MapCache cache;
+                const Certificate corrected =
+                    certified({"cone-robust", {{"precision", precision}}}, field, {.rays = 20'000, .seed = 3}, cache);
+                EXPECT_TRUE(corrected.proven()) << failure(corrected, field);
+            }
+        }
+    }
+    const HeightField field(share(makeRelief("spikes", 64, 64, 5)));
+    MapCache cache;
+    const Certificate relaxed = certified({"relaxed-cone-robust", {}}, field, {.rays = 60'000, .seed = 3}, cache);
+    EXPECT_FALSE(relaxed.bounds);
+    EXPECT_FALSE(relaxed.safe());
+    // A single wider cone is no longer proven.
+    ConeMap map = buildConeMap(ConeKind::Robust, {}, field, *std::make_unique<Work>());
+    std::vector<float> slopes = std::get<0>(map.slopes.codes());
+    float& steepest = *std::max_element(slopes.begin(), slopes.end());
+    steepest = 0;
+    map.slopes = StoredValues(map.nx(), map.ny(), 1, std::move(slopes), Precision::Float, Rounding::Up);
+    cache.put(coneMapKey(ConeKind::Robust, {}, field), std::make_shared<const ConeMap>(std::move(map)));
+    EXPECT_FALSE(certified({"cone-robust", {}}, field, {.rays = 2000, .seed = 3}, cache).proven());
+}
+
 TEST(Certificate, UnsafeMethodsAreRefutedByARay) {
     for (const char* recipe : {"bricks", "columns", "pits", "spikes"}) {
         const HeightField field(share(makeRelief(recipe, 64, 64, 5)));

@@ -103,11 +103,10 @@ TEST(EngineCertificate, CorrectedRelaxedConesAreRefutedMoreRarely) {
     const HeightField field(share(makeRelief("spikes", 64, 64, 5)), Surface::Bilinear, Address::Repeat, 0.1);
     EngineConventions c = conventions(16, ConeUnit::SqrtRatio);
     c.relaxed = true;
-    const auto overshoots = [&](const char* kind) {
-        c.kind = kind;
-        return certified(cones(field, c, ConeKind::Relaxed), field, withRays(60'000)).overshoots;
+    const auto overshoots = [&](ConeKind kind) {
+        return certified(cones(field, c, kind), field, withRays(60'000)).overshoots;
     };
-    const std::uint64_t published = overshoots("relaxed-cone"), corrected = overshoots("relaxed-cone-robust");
+    const std::uint64_t published = overshoots(ConeKind::Relaxed), corrected = overshoots(ConeKind::RelaxedRobust);
     EXPECT_GT(published, 50 * corrected) << corrected;
     EXPECT_GT(corrected, 0U);
 }

@@ -83,12 +83,15 @@ TEST(SampledLanes, HaveTheBitsOfTheReference) {
                       MethodChoice{"cone", {{"precision", "u16"}}},
                       MethodChoice{"cone-dummer", {}},
                       MethodChoice{"cone-dummer", {{"iterations", "3"}, {"precision", "u8"}}},
+                      MethodChoice{"cone-robust", {{"precision", "u16"}}},
+                      MethodChoice{"relaxed-cone-robust", {{"radius", "9"}}},
                       MethodChoice{"relaxed-cone", {{"radius", "9"}}},
                       MethodChoice{"relaxed-cone", {{"radius", "9"}, {"iterations", "4"}, {"bisections", "0"}}},
                       MethodChoice{"hybrid", {}},
                       MethodChoice{"hybrid", {{"level", "1"}, {"inner", "cone-dummer"}}},
                       MethodChoice{"hybrid", {{"level", "2"}, {"inner", "cone"}, {"inner.layout", "texel"}}},
                       MethodChoice{"hybrid", {{"level", "0"}, {"inner", "relaxed-cone"}, {"inner.radius", "5"}}}}) {
+                    if (!supports(choice, surface, address)) continue;
                     SCOPED_TRACE(describe(field) + " " + describe(choice));
                     const auto tracer = makeTracer(choice, field, cache, work);
                     // Walks over cones take the longest, and their blocks are as those of the others.
