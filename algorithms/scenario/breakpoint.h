@@ -40,8 +40,8 @@ struct Breakpoint {
     std::int64_t j = 0;
     double height = 0.5;
     bool on = true;
-    int ignore = 0;         // how many times it is met on a ray before it stops
-    std::string condition;  // of StopKind::Condition
+    int ignore = 0;           // how many times it is met on a ray before it stops
+    std::string condition{};  // of StopKind::Condition
     bool operator==(const Breakpoint&) const = default;
 };
 
@@ -50,7 +50,7 @@ struct StoppedRay {
     const std::vector<Step>* steps = nullptr;
     std::optional<std::size_t> overshoot;  // the step at which it happens, see duel.h
     std::optional<std::size_t> disagreement;
-    std::optional<StepColumns> columns;  // for conditions; none: those of the steps alone
+    std::optional<StepColumns> columns{};  // for conditions; none: those of the steps alone
 };
 
 // Where a ray meets a breakpoint, whether or not it is enabled: the steps in order. A condition is met at every step at

@@ -204,7 +204,9 @@ TEST(WatchedValues, ChangeAndAreDrawn) {
 TEST(Breakpoint, NamesAndRangesAreChecked) {
     for (std::size_t k = 0; k < kStopNames.size(); ++k) {
         EXPECT_EQ(static_cast<std::size_t>(parseStop(kStopNames[k])), k);
-        EXPECT_FALSE(sentence(breakpointTitle({static_cast<StopKind>(k)}), Language::Ukrainian).empty());
+        Breakpoint breakpoint{static_cast<StopKind>(k)};
+        breakpoint.condition = "level == 3";
+        EXPECT_FALSE(sentence(breakpointTitle(breakpoint), Language::Ukrainian).empty());
     }
     EXPECT_THROW(parseStop("never"), InputError);
     EXPECT_NO_THROW(checkBreakpoint({StopKind::LevelBelow, 32}, "s"));
