@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -114,16 +116,19 @@ class RayExplainer {
             addPointTexels(texels, request_, size, used.description().name, footprint.level,
                            scaled(query->jacobian, perField), place * perField, Color(1));
         }
+        // A filter may sample a texel several times.
         glm::dvec3 total(0);
-        for (const FootprintTexel& texel : texels) {
-            if (!texel.hidden) total += glm::dvec3(texel.weight);
-        }
+        std::map<std::tuple<int, int, int>, glm::dvec3> weights;
         for (const FootprintTexel& texel : texels) {
             if (texel.hidden) continue;
-            const glm::dvec3 weight = glm::dvec3(texel.weight) / total;
-            const Color color = texture_.level(texel.level)(texel.i, texel.j);
-            out.texels.push_back({texel.level, texel.i, texel.j, weight, color});
-            out.sum += weight * glm::dvec3(color);
+            total += glm::dvec3(texel.weight);
+            weights.try_emplace({texel.level, texel.j, texel.i}, 0).first->second += glm::dvec3(texel.weight);
+        }
+        for (const auto& [where, weight] : weights) {
+            const auto& [level, j, i] = where;
+            const Color color = texture_.level(level)(i, j);
+            out.texels.push_back({level, i, j, weight / total, color});
+            out.sum += out.texels.back().weight * glm::dvec3(color);
         }
     }
 

@@ -17,19 +17,13 @@ constexpr double kMark = 7;
 class Graph {
   public:
     Graph(Drawing& drawing, const Box& box, std::span<const GraphPart> parts, std::span<const double> values,
-          double unit, LevelTint tint)
-        : drawing_(drawing),
-          box_(box),
-          parts_(parts),
-          values_(values),
-          unit_(unit),
-          tint_(tint),
-          range_(graphRange(values)) {}
+          double unit)
+        : drawing_(drawing), box_(box), parts_(parts), values_(values), unit_(unit), range_(graphRange(values)) {}
 
     void curve() {
         std::vector<Point> line;
         const auto end = [&] {
-            if (line.size() > 1) drawing_.add({}, Role::Series, Polyline{line, false}, Emphasis::Normal, tint_);
+            if (line.size() > 1) drawing_.add({}, Role::Surface, Polyline{line, false});
             line.clear();
         };
         for (std::size_t k = 0; k < values_.size();) {
@@ -73,8 +67,8 @@ class Graph {
     }
     void mark(std::size_t k, double size, Emphasis emphasis) {
         const Point at{(parts_[k].x0 + parts_[k].x1) / 2, yAt(values_[k])};
-        const Role role = emphasis == Emphasis::Strong ? Role::Ray : Role::Series;
-        drawing_.add(stepId(k), role, Marker{at, Shape::Dot, size}, emphasis, tint_);
+        const Role role = emphasis == Emphasis::Strong ? Role::Ray : Role::Surface;
+        drawing_.add(stepId(k), role, Marker{at, Shape::Dot, size}, emphasis);
     }
 
     Drawing& drawing_;
@@ -82,7 +76,6 @@ class Graph {
     std::span<const GraphPart> parts_;
     std::span<const double> values_;
     double unit_;
-    LevelTint tint_;
     GraphRange range_;
 };
 
@@ -99,8 +92,8 @@ GraphRange graphRange(std::span<const double> values) {
 }
 
 void addValueGraph(Drawing& drawing, const Box& box, std::span<const GraphPart> parts, std::span<const double> values,
-                   std::size_t current, double unit, LevelTint tint) {
-    Graph graph(drawing, box, parts, values, unit, tint);
+                   std::size_t current, double unit) {
+    Graph graph(drawing, box, parts, values, unit);
     graph.curve();
     graph.current(current);
 }

@@ -27,6 +27,6 @@ GraphRange graphRange(std::span<const double> values);
 // values that are not finite leave a gap. Where steps are closer than can be seen, their least and largest values are
 // drawn. The current step, if there is one, has a line across the box and a mark. unit: drawing units per point.
 void addValueGraph(Drawing& drawing, const Box& box, std::span<const GraphPart> parts, std::span<const double> values,
-                   std::size_t current, double unit, LevelTint tint = {});
+                   std::size_t current, double unit);
 
 }  // namespace reliefui

@@ -233,7 +233,8 @@ void BreakpointBar::addChip(std::size_t number, const Chip& shown, const QString
     chip->setObjectName(QStringLiteral("breakpoint-%1").arg(number));
     chip->setCheckable(true);
     chip->setChecked(shown.on);
-    chip->setText(shown.text);
+    // Otherwise "&" underlines the letter behind it.
+    chip->setText(QString(shown.text).replace(QLatin1Char('&'), QStringLiteral("&&")));
     chip->setAccessibleName(name);
     chip->setToolTip(shown.help);
     connect(chip, &QToolButton::toggled, this, [this, number](bool on) { setOn(number, on); });

@@ -56,11 +56,19 @@ void addTracks(Drawing& drawing, const ProfileSource& source, const ProfileFrame
         const Box box{left, top + kBetween * unit, std::max(left, seen.x1), top + high};
         drawing.add({}, Role::Background, Rectangle{box, true, 0, 0}, Emphasis::Strong);
         drawing.add({}, Role::Grid, Rectangle{box, false, 0, 0});
-        addValueGraph(drawing, box, parts, *relief::columnNumbers(*columns[n]), chosen, unit, {static_cast<int>(n), 4});
+        addValueGraph(drawing, box, parts, *relief::columnNumbers(*columns[n]), chosen, unit);
         const std::string& cell = columns[n]->cells[chosen];
+        const std::string name = columns[n]->name + (cell.empty() ? "" : " " + cell);
+        const double margin = 2 * unit;
+        const double width = textWidth(name, kNameSize) * unit;
+        // Above the curve, which may pass there.
+        drawing.add(
+            {}, Role::Background,
+            Rectangle{{box.x0 + unit, box.y0 + unit, box.x0 + width + 3 * margin, box.y0 + 11 * unit}, true, 0, 0},
+            Emphasis::Strong);
         drawing.add({}, Role::Legend,
                     Label{.at = {box.x0, box.y0},
-                          .text = plainText(columns[n]->name + (cell.empty() ? "" : " " + cell)),
+                          .text = plainText(name),
                           .anchor = Anchor::TopLeft,
                           .size = kNameSize,
                           .offset = {3, 1}});
