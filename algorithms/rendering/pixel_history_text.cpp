@@ -1,6 +1,7 @@
 #include "rendering/pixel_history_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace relief {
@@ -13,6 +14,10 @@ constexpr std::size_t kMostRays = 64;
 
 std::string number(double value) {
     return numberText(value, kDigits);
+}
+
+std::string sum(double a, double b) {
+    return number(a) + (b < 0 ? " − " : " + ") + number(std::abs(b));
 }
 
 // Returns one number where all channels are equal.
@@ -75,8 +80,8 @@ class Stations {
         if (ray.by == HitBy::LittleParallax) note(Message(MessageId::HistoryParallax));
         const double lambda = ray.hit.lambda;
         equation("λ", number(lambda), "");
-        equation("s = s_0 + λ a", number(ray.hit.s), number(ray.ray.s0) + " + " + number(lambda * ray.ray.a));
-        equation("t = t_0 + λ b", number(ray.hit.t), number(ray.ray.t0) + " + " + number(lambda * ray.ray.b));
+        equation("s = s_0 + λ a", number(ray.hit.s), sum(ray.ray.s0, lambda * ray.ray.a));
+        equation("t = t_0 + λ b", number(ray.hit.t), sum(ray.ray.t0, lambda * ray.ray.b));
         equation("z = 1 − λ", number(1 - lambda), "");
     }
 
