@@ -207,6 +207,10 @@ void MainWindow::makeRayMenu() {
         tr("Go to the next step that meets a breakpoint condition"), &StepBar::run);
     add(tr("Run bac&k to a breakpoint"), QKeySequence(QStringLiteral("Shift+F5")),
         tr("Go back to the previous breakpoint"), &StepBar::runBack);
+    add(tr("Run to the next &change"), QKeySequence(Qt::Key_F8),
+        tr("Go to the next step at which the chosen value of the pane Watch changes"), &StepBar::runToChange);
+    add(tr("Run back to a c&hange"), QKeySequence(QStringLiteral("Shift+F8")),
+        tr("Go back to the step before the watched value became what it is"), &StepBar::runBackToChange);
     connect(addAction(menu, tr("&Stop at this texel"), QKeySequence(Qt::Key_F9),
                       tr("Set a breakpoint at the texel of the chosen step, or remove it")),
             &QAction::triggered, time_->breakpoints(), &BreakpointBar::toggleHere);
@@ -331,6 +335,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("[   ]"), tr("play slower, faster")},
         {QStringLiteral("F10   Shift+F10"), tr("step over a level, and back")},
         {QStringLiteral("F5   Shift+F5"), tr("run to the next breakpoint, and back")},
+        {QStringLiteral("F8   Shift+F8"), tr("run to the next change of the watched value, and back")},
         {QStringLiteral("F9"), tr("set a breakpoint at this texel")},
         {QStringLiteral("Shift+E   Shift+S   Shift+O   Shift+D"),
          tr("next pixel: largest error, most steps, overshoot, disagreement")},

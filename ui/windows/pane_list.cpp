@@ -15,6 +15,8 @@
 #include "panes/rows/rows_pane.h"
 #include "panes/skipped/skipped_pane.h"
 #include "panes/trace/trace_pane.h"
+#include "panes/watch/watch_pane.h"
+#include "panes/why/why_pane.h"
 #include "relief/errors.h"
 #include "windows/scene_panel.h"
 #include "windows/time_pane.h"
@@ -39,6 +41,8 @@ std::vector<PaneKind> paneList() {
         duelPane(),       //
         skippedPane(),    //
         formulaPane(),    //
+        watchPane(),      //
+        whyPane(),        //
     };
 }
 

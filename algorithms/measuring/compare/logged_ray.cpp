@@ -9,7 +9,7 @@ RayFiles readRayFiles(const OtherTracer& other) {
     RayFiles files;
     files.rays = parseRays(readTextFile(other.rays), other.rays);
     if (files.rays.size() == 0) throw InputError(other.rays, Message(MessageId::RaysNone));
-    files.log = parseSteps(readTextFile(other.steps), other.steps, files.rays.size());
+    files.log = parseSteps(readTextFile(other.steps), other.steps, files.rays.size(), &files.further);
     return files;
 }
 
@@ -27,7 +27,9 @@ LoggedRay tracedRay(const Tracer& tracer, const ViewRay& ray, Work& work) {
     return out;
 }
 
-LoggedRay rayOfFiles(const OtherTracer& other, const RayBlock& rays, const StepLog& log, const HeightField& field) {
+LoggedRay rayOfFiles(const OtherTracer& other, const RayFiles& files, const HeightField& field) {
+    const RayBlock& rays = files.rays;
+    const StepLog& log = files.log;
     const auto number = static_cast<std::size_t>(other.ray);
     if (number >= rays.size()) {
         throw InputError(other.rays,
@@ -37,8 +39,12 @@ LoggedRay rayOfFiles(const OtherTracer& other, const RayBlock& rays, const StepL
     }
     LoggedRay out;
     out.ray = rays[number];
-    out.steps.assign(log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[number]),
-                     log.steps.begin() + static_cast<std::ptrdiff_t>(log.begin[number + 1]));
+    const auto first = static_cast<std::ptrdiff_t>(log.begin[number]);
+    const auto end = static_cast<std::ptrdiff_t>(log.begin[number + 1]);
+    out.steps.assign(log.steps.begin() + first, log.steps.begin() + end);
+    for (const FurtherColumn& column : files.further) {
+        out.further.push_back({column.name, {column.cells.begin() + first, column.cells.begin() + end}});
+    }
     placeSteps(out.steps, out.ray, field, other.steps, number);
     out.hit = answerOf(out.steps, out.ray);
     return out;

@@ -18,9 +18,9 @@ constexpr const char* kEnglishText = "text.en.md";
 constexpr const char* kUkrainianText = "text.uk.md";
 constexpr std::array<std::string_view, 3> kTrends{"falls", "rises", "same"};
 constexpr std::array<std::string_view, 3> kStepWords{"last", "departure", "overshoot"};
-constexpr std::array<std::string_view, 13> kPanes{"result",   "profile",   "duel",   "compare", "pyramid",
-                                                  "distance", "footprint", "rows",   "steps",   "trace",
-                                                  "formula",  "charts",    "skipped"};
+constexpr std::array<std::string_view, 15> kPanes{"result",   "profile",   "duel",    "compare", "pyramid",
+                                                  "distance", "footprint", "rows",    "steps",   "trace",
+                                                  "formula",  "charts",    "skipped", "watch",   "why"};
 constexpr int kMostChoices = 9;
 constexpr std::size_t kMostTurns = 12;
 

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "measuring/lesson/expression.h"
 #include "measuring/lesson/lesson_text.h"
+#include "scenario/expression.h"
 #include "scenario/json_reader.h"
 #include "scenario/scenario.h"
 

@@ -15,6 +15,7 @@ ProfileSource profileSource(const Snapshot& s) {
     source.hit = s.trace.hit;
     if (!s.trace.hidden) source.exact = s.trace.exact;
     source.steps = &s.trace.steps;
+    source.further = &s.trace.further;
     return source;
 }
 

@@ -416,6 +416,7 @@ Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options,
     if (source.point != nullptr) {
         if (const auto plane = pointPlane(*source.point, source, frame)) addPointMarks(marks, *source.point, *plane);
     }
+    addTracks(marks, source, frame, step);
     return marks;
 }
 

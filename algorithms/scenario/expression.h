@@ -1,9 +1,11 @@
-// Expressions of lessons: claims, and values to be filled into texts. FORMATS.md, "Lesson", describes them.
+// Expressions: claims of lessons, values to be filled into their texts, conditions of breakpoints, watched values.
+// FORMATS.md, "Expressions", describes them.
 //
-//     or  := and { "or" and }        and := not { "and" not }        not := [ "not" ] comparison
+//     or  := and { ( or || ) and }   and := not { ( and && ) not }   not := [ not ! ] comparison
 //     comparison := sum [ ( < <= > >= == != ) sum [ "+-" sum ] ]
 //     sum := product { ( + - ) product }      product := sign { ( * / ) sign }      sign := [ "-" ] operand
-//     operand := number | 'text' | true | false | ( or ) | NAME [ ( or, ... ) ] [ @PLACE ]
+//     operand := number | 'text' | true | false | ( or ) | NAME [ ( or, ... ) ] [ @PLACE ] | pair
+//     pair := whole number, whole number (a text; not among arguments)
 #pragma once
 
 #include <functional>
@@ -14,16 +16,16 @@
 
 namespace relief {
 
-using LessonValue = std::variant<bool, double, std::string>;
+using ExpressionValue = std::variant<bool, double, std::string>;
 
 // A measured quantity as it stands in an expression: frame.error.at(10, 20)@twice. place: empty without @.
 struct QuantityName {
     std::string name;
-    std::vector<LessonValue> arguments;
+    std::vector<ExpressionValue> arguments;
     std::string place;
 };
 // Returns the value of a quantity; throws InputError if there is none.
-using QuantitySource = std::function<LessonValue(const QuantityName&)>;
+using QuantitySource = std::function<ExpressionValue(const QuantityName&)>;
 
 class Expression {
   public:
@@ -32,7 +34,7 @@ class Expression {
 
     const std::string& text() const { return text_; }
     // Throws InputError if the values do not fit the operators, and what the source throws.
-    LessonValue value(const QuantitySource& source) const;
+    ExpressionValue value(const QuantitySource& source) const;
     // Returns the value of an expression that gives a number. Throws InputError also if it is none.
     double number(const QuantitySource& source) const;
     // Returns whether a claim is true. Throws InputError also if it is neither true nor false.
@@ -51,6 +53,6 @@ class Expression {
 
 // Formats a value for a text: numbers with four significant digits; or, by `format`, ".2" with two decimals, "%" in per
 // cent without decimals. Infinity: "∞". Throws InputError for an unknown format.
-std::string lessonValueText(const LessonValue& value, const std::string& format = {});
+std::string expressionValueText(const ExpressionValue& value, const std::string& format = {});
 
 }  // namespace relief

@@ -1,9 +1,10 @@
-#include "measuring/lesson/expression.h"
+#include "scenario/expression.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "relief/describe.h"
@@ -15,7 +16,7 @@ namespace relief {
 struct Expression::Node {
     enum class Kind { Constant, Quantity, Function, Unary, Binary, Compare };
     Kind kind = Kind::Constant;
-    LessonValue constant;
+    ExpressionValue constant;
     // Of a quantity or function its name; otherwise the operator.
     std::string name;
     std::string place;
@@ -69,6 +70,35 @@ class Parser {
         rest_.remove_prefix(word.size());
         return true;
     }
+    bool takeNot() {
+        skipSpace();
+        return !rest_.starts_with("!=") && take("!");
+    }
+    // A pair of whole numbers, "480,300" or "4, -2": a text without spaces. std::nullopt among arguments, where a comma
+    // separates them.
+    std::optional<std::string> takePair() {
+        skipSpace();
+        if (arguments_ > 0) return std::nullopt;
+        std::string pair;
+        std::size_t at = 0;
+        const auto whole = [&] {
+            if (at < rest_.size() && rest_[at] == '-') pair += rest_[at++];
+            const std::size_t first = at;
+            while (at < rest_.size() && std::isdigit(static_cast<unsigned char>(rest_[at])) != 0) pair += rest_[at++];
+            return at > first;
+        };
+        const auto space = [&] {
+            while (at < rest_.size() && rest_[at] == ' ') ++at;
+        };
+        if (!whole()) return std::nullopt;
+        space();
+        if (at >= rest_.size() || rest_[at] != ',') return std::nullopt;
+        pair += rest_[at++];
+        space();
+        if (!whole()) return std::nullopt;
+        rest_.remove_prefix(at);
+        return pair;
+    }
     static NodePointer node(Node::Kind kind, std::string name, std::vector<NodePointer> parts) {
         auto made = std::make_shared<Node>();
         made->kind = kind;
@@ -76,7 +106,7 @@ class Parser {
         made->parts = std::move(parts);
         return made;
     }
-    static NodePointer constant(LessonValue value) {
+    static NodePointer constant(ExpressionValue value) {
         auto made = std::make_shared<Node>();
         made->constant = std::move(value);
         return made;
@@ -84,16 +114,16 @@ class Parser {
 
     NodePointer disjunction() {
         NodePointer left = conjunction();
-        while (takeWord("or")) left = node(Node::Kind::Binary, "or", {left, conjunction()});
+        while (takeWord("or") || take("||")) left = node(Node::Kind::Binary, "or", {left, conjunction()});
         return left;
     }
     NodePointer conjunction() {
         NodePointer left = negation();
-        while (takeWord("and")) left = node(Node::Kind::Binary, "and", {left, negation()});
+        while (takeWord("and") || take("&&")) left = node(Node::Kind::Binary, "and", {left, negation()});
         return left;
     }
     NodePointer negation() {
-        if (takeWord("not")) return node(Node::Kind::Unary, "not", {comparison()});
+        if (takeWord("not") || takeNot()) return node(Node::Kind::Unary, "not", {comparison()});
         return comparison();
     }
     NodePointer comparison() {
@@ -133,6 +163,7 @@ class Parser {
         }
     }
     NodePointer sign() {
+        if (std::optional<std::string> pair = takePair()) return constant(std::move(*pair));
         if (!take("-")) return operand();
         if (++depth_ > kDeepest) fail(MessageId::LessonWantShallow);
         return node(Node::Kind::Unary, "-", {sign()});
@@ -191,8 +222,10 @@ class Parser {
         made->kind = isFunction(made->name) ? Node::Kind::Function : Node::Kind::Quantity;
         if (take("(")) {
             if (++depth_ > kDeepest) fail(MessageId::LessonWantShallow);
+            ++arguments_;
             do made->parts.push_back(disjunction());
             while (take(","));
+            --arguments_;
             if (!take(")")) fail(MessageId::LessonWantClose);
         }
         if (made->kind == Node::Kind::Function) {
@@ -212,13 +245,14 @@ class Parser {
     const std::string& text_;
     std::string_view rest_;
     int depth_ = 0;
+    int arguments_ = 0;  // lists of arguments around this place
 };
 
 class Evaluator {
   public:
     Evaluator(const std::string& text, const QuantitySource& source) : text_(text), source_(source) {}
 
-    LessonValue value(const Node& node) const {
+    ExpressionValue value(const Node& node) const {
         switch (node.kind) {
             case Node::Kind::Constant:
                 return node.constant;
@@ -238,22 +272,22 @@ class Evaluator {
     }
     double number(const Node& node) const { return asNumber(value(node)); }
     bool truth(const Node& node) const {
-        const LessonValue found = value(node);
+        const ExpressionValue found = value(node);
         if (const bool* const known = std::get_if<bool>(&found)) return *known;
-        throw InputError(text_, Message(MessageId::LessonNoTruth, {{"value", lessonValueText(found)}}));
+        throw InputError(text_, Message(MessageId::LessonNoTruth, {{"value", expressionValueText(found)}}));
     }
 
   private:
-    double asNumber(const LessonValue& found) const {
+    double asNumber(const ExpressionValue& found) const {
         if (const double* const known = std::get_if<double>(&found)) return *known;
-        throw InputError(text_, Message(MessageId::LessonNoNumber, {{"value", lessonValueText(found)}}));
+        throw InputError(text_, Message(MessageId::LessonNoNumber, {{"value", expressionValueText(found)}}));
     }
     QuantityName quantity(const Node& node) const {
         QuantityName name{node.name, {}, node.place};
         for (const NodePointer& part : node.parts) name.arguments.push_back(value(*part));
         return name;
     }
-    LessonValue function(const Node& node) const {
+    ExpressionValue function(const Node& node) const {
         double result = number(*node.parts[0]);
         if (node.name == "abs") return std::abs(result);
         if (node.name == "sqrt") return std::sqrt(result);
@@ -265,7 +299,7 @@ class Evaluator {
         }
         return result;
     }
-    LessonValue binary(const Node& node) const {
+    ExpressionValue binary(const Node& node) const {
         const Node &left = *node.parts[0], &right = *node.parts[1];
         if (node.name == "and") return truth(left) && truth(right);
         if (node.name == "or") return truth(left) || truth(right);
@@ -282,10 +316,10 @@ class Evaluator {
         }
     }
     bool compared(const Node& node) const {
-        const LessonValue left = value(*node.parts[0]), right = value(*node.parts[1]);
+        const ExpressionValue left = value(*node.parts[0]), right = value(*node.parts[1]);
         if (left.index() != right.index()) {
-            throw InputError(text_, Message(MessageId::LessonNoCompare,
-                                            {{"value", lessonValueText(left)}, {"other", lessonValueText(right)}}));
+            throw InputError(text_, Message(MessageId::LessonNoCompare, {{"value", expressionValueText(left)},
+                                                                         {"other", expressionValueText(right)}}));
         }
         if (node.parts.size() == 2 && node.name == "==") return left == right;
         if (node.name == "!=") return left != right;
@@ -309,7 +343,7 @@ void visit(const Node& node, const std::function<void(const Node&)>& body) {
 
 Expression::Expression(const std::string& text) : text_(text), root_(Parser(text).whole()) {}
 
-LessonValue Expression::value(const QuantitySource& source) const {
+ExpressionValue Expression::value(const QuantitySource& source) const {
     return Evaluator(text_, source).value(*root_);
 }
 
@@ -327,9 +361,9 @@ std::string Expression::explained(const QuantitySource& source) const {
     visit(*root_, [&](const Node& node) {
         if (node.kind != Node::Kind::Compare) return;
         sides += sides.empty() ? "" : ", ";
-        sides += lessonValueText(evaluator.value(*node.parts[0])) + " " + node.name + " " +
-                 lessonValueText(evaluator.value(*node.parts[1]));
-        if (node.parts.size() > 2) sides += " +- " + lessonValueText(evaluator.value(*node.parts[2]));
+        sides += expressionValueText(evaluator.value(*node.parts[0])) + " " + node.name + " " +
+                 expressionValueText(evaluator.value(*node.parts[1]));
+        if (node.parts.size() > 2) sides += " +- " + expressionValueText(evaluator.value(*node.parts[2]));
     });
     return sides.empty() ? text_ : text_ + " (" + sides + ")";
 }
@@ -345,7 +379,7 @@ void Expression::visitQuantities(const std::function<void(const QuantityName&)>&
     });
 }
 
-std::string lessonValueText(const LessonValue& value, const std::string& format) {
+std::string expressionValueText(const ExpressionValue& value, const std::string& format) {
     constexpr int kDigits = 4;
     constexpr int kMostDecimals = 9;
     const int decimals = format.size() == 2 && format[0] == '.' ? format[1] - '0' : 0;

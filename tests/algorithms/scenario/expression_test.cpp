@@ -1,5 +1,5 @@
 // Expressions of lessons: grammar, values, faults.
-#include "measuring/lesson/expression.h"
+#include "scenario/expression.h"
 
 #include <cmath>
 #include <map>
@@ -12,12 +12,12 @@ namespace relief::test {
 namespace {
 
 // a: 2; b: 3; word: 'left'; sum(...): the sum of its arguments; the place "far" adds 100.
-LessonValue quantity(const QuantityName& name) {
+ExpressionValue quantity(const QuantityName& name) {
     if (name.name == "word") return std::string("left");
     if (name.name == "yes") return true;
     double value = name.name == "a" ? 2 : name.name == "b.c" ? 3 : 0;
     if (name.name == "sum") {
-        for (const LessonValue& argument : name.arguments) value += std::get<double>(argument);
+        for (const ExpressionValue& argument : name.arguments) value += std::get<double>(argument);
     }
     return value + (name.place == "far" ? 100 : 0);
 }
@@ -49,10 +49,28 @@ TEST(LessonExpression, HasTheUsualOrderOfOperations) {
 }
 
 TEST(LessonExpression, Compares) {
-    for (const char* const text :
-         {"a < b.c", "a <= 2", "b.c > a", "b.c >= 3", "a == 2", "a != b.c", "word == 'left'", "word != 'right'", "yes",
-          "yes == true", "not a > 3", "a == 3 or b.c == 3", "a == 2 and b.c == 3", "a == 2.5 +- 0.5",
-          "a > 3 or yes and a < 3", "not (a > 1 and a > 2)"}) {
+    for (const char* const text : {"a < b.c",
+                                   "a <= 2",
+                                   "b.c > a",
+                                   "b.c >= 3",
+                                   "a == 2",
+                                   "a != b.c",
+                                   "word == 'left'",
+                                   "word != 'right'",
+                                   "yes",
+                                   "yes == true",
+                                   "not a > 3",
+                                   "a == 3 or b.c == 3",
+                                   "a == 2 and b.c == 3",
+                                   "a == 2.5 +- 0.5",
+                                   "a > 3 or yes and a < 3",
+                                   "not (a > 1 and a > 2)",
+                                   "a > 3 || yes && a < 3",
+                                   "!(a > 1 && a > 2)",
+                                   "! a > 3",
+                                   "'4,-5' == 4, -5",
+                                   "sum(4,5) == 9",
+                                   "-2,3 != 2,3"}) {
         EXPECT_TRUE(holds(text)) << text;
     }
     for (const char* const text :
@@ -77,14 +95,14 @@ TEST(LessonExpression, RefusesWhatIsNone) {
 }
 
 TEST(LessonExpression, FormatsValues) {
-    EXPECT_EQ(lessonValueText(0.123456), "0.1235");
-    EXPECT_EQ(lessonValueText(12345.0), "12345");
-    EXPECT_EQ(lessonValueText(1.5, ".2"), "1.50");
-    EXPECT_EQ(lessonValueText(0.256, "%"), "26%");
-    EXPECT_EQ(lessonValueText(INFINITY), "∞");
-    EXPECT_EQ(lessonValueText(std::string("hit")), "hit");
+    EXPECT_EQ(expressionValueText(0.123456), "0.1235");
+    EXPECT_EQ(expressionValueText(12345.0), "12345");
+    EXPECT_EQ(expressionValueText(1.5, ".2"), "1.50");
+    EXPECT_EQ(expressionValueText(0.256, "%"), "26%");
+    EXPECT_EQ(expressionValueText(INFINITY), "∞");
+    EXPECT_EQ(expressionValueText(std::string("hit")), "hit");
     for (const char* const format : {".", ".x", "2", "%%", ".22"})
-        EXPECT_THROW(lessonValueText(1.0, format), InputError) << format;
+        EXPECT_THROW(expressionValueText(1.0, format), InputError) << format;
 }
 
 }  // namespace
