@@ -104,7 +104,8 @@ bool TraceMesh::isLine(double at, double low, double high) const {
     return at - std::floor(at) == 0.5;
 }
 
-void TraceMesh::addCell(std::vector<Face>& faces, std::size_t i, std::size_t j, const TraceEye& eye) const {
+void TraceMesh::addCell(std::vector<Face>& faces, std::size_t i, std::size_t j, const TraceEye& eye,
+                        std::pair<int, int> own) const {
     Face face;
     for (const auto& [di, dj] : {std::pair{0, 0}, std::pair{0, 1}, std::pair{1, 1}, std::pair{1, 0}}) {
         const std::size_t a = i + static_cast<std::size_t>(di);
@@ -113,10 +114,23 @@ void TraceMesh::addCell(std::vector<Face>& faces, std::size_t i, std::size_t j, 
     }
     face.color = shaded(cellColor(i, j), normalOf(face.corners), eye, 0.3, 0.85);
     const Box& p = scene_.patch;
-    if (isLine(s_[i], p.x0, p.x1)) face.lines.push_back({0, 1});
-    if (isLine(t_[j + 1], p.y0, p.y1)) face.lines.push_back({1, 2});
-    if (isLine(s_[i + 1], p.x0, p.x1)) face.lines.push_back({2, 3});
-    if (isLine(t_[j], p.y0, p.y1)) face.lines.push_back({3, 0});
+    const auto index = [](std::size_t k) { return static_cast<int>(k); };
+    // A line between two cells is drawn once, with the one that is painted later.
+    const bool lines[4] = {
+        isLine(s_[i], p.x0, p.x1) && (index(i) <= own.first || i == 0),
+        isLine(t_[j + 1], p.y0, p.y1) && (index(j) >= own.second || j + 2 == t_.size()),
+        isLine(s_[i + 1], p.x0, p.x1) && (index(i) >= own.first || i + 2 == s_.size()),
+        isLine(t_[j], p.y0, p.y1) && (index(j) <= own.second || j == 0),
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (!lines[k]) continue;
+        if (k == 0 || !lines[k - 1]) face.lines.push_back({k});
+        face.lines.back().push_back((k + 1) % 4);
+    }
+    if (face.lines.size() > 1 && lines[3] && lines[0]) {
+        face.lines.back().insert(face.lines.back().end(), face.lines.front().begin() + 1, face.lines.front().end());
+        face.lines.erase(face.lines.begin());
+    }
     cutBelow(face, scene_.bottom);
     if (face.corners.size() > 2) faces.push_back(std::move(face));
 }
@@ -190,7 +204,7 @@ std::vector<TraceMesh::Face> TraceMesh::faces(const TraceEye& eye, Theme theme) 
     const int ownRow = cellOf(t_, -eye.place()[1]);
     for (const std::size_t j : inward(rows(), ownRow)) {
         for (const std::size_t i : inward(columns(), ownColumn)) {
-            bilinear_ ? addCell(faces, i, j, eye) : addColumn(faces, i, j, eye);
+            bilinear_ ? addCell(faces, i, j, eye, {ownColumn, ownRow}) : addColumn(faces, i, j, eye);
         }
     }
     addSides(faces, eye, theme, true);

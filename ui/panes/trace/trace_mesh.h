@@ -2,6 +2,7 @@
 // nearest, so that nearer ones cover what they hide; and what of the ray and of other objects the relief hides.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "painting/style.h"
@@ -40,7 +41,9 @@ class TraceMesh {
     double height(std::size_t i, std::size_t j) const { return z_[j * s_.size() + i]; }  // of a node, or of a column
     Rgba cellColor(std::size_t i, std::size_t j) const;
     Rgba shaded(Rgba color, const Place& normal, const TraceEye& eye, double ambient, double diffuse) const;
-    void addCell(std::vector<Face>& faces, std::size_t i, std::size_t j, const TraceEye& eye) const;
+    // own: column and row of the eye's cell.
+    void addCell(std::vector<Face>& faces, std::size_t i, std::size_t j, const TraceEye& eye,
+                 std::pair<int, int> own) const;
     void addColumn(std::vector<Face>& faces, std::size_t i, std::size_t j, const TraceEye& eye) const;
     void addSides(std::vector<Face>& faces, const TraceEye& eye, Theme theme, bool near) const;
     bool isLine(double at, double low, double high) const;

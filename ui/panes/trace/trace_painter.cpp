@@ -84,7 +84,7 @@ void TracePainter::tube(const std::vector<Place>& places, double radius, Rgba co
 }
 
 void TracePainter::surface(const std::function<Place(double, double)>& at, Rgba color) const {
-    constexpr int kCells = 40;
+    constexpr int kCells = 64;
     const auto regions = positiveRegion(kCells, kCells, [&](double u, double v) {
         const Place p = at(u, v);
         return ahead(p) ? clearance(p) : -1;

@@ -11,7 +11,10 @@ namespace {
 class Marching {
   public:
     Marching(int columns, int rows, const std::function<double(double, double)>& value)
-        : columns_(columns + 3), rows_(rows + 3), value_(static_cast<std::size_t>(columns_ * rows_), -1) {
+        : columns_(columns + 3),
+          rows_(rows + 3),
+          exact_(value),
+          value_(static_cast<std::size_t>(columns_ * rows_), -1) {
         for (int j = 0; j <= rows; ++j) {
             for (int i = 0; i <= columns; ++i) {
                 const double v = value(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
@@ -69,13 +72,25 @@ class Marching {
         const bool right = edge % 2 == 0;
         const int i1 = i + (right ? 1 : 0), j1 = j + (right ? 0 : 1);
         const auto outside = [&](int a, int b) { return a == 0 || b == 0 || a == columns_ - 1 || b == rows_ - 1; };
-        double f = at(i, j) / (at(i, j) - at(i1, j1));
-        if (outside(i, j)) f = 1;
-        if (outside(i1, j1)) f = 0;
-        return {(i + f * (i1 - i) - 1) / (columns_ - 3), (j + f * (j1 - j) - 1) / (rows_ - 3)};
+        const auto place = [&](double f) {
+            return Point{(i + f * (i1 - i) - 1) / (columns_ - 3), (j + f * (j1 - j) - 1) / (rows_ - 3)};
+        };
+        if (outside(i, j)) return place(1);
+        if (outside(i1, j1)) return place(0);
+        // By halving, since the values may jump: at the border of what something else hides.
+        constexpr int kHalvings = 8;
+        const bool first = at(i, j) > 0;
+        double low = 0, high = 1;
+        for (int n = 0; n < kHalvings; ++n) {
+            const double middle = (low + high) / 2;
+            const Point p = place(middle);
+            ((exact_(p.x, p.y) > 0) == first ? low : high) = middle;
+        }
+        return place((low + high) / 2);
     }
 
     int columns_, rows_;  // of nodes, with the border
+    const std::function<double(double, double)>& exact_;
     std::vector<double> value_;
     std::map<int, int> next_;  // from the edge where a piece begins to where it ends
 };
