@@ -8,6 +8,7 @@
 
 #include "painting/drawing.h"
 #include "panes/figure.h"
+#include "panes/figure_formats.h"
 #include "relief/describe.h"
 #include "scenario/scenario.h"
 
@@ -40,6 +41,13 @@ int wholeNumber(const std::string& text, const std::string& subject) {
     const double number = parseNumber(text, subject);
     if (number >= 0 && number <= kMost && number == static_cast<int>(number)) return static_cast<int>(number);
     throw InputError(subject, Message(MessageId::NumberOutOfRange, {{"value", number}, {"range", "0, 1, 2, ..."}}));
+}
+
+// Width of a figure in millimetres: a number, "84mm", or the name of a journal's width.
+double figureWidth(const std::string& text, const std::string& subject) {
+    if (text == "column") return reliefui::kColumnMm;
+    if (text == "page") return reliefui::kJournalPageMm;
+    return parseNumber(text.ends_with("mm") ? text.substr(0, text.size() - 2) : text, subject);
 }
 
 // Returns all options that the help names.
@@ -104,7 +112,7 @@ Arguments parseArguments(int count, char** arguments) {
         } else if (argument == "-o") {
             parsed.output = value();
         } else if (argument == "--width") {
-            parsed.widthMm = parseNumber(value(), argument);
+            parsed.widthMm = figureWidth(value(), argument);
         } else if (argument == "--dpi") {
             parsed.dpi = parseNumber(value(), argument);
         } else if (argument == "--layer") {
@@ -218,7 +226,8 @@ Options, with defaults in parentheses
                         write the lesson as one page for any browser; all: a folder of pages with contents
   --export VIEW --html -o FILE.html
                         write a view as a page with a slider over the steps of the ray
-  --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
+  --export VIEW -o FILE write one figure to an SVG, PDF, PNG or TikZ file (.tikz, .tex, .pgf: a tikzpicture for
+                        \input into LaTeX), without a window; needs no display
 )" + views +
            R"(
   --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)
@@ -241,8 +250,9 @@ Options, with defaults in parentheses
   --relief NAME         pareto, whose file is a table of relief bench tracers (JSON, CSV): show only this relief
   --elevation DEG       pareto: show only this elevation
   --error MEASURE       pareto, charts: mean, p95, p9999 or max (mean)
-  --width MM            width of the figure (160)
-  --dpi N               pixels per inch of a PNG, and of the pictures in an SVG or PDF, up to )" +
+  --width MM|column|page
+                        width of the figure; column: 84 mm, page: 174 mm, of a journal (160)
+  --dpi N               pixels per inch of a PNG, and of the pictures in other files, up to )" +
            std::to_string(reliefui::kMostRenderedPixels) + R"( in all (300)
   --no-caption          omit the line that names height map, method, filter, pixel and step
   --dark                draw light on dark, as in the window
@@ -253,6 +263,7 @@ Options, with defaults in parentheses
 Exit status: 0 done, 1 the work failed or a lesson's claim does not hold, 2 wrong usage or input, or no display.
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
+          reliefscope scenario.json --export profile -o profile.tikz --width column
           reliefscope --lesson all --check
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";

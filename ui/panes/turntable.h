@@ -35,15 +35,16 @@ class Turntable {
     // Height of the view at the focus, in units of the scene.
     double viewHeight() const;
     Place right() const { return axes().right; }
-
-  private:
     struct Axes {
         Place right;
         Place up;
         Place back;  // direction towards the eye
     };
     Axes axes() const;
+    Place eye() const;
+    double halfView() const { return halfView_; }
 
+  private:
     double halfView_;
     Place focus_{0, 0, 0};
     double azimuth_ = 0;      // in radians; direction of the eye around the vertical axis

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measuring/lesson/lesson_text.h"
+#include "panes/trace/trace_state.h"
 #include "relief/files.h"
 #include "scenario/step_sentence.h"
 
@@ -214,7 +215,8 @@ std::string HtmlParts::script() const {
 
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work) {
-    if (!kind.vectors) return pixelsFigure(kind, snapshot, work);
+    // The relief of the 3-D trace would be thousands of polygons for each step.
+    if (!kind.vectors || kind.name == TracePane::kName) return pixelsFigure(kind, snapshot, work);
     const std::size_t most = followsSteps(kind) ? mostSteps(kind, snapshot, parts, installLanguage, work) : 1;
     const std::vector<int> steps = stepsOf(*snapshot, most);
     std::map<relief::Language, Frames> frames;

@@ -10,6 +10,9 @@
 
 namespace reliefui {
 
+// Share of the width that the patch fills at most, without a camera; leaves room for labels at the sides.
+inline constexpr double kTraceRoom = 0.78;
+
 // Exaggeration of the heights and camera; without a camera, the view is from the side of the ray.
 struct TraceOptions {
     double exaggeration = 1;
@@ -17,7 +20,8 @@ struct TraceOptions {
     std::optional<Turntable> camera;
 };
 
-// Rendered with OpenGL; throws WorkError if it is not available.
+// As pixels it is rendered with OpenGL (throws WorkError if it is not available); as vectors it is painted, see
+// trace_vectors.h.
 std::shared_ptr<const Figure> traceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                           const TraceOptions& options);
 

@@ -14,7 +14,7 @@ PaneKind tracePane() {
     kind.help = Trace3dView::tr("The ray through the relief, in space");
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<Trace3dView>;
-    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+    kind.figures = {{"trace", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
                          const auto pane = stateOf<TracePane>(now);
                          return traceFigure(std::move(s), now.step, {pane.heights, stepColors(pane.colors), {}});
                      }}};
