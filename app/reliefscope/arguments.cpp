@@ -97,6 +97,8 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.check = true;
         } else if (argument == "--html") {
             parsed.html = true;
+        } else if (argument == "--paper-figures") {
+            parsed.paperFigures = value();
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
         } else if (argument == "--export") {
@@ -164,10 +166,14 @@ Arguments parseArguments(int count, char** arguments) {
     needs(parsed.check && !lesson, "--check", lessonOption);
     needs(parsed.html && !lesson && parsed.figure.empty(), "--html", lessonOption);
     needs(parsed.html && parsed.output.empty(), "--html", Message(MessageId::WordOutputOption));
-    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html, "-o", view);
+    const bool papers = !parsed.paperFigures.empty();
+    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html && !papers, "-o", view);
     const auto excludes = [](bool both, const char* option, const char* other) {
         if (both) throw InputError(option, Message(MessageId::ArgumentsExclude, {{"other", other}}));
     };
+    excludes(papers && lesson, "--paper-figures", "--lesson");
+    excludes(papers && !parsed.figure.empty(), "--paper-figures", "--export");
+    excludes(papers && !parsed.file.empty(), "--paper-figures", "SCENARIO.json");
     excludes(lesson && !parsed.figure.empty(), "--lesson", "--export");
     excludes(lesson && !parsed.file.empty(), "--lesson", "SCENARIO.json");
     excludes(parsed.check && parsed.html, "--check", "--html");
@@ -218,6 +224,10 @@ Options, with defaults in parentheses
                         write the lesson as one page for any browser; all: a folder of pages with contents
   --export VIEW --html -o FILE.html
                         write a view as a page with a slider over the steps of the ray
+  --paper-figures NAME,...|all [-o FOLDER]
+                        list figures of the papers, such as MIP18 or DIST17-5, or write them into the folder:
+                        SVG, PDF and PNG in English and Ukrainian, captions for LaTeX, and a JSON file each,
+                        which is a NAME as well and from which the same bytes are written again
   --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
@@ -254,6 +264,7 @@ Exit status: 0 done, 1 the work failed or a lesson's claim does not hold, 2 wron
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
           reliefscope --lesson all --check
+          reliefscope --paper-figures MIP18 -o figures
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";
 }
