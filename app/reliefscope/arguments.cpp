@@ -190,7 +190,7 @@ Arguments parseArguments(int count, char** arguments) {
     needs(!parsed.minus.empty() && !distance, "--minus", plainText("--export distance"));
     needs(!parsed.axis.empty() && !distance, "--axis", plainText("--export distance"));
     needs(parsed.slice >= 0 && !distance, "--slice", plainText("--export distance"));
-    const bool rows = parsed.figure == "rows";
+    const bool rows = parsed.figure == "rows" || parsed.figure == "row-flow";
     needs(!parsed.variants.empty() && !rows, "--variants", plainText("--export rows"));
     needs(parsed.rowWidth && !rows, "--row-width", plainText("--export rows"));
     const bool pareto = parsed.figure == "pareto";
@@ -245,9 +245,9 @@ Options, with defaults in parentheses
   --minus KIND          distance: map to subtract, which shows where the two differ
   --axis x|y|z          distance: slice at constant x, y or height (along the ray)
   --slice N             distance: number of the slice, from 0 (the one at the scenario's step)
-  --variants LIST       rows: up to four methods, spelled as for relief bench rows
+  --variants LIST       rows, row-flow: up to four methods, spelled as for relief bench rows
                         (affine,direct,incremental:anchor=0,streams:streams=4)
-  --row-width N         rows: width of the row, pixels (that of the picture)
+  --row-width N         rows, row-flow: width of the row, pixels (that of the picture)
   --relief NAME         pareto, whose file is a table of relief bench tracers (JSON, CSV): show only this relief
   --elevation DEG       pareto: show only this elevation
   --error MEASURE       pareto, charts: mean, p95, p9999 or max (mean)

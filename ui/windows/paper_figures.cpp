@@ -314,7 +314,9 @@ void writePaperDocuments(const std::vector<PaperFigure>& figures, const std::str
     inEachLanguage([&](std::size_t, Language language) {
         const std::string code = languageCode(language);
         std::string tex = "\\documentclass[a4paper]{article}\n\\usepackage[margin=15mm]{geometry}\n";
-        tex += "\\usepackage{graphicx}\n\\usepackage[T2A,T1]{fontenc}\n\\usepackage[utf8]{inputenc}\n";
+        tex +=
+            "\\usepackage{graphicx,iftex}\n\\ifPDFTeX\n\\usepackage[T1,T2A]{fontenc}\n\\usepackage[utf8]{inputenc}\n";
+        tex += "\\else\n\\usepackage{fontspec}\n\\setmainfont{DejaVu Serif}\n\\fi\n";
         if (language == Language::Ukrainian) tex += "\\usepackage[ukrainian]{babel}\n";
         tex += "\\begin{document}\n";
         for (const PaperFigure& figure : figures) tex += "\\input{" + figure.name + "-" + code + "}\n\\clearpage\n";

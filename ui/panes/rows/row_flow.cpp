@@ -164,10 +164,10 @@ class FlowWriter {
             const double y = one.divides ? top_ + kNumber : quotient() + kNumber / 2;
             const double side = step > 0 ? half : -half;
             arrow({{from + side, y}, {x - side, y}}, stream);
-            if (unnamed) {
-                const double above = one.divides ? top_ : quotient();
-                text({(from + x) / 2, above - 1}, one.divides ? times(step, "A, ") + times(step, "G") : "+Δu",
-                     Anchor::Bottom, 0.5);
+            if (unnamed && one.divides) {
+                text({(from + x) / 2, top_ - 1}, times(step, "A, ") + times(step, "G"), Anchor::Bottom, 0.5);
+            } else if (unnamed) {
+                text({x, quotient() - 1}, "+Δu", Anchor::BottomLeft, 0.5);
             }
         } else {
             const double lane = top_ - kLane * (stream + 1);
