@@ -105,6 +105,8 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.check = true;
         } else if (argument == "--html") {
             parsed.html = true;
+        } else if (argument == "--paper-figures") {
+            parsed.paperFigures = value();
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
         } else if (argument == "--export") {
@@ -172,10 +174,14 @@ Arguments parseArguments(int count, char** arguments) {
     needs(parsed.check && !lesson, "--check", lessonOption);
     needs(parsed.html && !lesson && parsed.figure.empty(), "--html", lessonOption);
     needs(parsed.html && parsed.output.empty(), "--html", Message(MessageId::WordOutputOption));
-    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html, "-o", view);
+    const bool papers = !parsed.paperFigures.empty();
+    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html && !papers, "-o", view);
     const auto excludes = [](bool both, const char* option, const char* other) {
         if (both) throw InputError(option, Message(MessageId::ArgumentsExclude, {{"other", other}}));
     };
+    excludes(papers && lesson, "--paper-figures", "--lesson");
+    excludes(papers && !parsed.figure.empty(), "--paper-figures", "--export");
+    excludes(papers && !parsed.file.empty(), "--paper-figures", "SCENARIO.json");
     excludes(lesson && !parsed.figure.empty(), "--lesson", "--export");
     excludes(lesson && !parsed.file.empty(), "--lesson", "SCENARIO.json");
     excludes(parsed.check && parsed.html, "--check", "--html");
@@ -192,7 +198,7 @@ Arguments parseArguments(int count, char** arguments) {
     needs(!parsed.minus.empty() && !distance, "--minus", plainText("--export distance"));
     needs(!parsed.axis.empty() && !distance, "--axis", plainText("--export distance"));
     needs(parsed.slice >= 0 && !distance, "--slice", plainText("--export distance"));
-    const bool rows = parsed.figure == "rows";
+    const bool rows = parsed.figure == "rows" || parsed.figure == "row-flow";
     needs(!parsed.variants.empty() && !rows, "--variants", plainText("--export rows"));
     needs(parsed.rowWidth && !rows, "--row-width", plainText("--export rows"));
     const bool pareto = parsed.figure == "pareto";
@@ -228,6 +234,11 @@ Options, with defaults in parentheses
                         write a view as a page with a slider over the steps of the ray
   --export VIEW -o FILE write one figure to an SVG, PDF, PNG or TikZ file (.tikz, .tex, .pgf: a tikzpicture for
                         \input into LaTeX), without a window; needs no display
+  --paper-figures NAME,...|all [-o FOLDER]
+                        list figures of the papers, such as MIP18 or DIST17-5, or write them into the folder:
+                        SVG, PDF and PNG in English and Ukrainian, captions for LaTeX, and a JSON file each,
+                        which is a NAME as well and from which the same bytes are written again
+  --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
   --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)
@@ -244,9 +255,9 @@ Options, with defaults in parentheses
   --minus KIND          distance: map to subtract, which shows where the two differ
   --axis x|y|z          distance: slice at constant x, y or height (along the ray)
   --slice N             distance: number of the slice, from 0 (the one at the scenario's step)
-  --variants LIST       rows: up to four methods, spelled as for relief bench rows
+  --variants LIST       rows, row-flow: up to four methods, spelled as for relief bench rows
                         (affine,direct,incremental:anchor=0,streams:streams=4)
-  --row-width N         rows: width of the row, pixels (that of the picture)
+  --row-width N         rows, row-flow: width of the row, pixels (that of the picture)
   --relief NAME         pareto, whose file is a table of relief bench tracers (JSON, CSV): show only this relief
   --elevation DEG       pareto: show only this elevation
   --error MEASURE       pareto, charts: mean, p95, p9999 or max (mean)
@@ -265,6 +276,7 @@ Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
           reliefscope scenario.json --export profile -o profile.tikz --width column
           reliefscope --lesson all --check
+          reliefscope --paper-figures MIP18 -o figures
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";
 }

@@ -25,6 +25,7 @@
 #include "panes/distance/distance_state.h"
 #include "panes/rows/rows_drawing.h"
 #include "panes/rows/rows_state.h"
+#include "paper_command.h"
 #include "relief/errors.h"
 #include "relief/files.h"
 #include "relief/tracers/map_choice.h"
@@ -329,6 +330,7 @@ int run(int count, char** values, const Arguments& arguments) {
     if (arguments.html && arguments.figure.empty()) {
         return writeLessonPages(count, values, arguments, shippedPictures());
     }
+    if (!arguments.paperFigures.empty()) return paperFigures(count, values, arguments, shippedPictures());
     if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {

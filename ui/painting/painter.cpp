@@ -1,5 +1,6 @@
 #include "painting/painter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFont>
@@ -168,6 +169,12 @@ struct ItemPainter {
         if (line.points.size() < 2) return;
         std::vector<Point> points;
         for (const Point& p : line.points) points.push_back(map.toScreen(p));
+        // Of a line without length Qt writes a path without points, which is a fault in a PDF.
+        constexpr double kLength = 1e-3;  // pixels
+        const auto same = [&](const Point& p) {
+            return std::abs(p.x - points.front().x) < kLength && std::abs(p.y - points.front().y) < kLength;
+        };
+        if (std::all_of(points.begin(), points.end(), same)) return;
         // When zoomed in far, a line can be thousands of screens long. It is clipped first, because dashing its whole
         // length is slow.
         std::vector<double> before;

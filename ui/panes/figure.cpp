@@ -8,6 +8,7 @@
 #include <list>
 #include <string_view>
 
+#include <QBuffer>
 #include <QFile>
 #include <QPdfWriter>
 #include <QSvgGenerator>
@@ -15,6 +16,7 @@
 #include "painting/painter.h"
 #include "painting/tikz.h"
 #include "panes/figure_formats.h"
+#include "panes/pdf_date.h"
 #include "relief/files.h"
 #include "relief/memory.h"
 
@@ -143,7 +145,9 @@ void writeSvg(const Figure& figure, const FigurePage& page, QIODevice& file, con
 }
 
 void writePdf(const Figure& figure, const FigurePage& page, QIODevice& file, const QSizeF& mm) {
-    QPdfWriter pdf(&file);
+    QBuffer written;  // because the date of the file is known to Qt alone
+    written.open(QIODevice::WriteOnly);
+    QPdfWriter pdf(&written);
     pdf.setResolution(static_cast<int>(kVectorDpi));
     pdf.setPageSize(QPageSize(mm, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
     pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -151,6 +155,8 @@ void writePdf(const Figure& figure, const FigurePage& page, QIODevice& file, con
     pdf.setCreator(QStringLiteral("Reliefscope"));
     QPainter painter(&pdf);
     paintPage(painter, figure, page, {pdf.width(), pdf.height()}, kVectorDpi / kPointsPerInch);
+    painter.end();
+    file.write(withSourceDate(written.data()));
 }
 
 // Writes the temporary file of `target`; `write` returns false if it fails. path: for messages.

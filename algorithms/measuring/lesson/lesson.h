@@ -73,6 +73,10 @@ struct Lesson {
     std::optional<Scenario> scenarioAt(const std::string& place, const Scenario& from) const;
 };
 
+// Resolves a scenario's paths that begin with "datasets/", the folder of the shipped pictures, unless there are such
+// files in `folder`, that of the file with the scenario.
+void resolveShipped(Json& scenario, const std::string& folder, const std::string& datasets);
+
 // Reads the lesson in the folder. datasets: folder of the shipped pictures. Throws InputError for a missing file,
 // unknown keys, wrong values, expressions that are none, and words that do not fit the pages.
 Lesson readLesson(const std::string& folder, const std::string& datasets);

@@ -102,6 +102,11 @@ void addTracks(Drawing& drawing, const ProfileSource& source, const ProfileFrame
 double tracksHeight(const ProfileSource& source, double height);
 // Numbers and units, at the edges of the visible part. stepNamed: leaves room above the plot for the step's name.
 Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, bool stepNamed = true);
+// Width of the step's name above the plot's right end, "step 8: λ 0.61 → 0.61", in points.
+inline constexpr double kStepTitle = 110;
+// Numbers and units, at the edges of the visible part. reserved: width, in points, that the title of the left axis
+// leaves free at the right.
+Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, double reserved = kStepTitle);
 // Legend of what occurs, at most `width` points wide. brief: one entry for all levels and none for the decisions, which
 // are named in the table of steps.
 Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options, double width,
