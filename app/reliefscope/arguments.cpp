@@ -238,7 +238,6 @@ Options, with defaults in parentheses
                         list figures of the papers, such as MIP18 or DIST17-5, or write them into the folder:
                         SVG, PDF and PNG in English and Ukrainian, captions for LaTeX, and a JSON file each,
                         which is a NAME as well and from which the same bytes are written again
-  --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
   --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)

@@ -100,8 +100,6 @@ double guessError(const ProfileSource& source, double guess);
 void addTracks(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, int step);
 // Height of the tracks in a room of this height, in points; 0 if there are none.
 double tracksHeight(const ProfileSource& source, double height);
-// Numbers and units, at the edges of the visible part. stepNamed: leaves room above the plot for the step's name.
-Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, bool stepNamed = true);
 // Width of the step's name above the plot's right end, "step 8: λ 0.61 → 0.61", in points.
 inline constexpr double kStepTitle = 110;
 // Numbers and units, at the edges of the visible part. reserved: width, in points, that the title of the left axis
