@@ -68,6 +68,84 @@ AnyRay lightRay(const Hit& hit, glm::dvec2 run, double bias) {
     return {hit.s + share * run.x, hit.t + share * run.y, 1 - left, left * run.x, left * run.y, left};
 }
 
+// The light of a frame as main.glsl computes it.
+class LightSide {
+  public:
+    LightSide(const Frame& frame, const FrameRequest& request, const Tracer& tracer, MapCache& maps, Work& work)
+        : frame_(frame),
+          request_(request),
+          tracer_(tracer),
+          toLight_(lightDirection(request.light)),
+          bias_(shaderShadowBias(request.method)) {
+        for (const TexturedQuad& quad : frame.polygons) {
+            const bool faces = glm::dot(toLight_, quad.normal) > 0;
+            runs_.push_back(faces ? lightRun(quad, toLight_, frame.slabTexels) : glm::dvec2(0));
+            axes_.emplace_back(quad);
+        }
+        const HeightField& field = request.field;
+        if (field.address() == Address::Border) query_ = makeAnyHit(visibilityChoice(field), field, maps, work);
+    }
+
+    void lightRow(int y, std::span<Color> out, Work& work) const {
+        std::vector<int> columns, sideColumns;
+        RayBlock rays;
+        AnyRayBlock sideRays;
+        for (int x = 0; x < frame_.width; ++x) {
+            const std::size_t i = frame_.index(x, y);
+            const Hit hit = frame_.hits->hits[i];
+            out[static_cast<std::size_t>(x)] = frame_.light->color(x, y);
+            if (hit.outcome != Outcome::Hit) continue;
+            const std::uint8_t polygon = frame_.rays->polygon[i];
+            const double facing = facingOf(hit, polygon);
+            out[static_cast<std::size_t>(x)] = lit(frame_.color->color.pixels()[i], facing, request_.light);
+            if (facing <= 0 || hit.lambda <= bias_) continue;
+            const glm::dvec2 run = runs_[polygon];
+            const glm::dvec2 top(hit.s + hit.lambda * run.x, hit.t + hit.lambda * run.y);
+            if (query_ && !inMap(top)) {
+                sideColumns.push_back(x);
+                sideRays.push(lightRay(hit, run, bias_));
+            } else {
+                columns.push_back(x);
+                rays.push({top.x, top.y, -run.x, -run.y});
+            }
+        }
+        const auto darken = [&](int x) {
+            out[static_cast<std::size_t>(x)] = lit(frame_.color->color.pixels()[frame_.index(x, y)], 0, request_.light);
+        };
+        NullSink sink;
+        HitBlock blockers;
+        if (rays.size() > 0) tracer_.trace(rays, blockers, sink, work);
+        for (std::size_t n = 0; n < columns.size(); ++n) {
+            const double lambda = frame_.hits->hits.lambda[frame_.index(columns[n], y)];
+            if (blockers.outcome[n] == Outcome::Hit && blockers.lambda[n] < lambda - bias_) darken(columns[n]);
+        }
+        VisibilityBlock results;
+        if (sideRays.size() > 0) query_->query(sideRays, results, sink, work);
+        for (std::size_t n = 0; n < sideColumns.size(); ++n) {
+            if (results.visibility[n] == Visibility::Blocked) darken(sideColumns[n]);
+        }
+    }
+
+  private:
+    double facingOf(const Hit& hit, std::uint8_t polygon) const {
+        if (glm::dot(toLight_, frame_.polygons[polygon].normal) <= 0) return 0;
+        const auto slope = wideSlope(request_.field, hit.s, hit.t);
+        return glm::dot(axes_[polygon].normalOf(slope, frame_.slabTexels), toLight_);
+    }
+    bool inMap(glm::dvec2 place) const {
+        return place.x >= 0 && place.y >= 0 && place.x <= request_.field.width() && place.y <= request_.field.height();
+    }
+
+    const Frame& frame_;
+    const FrameRequest& request_;
+    const Tracer& tracer_;
+    glm::dvec3 toLight_;
+    double bias_;
+    std::vector<glm::dvec2> runs_;
+    std::vector<ReliefAxes> axes_;
+    std::unique_ptr<AnyHitQuery> query_;  // at the border only
+};
+
 }  // namespace
 
 ShaderRequest shaderRequest(FrameRequest request) {
@@ -126,45 +204,11 @@ ShaderView shaderView(const Frame& frame, const FrameRequest& request) {
     return view;
 }
 
-ColorImage shaderLight(const Frame& frame, const FrameRequest& request, MapCache& maps, Work& work) {
-    const HeightField& field = request.field;
-    const glm::dvec3 toLight = lightDirection(request.light);
-    const double bias = shaderShadowBias(request.method);
-    std::vector<glm::dvec2> runs;
-    std::vector<ReliefAxes> axes;
-    for (const TexturedQuad& quad : frame.polygons) {
-        const bool faces = glm::dot(toLight, quad.normal) > 0;
-        runs.push_back(faces ? lightRun(quad, toLight, frame.slabTexels) : glm::dvec2(0));
-        axes.emplace_back(quad);
-    }
-    const HitBlock& hits = frame.hits->hits;
-    const auto query = makeAnyHit(visibilityChoice(field), field, maps, work);
+ColorImage shaderLight(const Frame& frame, const FrameRequest& request, const Tracer& tracer, MapCache& maps,
+                       Work& work) {
+    const LightSide side(frame, request, tracer, maps, work);
     ColorImage out(frame.width, frame.height);
-    parallelFor(work, frame.height, [&](int y) {
-        AnyRayBlock rays;
-        std::vector<int> columns;
-        for (int x = 0; x < frame.width; ++x) {
-            const std::size_t i = frame.index(x, y);
-            out(x, y) = frame.light->color(x, y);
-            if (hits.outcome[i] != Outcome::Hit) continue;
-            const std::uint8_t polygon = frame.rays->polygon[i];
-            const auto slope = wideSlope(field, hits.s[i], hits.t[i]);
-            double facing = glm::dot(axes[polygon].normalOf(slope, frame.slabTexels), toLight);
-            if (glm::dot(toLight, frame.polygons[polygon].normal) <= 0) facing = 0;
-            out(x, y) = lit(frame.color->color.pixels()[i], facing, request.light);
-            if (facing <= 0 || hits.lambda[i] <= bias) continue;
-            rays.push(lightRay(hits[i], runs[polygon], bias));
-            columns.push_back(x);
-        }
-        if (columns.empty()) return;
-        VisibilityBlock results;
-        NullSink sink;
-        query->query(rays, results, sink, work);
-        for (std::size_t n = 0; n < columns.size(); ++n) {
-            if (results.visibility[n] != Visibility::Blocked) continue;
-            out(columns[n], y) = lit(frame.color->color.pixels()[frame.index(columns[n], y)], 0, request.light);
-        }
-    });
+    parallelFor(work, frame.height, [&](int y) { side.lightRow(y, out.row(y), work); });
     return out;
 }
 

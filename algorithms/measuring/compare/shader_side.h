@@ -36,9 +36,10 @@ struct ShaderView {
 ShaderView shaderView(const Frame& frame, const FrameRequest& request);
 
 // Returns the frame's picture with the shader's light: by height differences over one texel, and with its self-shadow,
-// which begins SHADOW_BIAS above the hit. Whether a light ray is blocked is decided exactly, not by the method.
-// Throws Cancelled.
-ColorImage shaderLight(const Frame& frame, const FrameRequest& request, MapCache& maps, Work& work);
+// for which the tracer follows the light's ray down from the top of the slab; at the border, where that ray begins at
+// the map's side, whether it is blocked is decided exactly. tracer: the frame's. Throws Cancelled.
+ColorImage shaderLight(const Frame& frame, const FrameRequest& request, const Tracer& tracer, MapCache& maps,
+                       Work& work);
 
 // Returns the colour texture (binding 2) of a request, with four channels and without MIP levels.
 ShaderTexture colorTexture(const FrameRequest& request);

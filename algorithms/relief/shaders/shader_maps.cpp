@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "images/pyramid.h"
+#include "relief/memory.h"
 #include "relief/methods/cone.h"
 #include "relief/methods/cone_dummer.h"
 #include "relief/methods/distance.h"
@@ -70,6 +71,10 @@ ShaderTexture levelsTexture(const std::vector<FloatImage>& levels) {
     const int step = 1 << (levels.size() - 1);
     const int width = levels[0].width(), height = levels[0].height();
     ShaderTexture data{(width + step - 1) / step * step, (height + step - 1) / step * step, 1, 1, {}, false};
+    constexpr std::uint64_t kWithLevels = 2 * sizeof(float);  // more than 4/3 floats per texel
+    requireMemory(
+        byteProduct({static_cast<std::uint64_t>(data.width), static_cast<std::uint64_t>(data.height), kWithLevels}),
+        "max-pyramid");
     for (std::size_t l = 0; l < levels.size(); ++l) {
         const FloatImage& level = levels[l];
         const auto row = static_cast<std::size_t>(data.width >> l);

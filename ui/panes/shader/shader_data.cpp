@@ -1,6 +1,7 @@
 #include "panes/shader/shader_data.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 
@@ -36,17 +37,23 @@ void checkSide(int width, int height, int most, const std::string& renderer) {
                    {{"width", width}, {"height", height}, {"most", most}, {"renderer", renderer}}));
 }
 
-void bindAll(ShaderGl& gl, const relief::FrameRequest& request, const relief::ShaderInputs& inputs,
-             const relief::ShaderTexture& colors, const std::string& renderer) {
+// Before the maps are built, which may take long.
+void checkSizes(const ShaderGl& gl, const relief::FrameRequest& request, const std::string& renderer) {
     const ShaderGl::Limits limits = gl.limits();
-    const relief::Address address = request.field.address();
-    for (const auto& [unit, texture] : inputs.textures) {
-        const int most = texture.layers > 1 ? limits.volume : limits.texture;
-        checkSide(texture.width, texture.height, most, renderer);
-        gl.setTexture(unit, texture, address);
+    int width = request.field.width(), height = request.field.height();
+    // The levels lie in a square whose side is a power of two.
+    if (request.method.name == "max-pyramid") {
+        width = height = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(width, height))));
     }
-    checkSide(colors.width, colors.height, limits.texture, renderer);
+    checkSide(width, height, request.method.name == "distance" ? limits.volume : limits.texture, renderer);
+    if (request.color) checkSide(request.color->width(), request.color->height(), limits.texture, renderer);
     checkSide(request.width, request.height, limits.picture, renderer);
+}
+
+void bindAll(ShaderGl& gl, const relief::FrameRequest& request, const relief::ShaderInputs& inputs,
+             const relief::ShaderTexture& colors) {
+    const relief::Address address = request.field.address();
+    for (const auto& [unit, texture] : inputs.textures) gl.setTexture(unit, texture, address);
     gl.setTexture(2, colors, address, request.filter.name == "trilinear");
     gl.setUniforms(inputs.uniforms);
 }
@@ -120,13 +127,13 @@ void compare(ShaderPreview& out, const ShaderGlSource& open, relief::Work& work)
     relief::WholeProgress progress(work.progress(), "shader", kStages);
     const std::unique_ptr<ShaderGl> gl = opened(open);
     out.renderer = gl->renderer();
+    checkSizes(*gl, request, out.renderer);
     relief::FrameRenderer renderer(shown.maps, true);
     const std::shared_ptr<const relief::Frame> frame = renderer.render(request, work);
-    out.exact = renderer.tracer()->guarantee() == relief::Guarantee::Exact;
     progress.advance();
     const relief::ShaderView view = relief::shaderView(*frame, request);
     bindAll(*gl, request, relief::shaderInputs(choice, request.field, view.uniforms, *shown.maps, work),
-            relief::colorTexture(request), out.renderer);
+            relief::colorTexture(request));
     gl->setUniforms(view.numbers, 1);
     progress.advance();
     relief::ColorImage picture(request.width, request.height);
@@ -134,7 +141,7 @@ void compare(ShaderPreview& out, const ShaderGlSource& open, relief::Work& work)
     progress.advance();
     const std::vector<float> answers = tracedRays(*gl, text, *frame->rays, work);
     progress.advance();
-    const relief::ColorImage cpu = relief::shaderLight(*frame, request, *shown.maps, work);
+    const relief::ColorImage cpu = relief::shaderLight(*frame, request, *renderer.tracer(), *shown.maps, work);
     relief::ShaderDifferences found = relief::shaderDifferences(*frame, answers, picture, cpu);
     out.shader = pictureValues(picture);
     out.cpu = pictureValues(cpu);
@@ -143,7 +150,10 @@ void compare(ShaderPreview& out, const ShaderGlSource& open, relief::Work& work)
     out.hits = std::make_shared<const relief::FloatImage>(std::move(found.hits));
     out.found = std::move(found);
     out.notes = std::move(alike.notes);
-    if (!out.exact) out.notes.push_back(Message(MessageId::ShaderNoteExactShadows));
+    const bool exact = renderer.tracer()->guarantee() == relief::Guarantee::Exact;
+    if (!exact && request.field.address() == relief::Address::Border) {
+        out.notes.push_back(Message(MessageId::ShaderNoteExactShadows));
+    }
 }
 
 }  // namespace

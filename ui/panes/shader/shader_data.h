@@ -32,7 +32,6 @@ struct ShaderPreview {
     double seconds = 0;
     double spread = 0;
     int frames = 0;
-    bool exact = false;  // the method is exact
 
     const std::shared_ptr<const relief::FloatImage>& differences(ShaderMeasure measure) const {
         return measure == ShaderMeasure::Colors ? colors : hits;
