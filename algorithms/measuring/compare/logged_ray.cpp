@@ -27,11 +27,10 @@ StepLog answersAsSteps(const HitBlock& hits) {
         step.lambdaIn = step.lambdaOut = step.lambdaAfter = lambda;
         step.value = 1 - lambda;
         step.subject = subject::Point{step.value};
-        log.begin.push_back(log.steps.size());
         log.steps.push_back(step);
+        log.begin.push_back(log.steps.size());
         log.reads.push_back(0);
     }
-    log.begin.push_back(log.steps.size());
     return log;
 }
 

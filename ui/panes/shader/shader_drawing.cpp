@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "painting/chart.h"
 #include "painting/legend_rows.h"
 #include "relief/ray.h"
 
@@ -32,14 +33,13 @@ Message valueText(const ShaderPreview& preview, ShaderMeasure measure, relief::P
     return Message(MessageId::ShaderTexels, {{"texels", number(value)}});
 }
 
-Message speedLine(const ShaderPreview& preview) {
+std::vector<relief::MessageValue> timeValues(const ShaderPreview& preview) {
     constexpr double kMilli = 1000, kPercent = 100;
-    return Message(preview.frames > 1 ? MessageId::ShaderSpeed : MessageId::ShaderSpeedOnce,
-                   {{"milliseconds", number(kMilli * preview.seconds)},
-                    {"percent", relief::numberText(kPercent * preview.spread, 2)},
-                    {"width", preview.shader->width()},
-                    {"height", preview.shader->height()},
-                    {"renderer", preview.renderer}});
+    return {{"milliseconds", number(kMilli * preview.seconds)},
+            {"percent", relief::numberText(kPercent * preview.spread, 2)},
+            {"width", preview.shader->width()},
+            {"height", preview.shader->height()},
+            {"renderer", preview.renderer}};
 }
 
 // The columns with the largest pictures.
@@ -68,8 +68,8 @@ RangedValues shaderValues(const ShaderSource& source, relief::Language language)
     const bool hits = source.measure == ShaderMeasure::Hits;
     RangedValues values;
     values.of = shaderRangeOf(source.measure);
-    values.name = relief::sentence(Message(hits ? MessageId::ShaderHitName : MessageId::ShaderTitleColors), language);
-    values.map = hits ? ColorMap::Signed : ColorMap::Count;
+    values.name = relief::sentence(Message(hits ? MessageId::ShaderHitName : MessageId::ShaderColorName), language);
+    values.map = hits ? ColorMap::Difference : ColorMap::Count;
     values.range = source.range;
     values.spread = source.preview->spreads[static_cast<std::size_t>(source.measure)];
     const ScaleEnds ends =
@@ -98,9 +98,7 @@ ShaderPicture shaderPicture(const ShaderSource& source, double width, double hei
                                                       ((height - kGap * (rows - 1)) / rows - kTitle) / aspect));
     ShaderPicture out;
     out.pixelSide = side / shader.width();
-    const bool hits = source.measure == ShaderMeasure::Hits;
-    const std::array titles{MessageId::ShaderTitle, MessageId::ShaderTitleCpu,
-                            hits ? MessageId::ShaderTitleHits : MessageId::ShaderTitleColors};
+    const std::array titles{MessageId::ShaderTitle, MessageId::ShaderTitleCpu, MessageId::ShaderTitleDifference};
     const std::array pictures{preview.shader, preview.cpu, preview.differences(source.measure)};
     const RangedValues values = shaderValues(source, language);
     for (std::size_t n = 0; n < titles.size(); ++n) {
@@ -112,7 +110,7 @@ ShaderPicture shaderPicture(const ShaderSource& source, double width, double hei
         Label label;
         label.at = {x, y + kTitle / 2};
         label.text = source.before ? Message(MessageId::ShaderTitleBefore, {{"title", title}}) : title;
-        label.room = {x, y, x + side, y + kTitle};
+        label.size = chart::fittingSize(chart::widthOf(label.text), side);
         out.drawing.add({}, Role::Title, std::move(label));
         Cells cells;
         cells.values = pictures[n];
@@ -136,7 +134,10 @@ ShaderPicture shaderPicture(const ShaderSource& source, double width, double hei
 std::vector<Message> shaderLines(const ShaderSource& source) {
     const ShaderPreview& preview = *source.preview;
     std::vector<Message> lines;
-    if (source.timed) lines.push_back(speedLine(preview));
+    if (source.timed) {
+        lines.emplace_back(preview.frames > 1 ? MessageId::ShaderSpeed : MessageId::ShaderSpeedOnce,
+                           timeValues(preview));
+    }
     const relief::ShaderDifferences& found = preview.found;
     lines.push_back(Message(MessageId::ShaderHits, {{"far", found.far},
                                                     {"count", found.compared},
@@ -159,6 +160,13 @@ std::vector<Message> shaderLines(const ShaderSource& source) {
     }
     lines.push_back(Message(MessageId::ShaderNotes, {{"notes", notes}}));
     return lines;
+}
+
+Message shaderSummary(const ShaderPreview& preview) {
+    const relief::ShaderDifferences& found = preview.found;
+    Message line(preview.frames > 1 ? MessageId::ShaderSummary : MessageId::ShaderSummaryOnce, timeValues(preview));
+    line.values.emplace_back("far", found.far + found.otherOutcome);
+    return line;
 }
 
 Drawing shaderLegend(const ShaderSource& source, double width, relief::Language language) {

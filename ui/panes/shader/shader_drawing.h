@@ -40,6 +40,8 @@ ShaderPicture shaderPicture(const ShaderSource& source, double width, double hei
 Drawing shaderLegend(const ShaderSource& source, double width, relief::Language language);
 // The lines of the legend.
 std::vector<relief::Message> shaderLines(const ShaderSource& source);
+// The time of a frame and the number of hits that differ, for a pane without room for more.
+relief::Message shaderSummary(const ShaderPreview& preview);
 // The differences of a pixel, in one line.
 relief::Message shaderReadout(const ShaderPreview& preview, relief::PixelChoice pixel);
 

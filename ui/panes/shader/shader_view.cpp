@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -78,6 +79,9 @@ void ShaderView::makeBar(QHBoxLayout* bar) {
         },
         this);
     bar->addWidget(range_);
+    summary_ = new QLabel(this);
+    summary_->setObjectName(QStringLiteral("shader-summary"));
+    bar->addWidget(summary_);
     bar->addStretch(1);
     connect(draw_, &QToolButton::clicked, this, [this] { job_->busy() ? void(cancel()) : draw(); });
     connect(worst_, &QToolButton::clicked, this, &ShaderView::chooseWorst);
@@ -220,6 +224,22 @@ void ShaderView::showBusy() {
     draw_->setText(busy ? tr("cancel (%1%)").arg(static_cast<int>(kHundred * fraction_)) : tr("draw"));
     worst_->setEnabled(current() && !preview_->problem && preview_->worst(pane_.measure));
     range_->refresh();
+    showSummary();
+}
+
+// All lines are in the tool tip, because a low pane has no room for them.
+void ShaderView::showSummary() {
+    const bool shown = preview_ && !preview_->problem && current();
+    const relief::Language language = workspace_->style().language;
+    QStringList lines;
+    if (shown) {
+        for (const relief::Message& line : shaderLines(source())) {
+            lines << QString::fromStdString(relief::sentence(line, language));
+        }
+    }
+    summary_->setText(shown ? QString::fromStdString(relief::sentence(shaderSummary(*preview_), language)) : QString());
+    summary_->setToolTip(lines.join(QLatin1Char('\n')));
+    canvas_->setAccessibleDescription(summary_->toolTip());
 }
 
 void ShaderView::readOut(const QPointF& widget) {

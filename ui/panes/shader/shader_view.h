@@ -11,6 +11,7 @@
 
 class QComboBox;
 class QHBoxLayout;
+class QLabel;
 class QToolButton;
 
 namespace reliefui {
@@ -51,6 +52,7 @@ class ShaderView : public FigureView {
     void adopt();  // takes over the scenario's state of this pane
     void redraw();
     void showBusy();
+    void showSummary();
     void showProblem(const relief::Message& problem);
     bool current() const;
     ShaderSource source() const;
@@ -60,6 +62,7 @@ class ShaderView : public FigureView {
     QToolButton* worst_ = nullptr;
     QComboBox* measure_ = nullptr;
     RangeButton* range_ = nullptr;
+    QLabel* summary_ = nullptr;
     ShaderGlSource open_;
     std::shared_ptr<const Snapshot> snapshot_;  // to be drawn, or drawn
     std::shared_ptr<const ShaderPreview> preview_;
