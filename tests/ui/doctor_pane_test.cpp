@@ -43,6 +43,7 @@ TEST_F(DoctorPane, NamesAFaultAndLeadsToItsWorstRay) {
         << pane()->list()->item(0)->text().toStdString();
     EXPECT_GT(colorsIn(grab(pane()->canvas())), 20);
     const std::size_t worst = *pane()->report()->worst[0];
+    EXPECT_TRUE(pane()->list()->item(0)->text().contains(QStringLiteral("ray %1 ").arg(worst)));
     pane()->list()->setFocus();
     pane()->list()->setCurrentRow(0);
     QTest::keyClick(pane()->list(), Qt::Key_Return);
