@@ -43,6 +43,8 @@ RayBlock parseRays(std::string_view text, const std::string& fileName);
 // Throws InputError with the line for another header, wrong columns, an unknown outcome, a number that is not finite,
 // and a hit whose lambda is outside [0, 1] by more than 1e-5; a smaller difference is rounding, and is clamped.
 HitBlock parseHits(std::string_view text, const std::string& fileName);
+// Returns true if the text begins as a file of hits does.
+bool isHitsText(std::string_view text);
 // Parses steps of `rays` rays, numbered from 0, in the formats written below: CSV, or JSON if the text begins with "[".
 // The rays may be in any order and some may be missing; the steps of one ray must be consecutive and numbered from 1.
 // phase, i, j, k, z_in, z_out and all values of the kind may be left out in JSON, the columns from `kind` on in CSV;

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 
 #include "../small_disk.h"
+#include "foreign_tracer.h"
 #include "golden.h"
 #include "panes/figure.h"
 #include "panes/pyramid/pyramid_view.h"
@@ -55,8 +56,8 @@ bool hasCyrillic(const QByteArray& svg) {
 }
 
 // A scenario with everything that a view may need: a ray, methods to compare with; for the pane "drawn" a relief drawn
-// by hand.
-QString writeScenario(const QTemporaryDir& folder, bool drawn) {
+// by hand, for "doctor" the files of another tracer.
+QString writeScenario(const QTemporaryDir& folder, bool drawn, bool foreign = false) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "8"}}};
     scenario.comparison.others = {{"max-pyramid", {}}};
@@ -65,6 +66,10 @@ QString writeScenario(const QTemporaryDir& folder, bool drawn) {
         scenario.pictures = {};
         scenario.pictures.drawn.width = scenario.pictures.drawn.height = 8;
         for (int i = 0; i < 64; ++i) scenario.pictures.drawn.heights.push_back((i * 7 % 64) / 64.0);
+    }
+    if (foreign) {
+        scenario.pictures.recipe = "fractal";
+        scenario = withForeignTracer(scenario, folder, true);
     }
     const QString path = folder.filePath(drawn ? QStringLiteral("drawn.json") : QStringLiteral("scenario.json"));
     relief::saveScenario(path.toStdString(), scenario);
@@ -123,7 +128,7 @@ TEST_P(EveryExport, needsNoDisplay) {
     const QTemporaryDir folder;
     const std::string& name = GetParam();
     const QString view = QString::fromStdString(name);
-    const QString scenario = writeScenario(folder, name == "drawn");
+    const QString scenario = writeScenario(folder, name == "drawn", name == "doctor");
     const auto run = [&](const QString& ending, const QStringList& more = {}) {
         return exportedFigure(scenario, view, folder.filePath(view + ending), more);
     };

@@ -11,6 +11,7 @@
 #include "panes/profile/profile_state.h"
 #include "panes/pyramid/pyramid_state.h"
 #include "panes/rows/rows_state.h"
+#include "panes/shader/shader_state.h"
 #include "panes/trace/trace_state.h"
 #include "windows/pane_list.h"
 #include "workspace/range_json.h"
@@ -37,6 +38,7 @@ Scenario allOther() {
     setState(scenario, RowsPane{{"direct", "subspan:error=0.25"}, 3840, true, false});
     setState(scenario, ChartsPane{"histograms", "p9999", false, true});
     setState(scenario, TracePane{"level", 2, true});
+    setState(scenario, ShaderPane{ShaderMeasure::Hits});
     setState(scenario, PointState{QueryPoint{-3.25, 4.5, 0.6}});
     return scenario;
 }

@@ -80,7 +80,7 @@ void MainWindow::makeFileMenu() {
                                  tr("Save pictures, view and settings, to open them again"));
     connect(save, &QAction::triggered, this, &MainWindow::askSaveScenario);
     auto* const other = addAction(menu, tr("Open another &tracer's steps…"), QKeySequence(QStringLiteral("Ctrl+T")),
-                                  tr("Open a file of rays and a file of the steps that another tracer took on them"));
+                                  tr("Open a file of rays and a file of the steps or hits of another tracer on them"));
     connect(other, &QAction::triggered, this, &MainWindow::askOtherTracer);
     auto* const picture = addAction(menu, tr("Save &picture…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")),
                                     tr("Save the picture of the result"));

@@ -5,6 +5,7 @@
 #include "panes/charts/charts_pane.h"
 #include "panes/compare/compare_pane.h"
 #include "panes/distance/distance_pane.h"
+#include "panes/doctor/doctor_pane.h"
 #include "panes/drawn/drawn_pane.h"
 #include "panes/duel/duel_pane.h"
 #include "panes/footprint/footprint_pane.h"
@@ -13,6 +14,7 @@
 #include "panes/pyramid/pyramid_pane.h"
 #include "panes/result/result_pane.h"
 #include "panes/rows/rows_pane.h"
+#include "panes/shader/shader_pane.h"
 #include "panes/skipped/skipped_pane.h"
 #include "panes/trace/trace_pane.h"
 #include "panes/watch/watch_pane.h"
@@ -43,6 +45,8 @@ std::vector<PaneKind> paneList() {
         formulaPane(),    //
         watchPane(),      //
         whyPane(),        //
+        shaderPane(),     //
+        doctorPane(),     //
     };
 }
 

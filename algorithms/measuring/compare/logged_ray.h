@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,15 @@ struct LoggedRay {
     std::vector<FurtherColumn> further;  // of a ray from files, with a cell for each step
 };
 
-// Contents of the two files of another program's tracer.
+// Contents of the two files of another program's tracer. hits: if the second file holds hits in place of steps; the log
+// then has one step for each ray, its answer.
 struct RayFiles {
     RayBlock rays;
     StepLog log;
     std::vector<FurtherColumn> further;  // with a cell for each step of `log`
+    std::optional<HitBlock> hits{};
 };
-// Throws InputError that names file and line; also if the files have no ray.
+// Throws InputError that names file and line; also if the files have no ray, or not as many hits as rays.
 RayFiles readRayFiles(const OtherTracer& other);
 
 // Traces the ray. Sets all but `exact` and `judgement`. Throws Cancelled.

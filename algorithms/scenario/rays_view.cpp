@@ -1,11 +1,11 @@
-#include "rays_view.h"
+#include "scenario/rays_view.h"
 
 #include <filesystem>
 
-#include "json_line.h"
 #include "relief/files.h"
+#include "scenario/json_reader.h"
 
-namespace relief::app {
+namespace relief {
 
 namespace {
 
@@ -81,14 +81,15 @@ std::optional<RaysView> readRaysView(const std::string& raysPath, std::size_t ra
     if (path == raysPath || !std::filesystem::exists(path, error)) return std::nullopt;
     const std::string text = readTextFile(path);
     const Json json = Json::parse(text, nullptr, false);
-    if (textIn(json, "format") != kFormat) return std::nullopt;
-    const Json* const list = member(json, "rays");
+    if (!json.is_object() || !json.contains("format") || json["format"] != kFormat) return std::nullopt;
+    const auto list = json.find("rays");
     RaysView view{parseScenario(text, path), {}};
     const auto refuse = [&](std::size_t count) {
         throw InputError(path,
                          Message(MessageId::RaysViewCount, {{"count", count}, {"file", raysPath}, {"rays", rays}}));
     };
-    if (list == nullptr || !list->is_array() || list->size() != rays) refuse(list == nullptr ? 0 : list->size());
+    const bool any = list != json.end() && list->is_array();
+    if (!any || list->size() != rays) refuse(any ? list->size() : 0);
     for (const Json& pixel : *list) {
         const bool good =
             pixel.is_array() && pixel.size() == 3 && pixel[0].is_number_integer() && pixel[1].is_number_integer();
@@ -102,4 +103,4 @@ std::optional<RaysView> readRaysView(const std::string& raysPath, std::size_t ra
     return view;
 }
 
-}  // namespace relief::app
+}  // namespace relief

@@ -9,7 +9,7 @@
 #include "rendering/view_rays.h"
 #include "scenario/scenario.h"
 
-namespace relief::app {
+namespace relief {
 
 // Returns the name of the file beside the rays: with the ending .json.
 std::string raysViewPath(const std::string& raysPath);
@@ -26,4 +26,4 @@ struct RaysView {
 // InputError if it is damaged or belongs to another number of rays.
 std::optional<RaysView> readRaysView(const std::string& raysPath, std::size_t rays);
 
-}  // namespace relief::app
+}  // namespace relief

@@ -1,8 +1,8 @@
-#include "witness.h"
+#include "scenario/witness.h"
 
 #include <cmath>
 
-namespace relief::app {
+namespace relief {
 
 Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray) {
     constexpr double kAway = 1.5;
@@ -22,4 +22,4 @@ Scenario witness(Scenario scenario, const HeightField& field, const ViewRay& ray
     return scenario;
 }
 
-}  // namespace relief::app
+}  // namespace relief

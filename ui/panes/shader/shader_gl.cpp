@@ -1,22 +1,24 @@
-#include "shaders/gl.h"
+#include "panes/shader/shader_gl.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/glcorearb.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <chrono>
 #include <map>
 #include <stdexcept>
 
-namespace relief::test {
+namespace reliefui {
+
+using relief::Address;
+using relief::ShaderTexture;
 
 namespace {
 
 // Calls a function of OpenGL by its name; its type is that of the header: call<PFNGLENABLEPROC>("glEnable")(...).
 template <class Function>
 Function call(const char* name) {
-    const auto function = reinterpret_cast<Function>(eglGetProcAddress(name));
+    const auto function = reinterpret_cast<Function>(EglContext::function(name));
     if (function == nullptr) throw std::runtime_error(std::string("OpenGL has no ") + name);
     return function;
 }
@@ -56,54 +58,55 @@ GLuint buffer(GLenum target, unsigned binding, std::size_t count, const float* n
     return name;
 }
 
+// Not enough memory on the card is reported only when asked for.
+void throwOnError(const char* what) {
+    const GLenum error = call<PFNGLGETERRORPROC>("glGetError")();
+    if (error == GL_NO_ERROR) return;
+    throw std::runtime_error(std::string(what) +
+                             (error == GL_OUT_OF_MEMORY ? ": out of memory" : ": error " + std::to_string(error)));
+}
+
+int limitOf(GLenum name) {
+    std::array<GLint, 2> values{};  // that of pictures has two
+    call<PFNGLGETINTEGERVPROC>("glGetIntegerv")(name, values.data());
+    return values[0];
+}
+
+void finish() {
+    call<PFNGLFINISHPROC>("glFinish")();
+}
+
 }  // namespace
 
-struct Gl::Handles {
-    EGLDisplay display = EGL_NO_DISPLAY;
-    EGLContext context = EGL_NO_CONTEXT;
+struct ShaderGl::Handles {
     std::map<unsigned, GLuint> textures;
-    GLuint uniforms = 0;
+    std::map<unsigned, GLuint> uniforms;   // by their binding
     std::map<std::string, GLuint> passes;  // compute programs by their texts
 };
 
-std::unique_ptr<Gl> Gl::open(std::string& why) {
-    // The same renderer on every machine.
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    std::unique_ptr<Gl> gl(new Gl);
-    gl->handles_ = std::make_unique<Handles>();
-    Handles& handles = *gl->handles_;
-    const auto platform =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (platform != nullptr) handles.display = platform(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (handles.display == EGL_NO_DISPLAY || eglInitialize(handles.display, nullptr, nullptr) == EGL_FALSE) {
-        why = "there is no EGL without a display (packages libegl1, libgl1-mesa-dri)";
-        return nullptr;
-    }
-    eglBindAPI(EGL_OPENGL_API);
-    const EGLint version[]{
-        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    handles.context = eglCreateContext(handles.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
-    if (handles.context == EGL_NO_CONTEXT ||
-        eglMakeCurrent(handles.display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles.context) == EGL_FALSE) {
-        why = "there is no OpenGL 4.5";
-        return nullptr;
-    }
-    return gl;
+ShaderGl::ShaderGl(std::unique_ptr<EglContext> context)
+    : context_(std::move(context)), handles_(std::make_unique<Handles>()) {}
+
+// The context owns everything else.
+ShaderGl::~ShaderGl() = default;
+
+std::unique_ptr<ShaderGl> ShaderGl::open(EglPlace place, EglProblem& problem) {
+    constexpr int kMajor = 4, kMinor = 5;  // what the shaders are written in
+    auto context = EglContext::make(kMajor, kMinor, place, problem);
+    if (!context) return nullptr;
+    return std::unique_ptr<ShaderGl>(new ShaderGl(std::move(context)));
 }
 
-Gl::~Gl() {
-    if (handles_->display == EGL_NO_DISPLAY) return;
-    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (handles_->context != EGL_NO_CONTEXT) eglDestroyContext(handles_->display, handles_->context);
-    eglTerminate(handles_->display);
+ShaderGl::Limits ShaderGl::limits() const {
+    const int picture = std::min(limitOf(GL_MAX_RENDERBUFFER_SIZE), limitOf(GL_MAX_VIEWPORT_DIMS));
+    return {limitOf(GL_MAX_TEXTURE_SIZE), limitOf(GL_MAX_3D_TEXTURE_SIZE), picture};
 }
 
-std::string Gl::renderer() const {
+std::string ShaderGl::renderer() const {
     return reinterpret_cast<const char*>(call<PFNGLGETSTRINGPROC>("glGetString")(GL_RENDERER));
 }
 
-void Gl::setTexture(unsigned unit, const TextureData& data, Address address) {
+void ShaderGl::setTexture(unsigned unit, const ShaderTexture& data, Address address, bool mips) {
     GLuint& name = handles_->textures[unit];
     if (name != 0) call<PFNGLDELETETEXTURESPROC>("glDeleteTextures")(1, &name);
     call<PFNGLGENTEXTURESPROC>("glGenTextures")(1, &name);
@@ -124,7 +127,7 @@ void Gl::setTexture(unsigned unit, const TextureData& data, Address address) {
         }
     }
     const GLint wrap = address == Address::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-    const bool mips = data.levels.size() > 1;
+    mips = mips || data.levels.size() > 1;
     const GLint smallest =
         data.linear ? (mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR) : (mips ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
     const auto set = call<PFNGLTEXPARAMETERIPROC>("glTexParameteri");
@@ -133,22 +136,28 @@ void Gl::setTexture(unsigned unit, const TextureData& data, Address address) {
     set(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     set(target, GL_TEXTURE_MIN_FILTER, smallest);
     set(target, GL_TEXTURE_MAG_FILTER, data.linear ? GL_LINEAR : GL_NEAREST);
-    set(target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(data.levels.size()) - 1);
+    if (mips && data.levels.size() == 1) {
+        call<PFNGLGENERATEMIPMAPPROC>("glGenerateMipmap")(target);
+    } else {
+        set(target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(data.levels.size()) - 1);
+    }
+    throwOnError("texture");
 }
 
-void Gl::setUniforms(const std::vector<float>& numbers) {
-    if (handles_->uniforms != 0) call<PFNGLDELETEBUFFERSPROC>("glDeleteBuffers")(1, &handles_->uniforms);
-    handles_->uniforms = buffer(GL_UNIFORM_BUFFER, 0, numbers.size(), numbers.data());
+void ShaderGl::setUniforms(const std::vector<float>& numbers, unsigned binding) {
+    GLuint& name = handles_->uniforms[binding];
+    if (name != 0) call<PFNGLDELETEBUFFERSPROC>("glDeleteBuffers")(1, &name);
+    name = buffer(GL_UNIFORM_BUFFER, binding, numbers.size(), numbers.data());
 }
 
-std::vector<float> Gl::compute(const std::string& text, const std::vector<float>& rays) {
+std::vector<float> ShaderGl::compute(const std::string& text, std::span<const float> rays) {
     // Compiling takes longer than most passes.
     GLuint& program = handles_->passes[text];
     if (program == 0) program = linked({compiled(GL_COMPUTE_SHADER, text)});
     call<PFNGLUSEPROGRAMPROC>("glUseProgram")(program);
     std::array<GLuint, 2> buffers{buffer(GL_SHADER_STORAGE_BUFFER, 0, rays.size(), rays.data()),
                                   buffer(GL_SHADER_STORAGE_BUFFER, 1, rays.size(), nullptr)};
-    constexpr std::size_t kGroup = 64;
+    constexpr std::size_t kGroup = relief::kRaysPerGroup;
     const auto groups = static_cast<GLuint>((rays.size() / 4 + kGroup - 1) / kGroup);
     call<PFNGLDISPATCHCOMPUTEPROC>("glDispatchCompute")(groups, 1, 1);
     call<PFNGLMEMORYBARRIERPROC>("glMemoryBarrier")(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -160,40 +169,73 @@ std::vector<float> Gl::compute(const std::string& text, const std::vector<float>
     return out;
 }
 
-Gl::Picture Gl::draw(const std::string& vertexText, const std::string& fragmentText, int width, int height) {
-    const GLuint program = linked({compiled(GL_VERTEX_SHADER, vertexText), compiled(GL_FRAGMENT_SHADER, fragmentText)});
-    call<PFNGLUSEPROGRAMPROC>("glUseProgram")(program);
-    GLuint frame = 0, empty = 0;
+struct ShaderGl::Drawing::Names {
+    GLuint program = 0, frame = 0, vertices = 0;
     std::array<GLuint, 2> targets{};
-    call<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &frame);
-    call<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, frame);
-    call<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers")(2, targets.data());
-    for (const int which : {0, 1}) {
-        call<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer")(GL_RENDERBUFFER,
-                                                              targets[static_cast<std::size_t>(which)]);
+};
+
+ShaderGl::Drawing::Drawing(const std::string& vertexText, const std::string& fragmentText, int width, int height,
+                           int strips)
+    : names_(std::make_unique<Names>()), width_(width), height_(height), strips_(strips) {
+    names_->program = linked({compiled(GL_VERTEX_SHADER, vertexText), compiled(GL_FRAGMENT_SHADER, fragmentText)});
+    call<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &names_->frame);
+    call<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, names_->frame);
+    call<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers")(2, names_->targets.data());
+    for (const std::size_t which : {0U, 1U}) {
+        call<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer")(GL_RENDERBUFFER, names_->targets[which]);
         call<PFNGLRENDERBUFFERSTORAGEPROC>("glRenderbufferStorage")(
             GL_RENDERBUFFER, which == 0 ? GL_RGBA32F : GL_DEPTH_COMPONENT32F, width, height);
         call<PFNGLFRAMEBUFFERRENDERBUFFERPROC>("glFramebufferRenderbuffer")(
             GL_FRAMEBUFFER, which == 0 ? GL_COLOR_ATTACHMENT0 : GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-            targets[static_cast<std::size_t>(which)]);
+            names_->targets[which]);
     }
+    call<PFNGLGENVERTEXARRAYSPROC>("glGenVertexArrays")(1, &names_->vertices);
+    call<PFNGLBINDVERTEXARRAYPROC>("glBindVertexArray")(names_->vertices);
+    call<PFNGLUSEPROGRAMPROC>("glUseProgram")(names_->program);
     call<PFNGLVIEWPORTPROC>("glViewport")(0, 0, width, height);
+    call<PFNGLENABLEPROC>("glEnable")(GL_DEPTH_TEST);
+    throwOnError("picture");
+}
+
+ShaderGl::Drawing::~Drawing() {
+    call<PFNGLDELETEFRAMEBUFFERSPROC>("glDeleteFramebuffers")(1, &names_->frame);
+    call<PFNGLDELETERENDERBUFFERSPROC>("glDeleteRenderbuffers")(2, names_->targets.data());
+    call<PFNGLDELETEVERTEXARRAYSPROC>("glDeleteVertexArrays")(1, &names_->vertices);
+    call<PFNGLDELETEPROGRAMPROC>("glDeleteProgram")(names_->program);
+}
+
+void ShaderGl::Drawing::clear() {
+    call<PFNGLDISABLEPROC>("glDisable")(GL_SCISSOR_TEST);
     call<PFNGLCLEARCOLORPROC>("glClearColor")(0, 0, 0, 0);
     call<PFNGLCLEARPROC>("glClear")(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    call<PFNGLENABLEPROC>("glEnable")(GL_DEPTH_TEST);
-    call<PFNGLGENVERTEXARRAYSPROC>("glGenVertexArrays")(1, &empty);
-    call<PFNGLBINDVERTEXARRAYPROC>("glBindVertexArray")(empty);
-    call<PFNGLDRAWARRAYSPROC>("glDrawArrays")(GL_TRIANGLE_STRIP, 0, 4);
-    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+double ShaderGl::Drawing::draw(int first, int last) {
+    call<PFNGLENABLEPROC>("glEnable")(GL_SCISSOR_TEST);
+    call<PFNGLSCISSORPROC>("glScissor")(0, first, width_, last - first);
+    finish();
+    const auto begin = std::chrono::steady_clock::now();
+    call<PFNGLDRAWARRAYSINSTANCEDPROC>("glDrawArraysInstanced")(GL_TRIANGLE_STRIP, 0, 4, strips_);
+    finish();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+ShaderGl::Picture ShaderGl::Drawing::read() const {
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     Picture picture{std::vector<float>(4 * pixels), std::vector<float>(pixels)};
     const auto read = call<PFNGLREADPIXELSPROC>("glReadPixels");
-    read(0, 0, width, height, GL_RGBA, GL_FLOAT, picture.color.data());
-    read(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, picture.depth.data());
-    call<PFNGLDELETEFRAMEBUFFERSPROC>("glDeleteFramebuffers")(1, &frame);
-    call<PFNGLDELETERENDERBUFFERSPROC>("glDeleteRenderbuffers")(2, targets.data());
-    call<PFNGLDELETEVERTEXARRAYSPROC>("glDeleteVertexArrays")(1, &empty);
-    call<PFNGLDELETEPROGRAMPROC>("glDeleteProgram")(program);
+    read(0, 0, width_, height_, GL_RGBA, GL_FLOAT, picture.color.data());
+    read(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, picture.depth.data());
+    throwOnError("picture");
     return picture;
 }
 
-}  // namespace relief::test
+ShaderGl::Picture ShaderGl::draw(const std::string& vertexText, const std::string& fragmentText, int width,
+                                 int height) {
+    Drawing drawing(vertexText, fragmentText, width, height);
+    drawing.clear();
+    drawing.draw(0, height);
+    return drawing.read();
+}
+
+}  // namespace reliefui
