@@ -55,9 +55,7 @@ std::string hexOf(const QColor& color) {
 class TikzEngine : public QPaintEngine {
   public:
     TikzEngine(double unitsPerPoint, std::string stem)
-        : QPaintEngine(QPaintEngine::AllFeatures),
-          unit_(1 / unitsPerPoint),
-          stem_(std::move(stem)) {}
+        : QPaintEngine(QPaintEngine::AllFeatures), unit_(1 / unitsPerPoint), stem_(std::move(stem)) {}
 
     bool begin(QPaintDevice*) override { return true; }
     bool end() override {
