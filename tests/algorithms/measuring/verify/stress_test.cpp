@@ -121,6 +121,7 @@ TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
         makeTracer({"exact", {}}, field, maps, work)->trace(rays, truth, null, work);
         for (const MeasuredMethod& method : methodVariants()) {
             if (method.buildsMaps && field.heights().size() > kStressBuildTexels) continue;
+            if (!method.supports(field.surface(), field.address())) continue;
             const auto tracer = method.make(field, maps, work);
             HitBlock hits;
             BlockCounts counts;
