@@ -1,4 +1,5 @@
 #include "measuring/verify/stress_checks.h"
+#include "measuring/overshoot.h"
 
 #include <cmath>
 
@@ -35,8 +36,7 @@ std::optional<StressFault> promiseFault(Guarantee guarantee, bool inDomain, cons
         return std::nullopt;
     }
     if (reference.outcome != Outcome::Hit) return std::nullopt;
-    if (hit.outcome == Outcome::Miss) return StressFault{"overshoot", both};
-    if (hit.outcome == Outcome::Hit && hit.lambda > reference.lambda) return StressFault{"overshoot", both};
+    if (overshoots(hit, reference)) return StressFault{"overshoot", both};
     return std::nullopt;
 }
 
