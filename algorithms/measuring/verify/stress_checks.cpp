@@ -1,8 +1,8 @@
 #include "measuring/verify/stress_checks.h"
-#include "measuring/overshoot.h"
 
 #include <cmath>
 
+#include "measuring/overshoot.h"
 #include "relief/cell_grid.h"
 #include "scenario/ray_files.h"
 
