@@ -37,7 +37,15 @@ struct ShaderAdviceOptions {
 };
 
 // What the tracing function reads, besides the picture's colours.
-enum class ShaderMap : std::uint8_t { Heights, SurfaceCones, RelaxedCones, RobustRelaxedCones, CellCones, Maxima, Distances };
+enum class ShaderMap : std::uint8_t {
+    Heights,
+    SurfaceCones,
+    RelaxedCones,
+    RobustRelaxedCones,
+    CellCones,
+    Maxima,
+    Distances
+};
 // The filter of the tracing function's fetches. Bilinear: heights. HeightAndCone: both in one bilinear fetch. Volume:
 // a bilinear fetch of the height and a trilinear one of the distance for each step. Texels: unfiltered.
 enum class FetchKind : std::uint8_t { Bilinear, HeightAndCone, Volume, Texels };

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "measuring/bench/machine.h"
+#include "measuring/overshoot.h"
 #include "measuring/quantiles.h"
 #include "measuring/random_rays.h"
 #include "relief/memory.h"
@@ -303,7 +304,7 @@ TracerErrors tracerErrors(const RayBlock& rays, const HitBlock& truth, const Hit
         const bool hit = hits.outcome[i] == Outcome::Hit;
         if (hits.outcome[i] != truth.outcome[i]) ++errors.wrongOutcome;
         if (truth.outcome[i] != Outcome::Hit) continue;
-        if (hits.outcome[i] == Outcome::Miss || (hit && hits.lambda[i] > truth.lambda[i])) ++errors.overshoots;
+        if (overshoots(hits[i], truth[i])) ++errors.overshoots;
         if (!hit) continue;
         distances.push_back(std::abs(hits.lambda[i] - truth.lambda[i]) *
                             std::max(1.0, std::hypot(rays.a[i], rays.b[i])));

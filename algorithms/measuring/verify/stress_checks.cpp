@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "measuring/overshoot.h"
 #include "relief/cell_grid.h"
 #include "scenario/ray_files.h"
 
@@ -35,8 +36,7 @@ std::optional<StressFault> promiseFault(Guarantee guarantee, bool inDomain, cons
         return std::nullopt;
     }
     if (reference.outcome != Outcome::Hit) return std::nullopt;
-    if (hit.outcome == Outcome::Miss) return StressFault{"overshoot", both};
-    if (hit.outcome == Outcome::Hit && hit.lambda > reference.lambda) return StressFault{"overshoot", both};
+    if (overshoots(hit, reference)) return StressFault{"overshoot", both};
     return std::nullopt;
 }
 

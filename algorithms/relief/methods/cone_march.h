@@ -116,8 +116,7 @@ Hit ConeMarch::march(const ViewRay& ray, const SampledSurface& surface, Segment 
         sink.step([&, s = s, t = t] {
             Step step = surface.record(Phase::Search, Decision::Advance, before, before, kappa, after);
             step.lambdaOut = after;
-            step.subject =
-                subject::Cone{s, t, gap + 1 - before, kappa, 0, 1, false, false, areRelaxed(map_->kind)};
+            step.subject = subject::Cone{s, t, gap + 1 - before, kappa, 0, 1, false, false, areRelaxed(map_->kind)};
             return step;
         });
     }

@@ -5,9 +5,9 @@
 // addressing.
 // Model: cone_march.h over the cones of maps/surface_cones.h, which keep their promise at every point between texels
 // and in every interpolation. It is the loop of shaders, one fetch a step, where `cone` steps from cell to cell.
-// Guarantee: conservative; proven value by value (certify). Failure mode: steps end above the surface: next to it they
-// become short, and at grazing angles `iterations` of them do not reach it.
-// Cost: one height and one slope per step; memory 2 W H values.
+// Guarantee: conservative, up to rounding; proven value by value (certify). None under border, where a ray that enters
+// on the map's very rim may miss. Failure mode: steps end above the surface: next to it they become short, and at
+// grazing angles `iterations` of them do not reach it. Cost: one height and one slope per step; memory 2 W H values.
 #pragma once
 
 #include "relief/methods/cone_march.h"
@@ -49,6 +49,10 @@ class ConeRobustTracer : public ConeMarch {
     }
 
     using ConeMarch::ConeMarch;
+
+    Guarantee guarantee() const {
+        return field().address() == Address::Border ? Guarantee::Approximate : Guarantee::Conservative;
+    }
 };
 
 }  // namespace relief

@@ -13,6 +13,7 @@
 
 #include "algorithms/images/temporary_folder.h"
 #include "algorithms/measuring/altered_tracer.h"
+#include "measuring/overshoot.h"
 #include "measuring/verify/stress.h"
 #include "measuring/verify/stress_subjects.h"
 #include "relief/errors.h"
@@ -526,8 +527,10 @@ TEST_F(StressAnswerTest, ExactIsBitForBit) {
 
 TEST_F(StressAnswerTest, ConservativeIsNeverLater) {
     const Hit truth = at(0.5);
-    for (const double lambda : {0.0, 0.25, 0.5}) EXPECT_EQ(check(Guarantee::Conservative, at(lambda), truth), "");
-    for (const double lambda : {std::nextafter(0.5, 1.0), 1.0}) {
+    for (const double lambda : {0.0, 0.25, 0.5, std::nextafter(0.5, 1.0)}) {
+        EXPECT_EQ(check(Guarantee::Conservative, at(lambda), truth), "") << "later by rounding alone";
+    }
+    for (const double lambda : {0.5 + 2 * kOvershootRounding, 1.0}) {
         EXPECT_EQ(check(Guarantee::Conservative, at(lambda), truth), "overshoot") << lambda;
     }
     EXPECT_EQ(check(Guarantee::Conservative, none(Outcome::Limit), truth), "") << "it may give up";

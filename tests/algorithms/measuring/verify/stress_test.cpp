@@ -82,10 +82,14 @@ TEST_F(StressTest, ListedTracersKeepTheirPromises) {
     EXPECT_GE(report.cases, kStressCasesAtLeast);
     for (const MeasuredMethod& method : defaultMethods()) {
         ASSERT_EQ(report.methods.count(method.choice.name), 1U);
+        const auto& rays = report.methods.at(method.choice.name).rays;
+        std::vector<std::string> missing;
         for (const StressRayFamily& family : stressRayFamilies()) {
-            const auto& rays = report.methods.at(method.choice.name).rays;
-            EXPECT_EQ(rays.count(std::string(family.name)), 1U) << method.choice.name << " " << family.name;
+            if (!rays.contains(std::string(family.name))) missing.emplace_back(family.name);
         }
+        // A method of one surface takes part in half of the few cases.
+        EXPECT_LE(missing.size(), method.surfaces.size() < 2 ? 1U : 0U)
+            << method.choice.name << ": " << commaList(missing);
         EXPECT_GT(report.methods.at(method.choice.name).logs, 0U);
         EXPECT_LE(report.methods.at(method.choice.name).worstBound, 1.0);
     }
@@ -121,6 +125,7 @@ TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
         makeTracer({"exact", {}}, field, maps, work)->trace(rays, truth, null, work);
         for (const MeasuredMethod& method : methodVariants()) {
             if (method.buildsMaps && field.heights().size() > kStressBuildTexels) continue;
+            if (!method.supports(field.surface(), field.address())) continue;
             const auto tracer = method.make(field, maps, work);
             HitBlock hits;
             BlockCounts counts;
@@ -162,7 +167,11 @@ TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {
     EXPECT_NE(bits->fault.detail.find("exact: lambda " + numberText(exactLambda(bits->command))), std::string::npos)
         << bits->fault.detail << ": " << bits->command;
 
-    const StressReport late = run({altered({"max-pyramid", {}}, later, Guarantee::Conservative)});
+    // Of conservative methods by more than rounding.
+    const auto muchLater = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
+        if (hit.outcome == Outcome::Hit && hit.lambda > 0.25 && hit.lambda < 1) hit = Hit::at(ray, hit.lambda + 1e-11);
+    };
+    const StressReport late = run({altered({"max-pyramid", {}}, muchLater, Guarantee::Conservative)});
     EXPECT_NE(find(late, "overshoot"), nullptr);
     const StressReport vague = run({altered({"max-pyramid", {}}, later, Guarantee::Approximate)});
     EXPECT_EQ(vague.violationCount, 0U) << "approximate methods have no such guarantee";
