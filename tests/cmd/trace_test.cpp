@@ -391,9 +391,9 @@ TEST_P(TraceTest, ReadsTilesWithinTheGivenMemory) {
 
 // The numbers are multiplied out here once more, from the JSON alone.
 TEST_P(TraceTest, WhyAPixelHasItsColour) {
-    const std::vector<std::string> view{"--height", height(),  "--scene", "wall",    "--shadows", "--address",
-                                        "border",   "--size",  "40",      "--pixel", "0,0",       "--pixel",
-                                        "20,20",    "--pixel", "33,12",   "--why",   "--json"};
+    const std::vector<std::string> view{"--height",  height(),  "--color", height(), "--scene", "wall", "--shadows",
+                                        "--address", "border",  "--size",  "40",     "--pixel", "0,0",  "--pixel",
+                                        "20,20",     "--pixel", "33,12",   "--why",  "--json"};
     for (const char* const filter : {"elliptical-visible", "trilinear", "supersample:samples=2"}) {
         std::vector<std::string> command{"trace", "--filter", filter};
         command.insert(command.end(), view.begin(), view.end());

@@ -13,6 +13,7 @@
 #include "panes/rows/rows_state.h"
 #include "panes/shader/shader_state.h"
 #include "panes/trace/trace_state.h"
+#include "panes/watch/watch_state.h"
 #include "windows/pane_list.h"
 #include "workspace/range_json.h"
 
@@ -33,6 +34,7 @@ Scenario allOther() {
     Scenario scenario;
     setState(scenario, PyramidPane{"all", true, false, true});
     setState(scenario, ProfilePane{true, false, true});
+    setState(scenario, WatchPane{{"level", "z_out - value"}, 1});
     setState(scenario, DistancePane{"refined", "euclidean", "z", 3, 2, false, false});
     setState(scenario, FootprintPane{8, false});
     setState(scenario, RowsPane{{"direct", "subspan:error=0.25"}, 3840, true, false});

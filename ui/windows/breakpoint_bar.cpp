@@ -31,7 +31,12 @@ QString breakpointText(const relief::Breakpoint& breakpoint, relief::Language la
 }
 
 BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), row_(new QHBoxLayout(this)), kind_(new QComboBox(this)) {
+    : QWidget(parent), workspace_(workspace), kind_(new QComboBox(this)) {
+    auto* const all = new QHBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    auto* const bar = new NarrowBar(this);
+    all->addWidget(bar);
+    row_ = bar->row();
     row_->setContentsMargins(6, 0, 6, 2);
     row_->addWidget(new QLabel(tr("stop when"), this));
     kind_->setObjectName(QStringLiteral("breakpoint-kind"));
@@ -59,10 +64,8 @@ BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
     plus->setAccessibleName(tr("Add the breakpoint"));
     plus->setToolTip(tr("Add the breakpoint; F9 sets one at the texel of the chosen step"));
     row_->addWidget(plus);
-    list_ = new NarrowBar(this);
-    chips_ = new QWidget(list_);
-    list_->row()->addWidget(chips_);
-    row_->addWidget(list_, 1);
+    chips_ = new QWidget(this);
+    row_->addWidget(chips_, 1);
     const relief::Breakpoint standard;
     level_->setValue(standard.level);
     height_->setValue(standard.height);
@@ -214,8 +217,8 @@ void BreakpointBar::refresh() {
     shown_ = now;
     // The call may come from a click on one of the old chips, so these are deleted later, after that event.
     QWidget* const old = chips_;
-    chips_ = new QWidget(list_);
-    delete list_->row()->replaceWidget(old, chips_);  // replaceWidget() returns the layout item, which the caller owns
+    chips_ = new QWidget(this);
+    delete row_->replaceWidget(old, chips_);  // replaceWidget() returns the layout item, which the caller owns
     old->hide();
     old->deleteLater();
     auto* const row = new QHBoxLayout(chips_);

@@ -14,8 +14,6 @@ class QSpinBox;
 
 namespace reliefui {
 
-class NarrowBar;
-
 class BreakpointBar : public QWidget {
     Q_OBJECT
   public:
@@ -48,7 +46,7 @@ class BreakpointBar : public QWidget {
     void setOn(std::size_t number, bool on);
 
     Workspace* workspace_;
-    QHBoxLayout* row_;
+    QHBoxLayout* row_ = nullptr;
     QComboBox* kind_;
     QSpinBox* level_ = nullptr;
     QSpinBox* i_ = nullptr;
@@ -56,7 +54,6 @@ class BreakpointBar : public QWidget {
     QDoubleSpinBox* height_ = nullptr;
     QLineEdit* condition_ = nullptr;
     QSpinBox* ignore_ = nullptr;
-    NarrowBar* list_ = nullptr;
     QWidget* chips_ = nullptr;
     std::vector<Chip> shown_;
 };

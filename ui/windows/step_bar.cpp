@@ -57,8 +57,6 @@ StepBar::StepBar(Workspace* workspace, QWidget* parent)
     button(QStringLiteral("▶|"), tr("Last step"), tr("End"), &StepBar::last);
     button(QStringLiteral("↷"), tr("Step over the steps on finer levels"), QStringLiteral("F10"), &StepBar::over);
     button(QStringLiteral("▶●"), tr("Run to the next breakpoint"), QStringLiteral("F5"), &StepBar::run);
-    button(QStringLiteral("▶Δ"), tr("Run to the next change of the watched value"), QStringLiteral("F8"),
-           &StepBar::runToChange);
     play_ = button(tr("Play"), tr("Play the steps"), tr("Space"), &StepBar::togglePlay);
     play_->setCheckable(true);
     makeSpeed();

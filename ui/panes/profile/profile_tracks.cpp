@@ -19,7 +19,9 @@ constexpr double kMostTracks = 0.4;  // as a share of the height
 // The columns that are shown: those that have numbers.
 std::vector<const relief::FurtherColumn*> tracksOf(const ProfileSource& source) {
     std::vector<const relief::FurtherColumn*> tracks;
-    if (!source.hasRay || source.further == nullptr || source.steps->empty()) return tracks;
+    // A duel shows the profile of several methods, without steps.
+    const bool steps = source.steps != nullptr && !source.steps->empty();
+    if (!source.hasRay || source.further == nullptr || !steps) return tracks;
     for (const relief::FurtherColumn& column : *source.further) {
         const auto numbers = relief::columnNumbers(column);
         if (numbers && !graphRange(*numbers).empty()) tracks.push_back(&column);

@@ -16,6 +16,7 @@ PaneKind watchPane() {
                          return watchFigure(std::move(s), now.step, stateOf<WatchPane>(now));
                      }}};
     kind.states = {readerOf<WatchPane>()};
+    kind.open = false;  // opened from the menu or by its key: there is no room for more tabs at 1280 pixels
     return kind;
 }
 

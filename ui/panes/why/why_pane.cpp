@@ -14,6 +14,7 @@ PaneKind whyPane() {
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<WhyView>;
     kind.figures = {{"why", true, plainFigure<whyFigure>}};
+    kind.open = false;  // opened from the menu or by its key: there is no room for more tabs at 1280 pixels
     return kind;
 }
 
