@@ -10,6 +10,7 @@
 #include "panes/figure.h"
 #include "relief/describe.h"
 #include "scenario/scenario.h"
+#include "scenario/sequence.h"
 
 namespace relief::app {
 
@@ -101,6 +102,11 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.screenshot = value();
         } else if (argument == "--export") {
             parsed.figure = value();
+        } else if (argument == "--sequence") {
+            parsed.sequence = value();
+        } else if (argument == "--frames") {
+            parsed.frames = wholeNumber(value(), argument);
+            reliefui::requireRange(argument, *parsed.frames, 1, kMostSequenceFrames);
         } else if (argument == "-o") {
             parsed.output = value();
         } else if (argument == "--width") {
@@ -173,6 +179,10 @@ Arguments parseArguments(int count, char** arguments) {
     excludes(parsed.check && parsed.html, "--check", "--html");
     needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", plainText("--export result"));
     const bool figure = !parsed.figure.empty();
+    needs(!parsed.sequence.empty() && !figure, "--sequence", view);
+    needs(parsed.frames && parsed.sequence.empty(), "--frames", plainText("--sequence"));
+    if (!parsed.sequence.empty()) parseSequence(parsed.sequence, parsed.frames, "--sequence");  // throws
+    excludes(!parsed.sequence.empty() && parsed.figure == "pareto", "--sequence", "--export pareto");
     needs(parsed.memory > 0 && parsed.file.empty(), "--memory", plainText("SCENARIO.json | PICTURE"));
     needs(!parsed.pixel.empty() && !figure, "--pixel", view);
     needs(!parsed.tracers.empty() && !figure, "--tracers", view);
@@ -221,6 +231,12 @@ Options, with defaults in parentheses
   --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
 )" + views +
            R"(
+  --sequence WHAT       with --export VIEW: write a moving picture in place of one figure; WHAT: steps (those of the
+                        ray), orbit (the camera around its target), sweep:OPTION=FROM..TO or sweep:OPTION=A,B,...
+                        (light-azimuth, relief-depth, layers, ...); -o FOLDER/NAME.png writes FOLDER/NAME_00000.png
+                        and so on, --html -o FILE.html one page with a slider
+  --frames N            number of frames of an orbit, or from FROM to TO ()" +
+           std::to_string(kSequenceFrames) + R"()
   --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)
   --pixels WxH|N        size of the rendered picture; a PNG figure is as wide
   --tracers A,B,...     the method, and methods to compare it with, spelled as for relief bench tracers
@@ -253,6 +269,7 @@ Options, with defaults in parentheses
 Exit status: 0 done, 1 the work failed or a lesson's claim does not hold, 2 wrong usage or input, or no display.
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
+          reliefscope scenario.json --export result --sequence orbit --frames 72 -o orbit/frame.png
           reliefscope --lesson all --check
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";

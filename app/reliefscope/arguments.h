@@ -22,6 +22,9 @@ struct Arguments {
     bool html = false;   // write a page instead of a figure, or of opening the lesson
     std::string figure;  // the view to export; empty: open the window
     std::string output;  // output file of the export
+    // Frames of a moving picture in place of one figure, as relief::parseSequence() has it; empty: one figure.
+    std::string sequence;
+    std::optional<int> frames;
     double widthMm = 160;
     double dpi = 300;
     bool dark = false;

@@ -31,6 +31,7 @@ struct TraceFigure : SpaceFigure {
         } else {
             constexpr double kRoom = 0.78;  // share of the width; leaves room for labels at the sides
             picture.fit(kRoom);
+            if (options.turn) turnForOrbit(picture.camera, *options.turn, [&] { picture.showAll(kRoom); });
         }
         picture.place();
         const QImage image = rendered(window, pixels);

@@ -10,11 +10,13 @@
 
 namespace reliefui {
 
-// Exaggeration of the heights and camera; without a camera, the view is from the side of the ray.
+// Exaggeration of the heights and camera; without a camera, the view is from the side of the ray. turn: of an orbit, in
+// degrees.
 struct TraceOptions {
     double exaggeration = 1;
     StepColors colors = StepColors::Decision;
-    std::optional<Turntable> camera;
+    std::optional<Turntable> camera{};
+    std::optional<double> turn{};
 };
 
 // Rendered with OpenGL; throws WorkError if it is not available.
