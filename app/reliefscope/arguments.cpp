@@ -11,6 +11,7 @@
 #include "panes/figure_formats.h"
 #include "relief/describe.h"
 #include "scenario/scenario.h"
+#include "scenario/sequence.h"
 
 namespace relief::app {
 
@@ -111,6 +112,11 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.screenshot = value();
         } else if (argument == "--export") {
             parsed.figure = value();
+        } else if (argument == "--sequence") {
+            parsed.sequence = value();
+        } else if (argument == "--frames") {
+            parsed.frames = wholeNumber(value(), argument);
+            reliefui::requireRange(argument, *parsed.frames, 1, kMostSequenceFrames);
         } else if (argument == "-o") {
             parsed.output = value();
         } else if (argument == "--width") {
@@ -187,6 +193,10 @@ Arguments parseArguments(int count, char** arguments) {
     excludes(parsed.check && parsed.html, "--check", "--html");
     needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", plainText("--export result"));
     const bool figure = !parsed.figure.empty();
+    needs(!parsed.sequence.empty() && !figure, "--sequence", view);
+    needs(parsed.frames && parsed.sequence.empty(), "--frames", plainText("--sequence"));
+    if (!parsed.sequence.empty()) parseSequence(parsed.sequence, parsed.frames, "--sequence");  // throws
+    excludes(!parsed.sequence.empty() && parsed.figure == "pareto", "--sequence", "--export pareto");
     needs(parsed.memory > 0 && parsed.file.empty(), "--memory", plainText("SCENARIO.json | PICTURE"));
     needs(!parsed.pixel.empty() && !figure, "--pixel", view);
     needs(!parsed.tracers.empty() && !figure, "--tracers", view);
@@ -240,6 +250,12 @@ Options, with defaults in parentheses
                         which is a NAME as well and from which the same bytes are written again
 )" + views +
            R"(
+  --sequence WHAT       with --export VIEW: write a moving picture in place of one figure; WHAT: steps (those of the
+                        ray), orbit (the camera around its target), sweep:OPTION=FROM..TO or sweep:OPTION=A,B,...
+                        (light-azimuth, relief-depth, layers, ...); -o FOLDER/NAME.png writes FOLDER/NAME_00000.png
+                        and so on, --html -o FILE.html one page with a slider
+  --frames N            number of frames of an orbit, or from FROM to TO ()" +
+           std::to_string(kSequenceFrames) + R"()
   --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)
   --pixels WxH|N        size of the rendered picture; a PNG figure is as wide
   --tracers A,B,...     the method, and methods to compare it with, spelled as for relief bench tracers
@@ -274,6 +290,7 @@ Exit status: 0 done, 1 the work failed or a lesson's claim does not hold, 2 wron
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
           reliefscope scenario.json --export profile -o profile.tikz --width column
+          reliefscope scenario.json --export result --sequence orbit --frames 72 -o orbit/frame.png
           reliefscope --lesson all --check
           reliefscope --paper-figures MIP18 -o figures
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg

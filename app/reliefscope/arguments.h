@@ -23,6 +23,9 @@ struct Arguments {
     std::string paperFigures;  // names of figures of papers, "all", or files; empty: none
     std::string figure;        // the view to export; empty: open the window
     std::string output;        // output file of the export
+    // Frames of a moving picture in place of one figure, as relief::parseSequence() has it; empty: one figure.
+    std::string sequence;
+    std::optional<int> frames;
     double widthMm = 160;
     double dpi = 300;
     bool dark = false;

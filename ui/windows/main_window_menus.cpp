@@ -26,6 +26,7 @@
 #include "windows/home_view.h"
 #include "windows/layout_menu.h"
 #include "windows/main_window.h"
+#include "windows/moving_dialog.h"
 #include "windows/share.h"
 #include "windows/status_line.h"
 #include "windows/step_bar.h"
@@ -96,6 +97,17 @@ void MainWindow::makeFileMenu() {
             if (pane.dock != active || pane.kind.figures.empty()) continue;
             askPanePage(this, workspace_, QString::fromStdString(pane.kind.figures.front().name));
         }
+    });
+    auto* const moving = addAction(menu, tr("&Moving picture…"), {},
+                                   tr("A pane at each step, from all sides, or while an option changes: as a page for "
+                                      "browsers or as numbered pictures"));
+    connect(moving, &QAction::triggered, this, [this] {
+        const QDockWidget* const active = activePane();
+        QString name = QStringLiteral("result");
+        for (const Pane& pane : panes_) {
+            if (pane.dock == active && active != nullptr && !result_->hasFocus()) name = pane.kind.name;
+        }
+        askMovingPicture(this, workspace_, name);
     });
     menu->addSeparator();
     auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));

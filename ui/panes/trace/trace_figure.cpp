@@ -35,6 +35,7 @@ struct TraceFigure : SpaceFigure {
             picture.camera = *options.camera;
         } else {
             picture.fit(kTraceRoom);
+            if (options.turn) turnForOrbit(picture.camera, *options.turn, [&] { picture.showAll(kTraceRoom); });
         }
         picture.place();
         const QImage image = rendered(window, pixels);

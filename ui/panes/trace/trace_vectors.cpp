@@ -1,4 +1,5 @@
 #include "panes/trace/trace_vectors.h"
+#include "panes/space_figure.h"
 
 #include <algorithm>
 
@@ -214,7 +215,10 @@ void paintTraceVectors(QPainter& painter, const Box& page, const Style& style, c
                                        page.width() / unit - 2 * kTraceLegendMargin, style.language);
     const double below = traceLegendHeight(legend, page, style);
     const Box room{page.x0, page.y0, page.x1, page.y1 - below};
-    const Turntable camera = options.camera ? *options.camera : traceCamera(scene, room.width(), room.height());
+    Turntable camera = options.camera ? *options.camera : traceCamera(scene, room.width(), room.height());
+    if (options.turn && !options.camera) {
+        turnForOrbit(camera, *options.turn, [&] { scene.fit(camera, kTraceRoom * room.width() / room.height()); });
+    }
     const TraceEye eye(camera, room);
     const auto fill = [&](const Box& box) {
         painter.fillRect(QRectF(box.x0, box.y0, box.width(), box.height()), toColor(style.background()));
