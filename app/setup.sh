@@ -8,7 +8,8 @@ reliefRoot=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 # Packages of Debian 12. The first group is mandatory; if others are missing, the program or tests that need them are
 # not built.
 reliefPackagesBuild=(g++ cmake ninja-build libopenimageio-dev openimageio-tools libglm-dev libcli11-dev
-    nlohmann-json3-dev libtbb-dev libhwy-dev ccache glslang-tools spirv-cross)
+    nlohmann-json3-dev libtbb-dev libhwy-dev ccache glslang-tools spirv-cross
+    libboost-dev)
 reliefPackagesWindow=(libvtk9-dev libvtk9-qt-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools
     qttranslations5-l10n libx11-dev fonts-dejavu-core)
 reliefPackagesTest=(libgtest-dev libbenchmark-dev xvfb xauth locales clang-format parallel pkg-config python3

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <optional>
@@ -86,6 +87,20 @@ void checkSize(const std::string& path, std::int64_t width, std::int64_t height,
     if (width > largest / height || std::max(width, height) > std::numeric_limits<int>::max())
         throw InputError(
             path, Message(MessageId::PictureTooLarge, {{"width", width}, {"height", height}, {"limit", maxPixels}}));
+}
+
+// Refuses a header that promises far more pixels than the file can hold, before memory is taken for them: a file of a
+// kilobyte must not cost a gigabyte. No compression stores more pixels per byte, except of blank pages for fax
+// machines: deflate reaches 1032 bytes, or 8256 pixels of one bit; tables of missing tiles of 256 x 256, 8192.
+void checkPlausible(const std::string& path, std::int64_t width, std::int64_t height) {
+    constexpr std::int64_t kPixelsPerByte = 1 << 15, kAlwaysRead = 1 << 20;
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (error || width * height <= kAlwaysRead || static_cast<std::uintmax_t>(width * height / kPixelsPerByte) <= bytes)
+        return;
+    throw InputError(path,
+                     Message(MessageId::PictureImplausible,
+                             {{"width", width}, {"height", height}, {"bytes", static_cast<std::int64_t>(bytes)}}));
 }
 
 // Enforces libpng's own limit on sides, which libpng would report on stderr.
@@ -248,6 +263,7 @@ bool OpenImageIoFile::open(std::string& why) {
 void OpenImageIoFile::checkSpec(std::int64_t maxPixels) const {
     const OIIO::ImageSpec& spec = input_->spec();
     checkSize(path_, spec.width, spec.height, maxPixels);
+    checkPlausible(path_, spec.width, spec.height);
     if (spec.depth > 1) throw InputError(path_, Message(MessageId::PictureVolume, {{"depth", spec.depth}}));
     if (spec.deep) throw InputError(path_, Message(MessageId::PictureDeep));
     if (spec.nchannels < 1) throw InputError(path_, Message(MessageId::FileNotPicture));

@@ -5,7 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
 #include <filesystem>
 
 #include "images/picture_library.h"
@@ -62,8 +67,14 @@ class CheckedOutput : public OIIO::Filesystem::IOProxy {
         return got;
     }
     std::size_t pread(void* bytes, std::size_t count, std::int64_t offset) override {
-        const ::ssize_t got = ::pread(descriptor_, bytes, count, offset);
-        return got > 0 ? static_cast<std::size_t>(got) : 0;
+        std::size_t done = 0;
+        while (done < count) {
+            const auto at = offset + static_cast<std::int64_t>(done);
+            const ::ssize_t got = ::pread(descriptor_, static_cast<char*>(bytes) + done, count - done, at);
+            if (got == 0 || (got < 0 && errno != EINTR)) break;
+            if (got > 0) done += static_cast<std::size_t>(got);
+        }
+        return done;
     }
 
   private:
@@ -85,6 +96,20 @@ OIIO::ImageSpec specOf(int width, int height, const std::vector<std::string>& ch
     // attribute.
     spec.attribute("png:compressionLevel", 4);
     return spec;
+}
+
+// TIFF and OpenEXR files hold the time of writing. SOURCE_DATE_EPOCH, seconds since 1970, replaces it, so that a file
+// can be made again byte for byte (reproducible-builds.org).
+void setDate(OIIO::ImageSpec& spec) {
+    const char* const text = std::getenv("SOURCE_DATE_EPOCH");
+    if (text == nullptr) return;
+    std::time_t seconds = 0;
+    const auto [end, error] = std::from_chars(text, text + std::strlen(text), seconds);
+    std::tm parts{};
+    if (error != std::errc() || *end != '\0' || gmtime_r(&seconds, &parts) == nullptr) return;
+    std::array<char, 64> date{};
+    if (std::strftime(date.data(), date.size(), "%Y:%m:%d %H:%M:%S", &parts) > 0)
+        spec.attribute("DateTime", date.data());
 }
 
 // Reads the file back and returns true if it holds exactly these pages.
@@ -109,6 +134,7 @@ void writeWithOpenImageIo(const std::string& path, const std::string& format, co
     const OIIO::TypeDesc type(block.type);
     OIIO::ImageSpec spec = specOf(block.width, block.height, block.channels, type);
     for (const auto& [name, text] : block.attributes) spec.attribute(name, text);
+    if (format == "tiff" || format == "openexr") setDate(spec);
     const OIIO::TypeDesc given = type == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
     AtomicFile file(path);
     CheckedOutput sink(file.temporaryPath());
@@ -140,6 +166,7 @@ void writePagesWithOpenImageIo(const std::string& path, const std::vector<Descri
     for (std::size_t p = 0; done && p < pages.size(); ++p) {
         const FloatImage& picture = *pages[p].picture;
         OIIO::ImageSpec spec = specOf(picture.width(), picture.height(), {"Y"}, OIIO::TypeDesc::FLOAT);
+        setDate(spec);
         spec.tile_width = kTiffTile;
         spec.tile_height = kTiffTile;
         spec.attribute("ImageDescription", pages[p].description);

@@ -21,13 +21,15 @@ GUIDE = ["README.md", "app/README.md", "ui/README.md", "algorithms/CONCEPTS.md",
          "algorithms/README.md", "algorithms/notation.md", "algorithms/relief/README.md", "algorithms/SIMD.md",
          "algorithms/relief/margins.md", "datasets/README.md", "tests/README.md", "tests/benchmarks/RESULTS.md",
          "tests/benchmarks/EXPERIMENTS.md", "tests/benchmarks/build_time.md", "tests/uncovered.md",
-         "app/manual/SHADERS.md", "app/manual/CHANGELOG.md", "app/manual/CONTRIBUTING.md", "app/manual/CITATION.md"]
+         "app/manual/SHADERS.md", "app/manual/SECURITY.md", "app/manual/CHANGELOG.md", "app/manual/CONTRIBUTING.md",
+         "app/manual/CITATION.md"]
 # Pages that stand below another one in the navigation.
 BELOW = {"algorithms/README.md": ["algorithms/notation.md", "algorithms/relief/README.md", "algorithms/SIMD.md",
                                   "algorithms/relief/margins.md"],
          "tests/README.md": ["tests/benchmarks/RESULTS.md", "tests/benchmarks/EXPERIMENTS.md",
                              "tests/benchmarks/build_time.md", "tests/uncovered.md"],
-         "app/README.md": ["app/manual/SHADERS.md", "app/manual/CHANGELOG.md", "app/manual/CONTRIBUTING.md", "app/manual/CITATION.md"]}
+         "app/README.md": ["app/manual/SHADERS.md", "app/manual/SECURITY.md", "app/manual/CHANGELOG.md",
+                          "app/manual/CONTRIBUTING.md", "app/manual/CITATION.md"]}
 STYLE = """.contents img { max-width: 100%; height: auto; }
 .contents table.markdownTable { display: block; overflow-x: auto; max-width: 100%; }
 """

@@ -23,6 +23,7 @@ constexpr std::int64_t kCasesAtMost = 1'000'000'000;
 
 struct StressCommandOptions {
     OptionText seconds, cases, seed, folder, tracers, parts, only, record, part;
+    bool oracle = false;
     RunOptions run;
 };
 
@@ -73,6 +74,8 @@ std::unique_ptr<TextOutput> begunRecord(const StressCommandOptions& given, const
               {"cases", options.cases ? Json(*options.cases) : Json()},
               {"tracers", given.tracers.value_or("")},
               {"parts", given.parts.value_or("")}};
+    // Runs without it are named as by earlier versions.
+    if (options.oracle) what["oracle"] = true;
     const std::string cells = options.cases ? std::to_string(*options.cases) : "";
     Part part;
     part.run = runJson("stress", std::move(what), {&cells, 1});
@@ -134,6 +137,7 @@ int runStress(const StressCommandOptions& given, Session& session) {
             options.parts.insert(parseStressPart(part, "--parts"));
         }
     }
+    options.oracle = given.oracle;
     if (given.only) options.only = parseSeed(*given.only, "--case");
     if (given.folder) {
         options.folder = *given.folder;
@@ -190,6 +194,7 @@ void addStressCommand(CLI::App& program, Commands& commands) {
         "depend only on the seed; mpirun -n N relief stress --cases ... shares them among N processes. Each violation "
         "is a line that ends with the command that reproduces it; the exit status is then 1.",
         "  relief stress --seconds 60 --seed 7\n"
+        "  relief stress --oracle --parts tracers --cases 100\n"
         "  relief stress --cases 1000 --part 2/3 --record part2.jsonl\n"
         "  relief merge part1.jsonl part2.jsonl part3.jsonl");
     addText(*parser, "--seconds", options->seconds, "N", "run time, seconds, default 20", "Run");
@@ -202,6 +207,10 @@ void addStressCommand(CLI::App& program, Commands& commands) {
             "Run");
     addText(*parser, "--parts", options->parts, "NAME,...",
             "run only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");
+    addFlag(*parser, "--oracle", options->oracle,
+            "also decide the first hit of every ray in rational arithmetic, without any rounding, and compare the hits "
+            "of `exact`; the report counts the rays on which they differ within rounding (tangents and corners)",
+            "Run");
     addText(*parser, "--case", options->only, "N", "run only the case of this number, which a violation names", "Run");
     addText(*parser, "-o,--output", options->folder, "FOLDER",
             "folder for maps that violate a guarantee and are not procedural; default: the current folder", "Output");

@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mapping/rows/row_lanes.h"
 #include "program.h"
 
 extern char** environ;
@@ -53,6 +54,8 @@ bool receiveAll(int from, void* bytes, std::size_t size) {
         const std::size_t equals = text.find('=');
         setenv(text.substr(0, equals).c_str(), text.substr(equals + 1).c_str(), 1);
     }
+    // One instruction set for all SIMD versions (lane target of row_lanes.h).
+    if (const char* const target = std::getenv("RELIEF_TEST_TARGET")) forceLaneTarget(std::atoll(target));
     std::vector<std::string> words{"relief"};
     for (const auto& argument : run.at("arguments")) words.push_back(argument.get<std::string>());
     std::vector<char*> pointers;

@@ -122,7 +122,9 @@ TEST(PaneFiles, valuesOutOfRangeAreRefused) {
         EXPECT_THROW(checkStates(withState(Scenario{}, state), kReaders, "s.json"), InputError);
     };
     refused(FootprintPane{5});
-    refused(DistancePane{.slice = -1});
+    DistancePane distance;
+    distance.slice = -1;
+    refused(distance);
     refused(TracePane{.heights = 100});
     refused(TracePane{.colors = "colour"});
     refused(RowsPane{.pixels = -3});

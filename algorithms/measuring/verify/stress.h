@@ -81,6 +81,7 @@ struct StressOptions {
     std::vector<MeasuredMethod> methods;  // variants of one method take turns; empty: methodVariants()
     std::string folder = ".";             // for maps that only a file can hold, as the commands name it
     std::set<StressPart> parts;           // empty: all
+    bool oracle = false;                  // also decides the rays in rational arithmetic
     std::optional<std::uint64_t> only;    // number of the only case to run, from 0
     std::size_t listed = 50;              // number of violations kept with a command; the others are only counted
     double hangSeconds = 60;              // limit for one ray, or for one frame with its repetitions

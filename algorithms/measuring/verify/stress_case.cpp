@@ -206,11 +206,12 @@ CaseResult runCase(const Case& tried, const StressOptions& options, const std::v
     const StressSubjects& subjects = options.subjects ? *options.subjects : own;
     const CaseRun run{tried, options, groups, subjects, std::make_shared<MapCache>(), watched, result, work};
     const auto enabled = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
-    if (enabled(StressPart::Tracers) || enabled(StressPart::AnyHit)) {
+    if (enabled(StressPart::Tracers) || enabled(StressPart::AnyHit) || options.oracle) {
         const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);
         const std::vector<FamilyRays> familyRays = raysOfFamilies(tried, options.seed, *exact, watched, work);
         if (enabled(StressPart::Tracers)) traceRays(run, familyRays);
         if (enabled(StressPart::AnyHit)) stressAnyHit(run, familyRays);
+        if (options.oracle) stressOracle(run, familyRays);
     }
     if (enabled(StressPart::Frames)) stressFrames(run);
     if (enabled(StressPart::Homographies)) stressHomographies(run);

@@ -32,6 +32,8 @@ Random partRandom(const CaseRun& run, StressPart part, std::uint64_t n);
 // stressAnyHit: every any-hit query on every ray, from its entry to the bottom of the slab, compared with the exact
 // hit.
 void stressAnyHit(const CaseRun& run, const std::vector<FamilyRays>& familyRays);
+// Every ray decided in rational arithmetic (rational_hit.h), compared with the hit of `exact`.
+void stressOracle(const CaseRun& run, const std::vector<FamilyRays>& familyRays);
 // Small frames with filters, shadows and extreme cameras, with and without skipping, with one thread and several.
 void stressFrames(const CaseRun& run);
 // The homographies of the polygons that such cameras see: round trips, and derivatives compared with differences.

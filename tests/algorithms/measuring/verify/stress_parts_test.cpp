@@ -61,6 +61,22 @@ TEST_F(StressPartsTest, AnyHitQueriesAgreeWithTheExactHits) {
     EXPECT_EQ(report.methods.size(), anyHitList().size()) << "no other part was run";
 }
 
+TEST_F(StressPartsTest, ExactAgreesWithRationalArithmetic) {
+    StressOptions options;
+    options.seed = 7;
+    options.cases = 12;
+    options.parts = {StressPart::AnyHit};
+    options.oracle = true;
+    Work work(2);
+    const StressReport report = stress(options, work);
+    EXPECT_EQ(report.violationCount, 0U) << stressText(report, 7);
+    const StressPartCoverage& decided = report.parts.at("oracle");
+    EXPECT_GT(decided.total(), 10 * decided.refused);
+    for (const char* family : {"ordinary", "through-corners", "through-nodes", "along-borders"}) {
+        EXPECT_EQ(decided.tried.count(family), 1U) << family;
+    }
+}
+
 TEST_F(StressPartsTest, FramesAreFiniteAndTheSameHoweverTheyAreRendered) {
     const StressReport report = run({StressPart::Frames});
     EXPECT_EQ(report.violationCount, 0U) << stressText(report, 7);
