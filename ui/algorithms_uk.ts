@@ -930,5 +930,21 @@
         <source>walls and a trench</source>
         <translation>стіни й рів</translation>
     </message>
+    <message>
+        <source>cone steps, corrected</source>
+        <translation>конуси, виправлені</translation>
+    </message>
+    <message>
+        <source>relaxed cone steps, corrected</source>
+        <translation>розширені конуси, виправлені</translation>
+    </message>
+    <message>
+        <source>Steps to the edge of the interpolated cone a fixed number of times, over cones that are safe between texels, too.</source>
+        <translation>Просувається до межі інтерпольованого конуса; кількість кроків стала, а конуси надійні й між текселями.</translation>
+    </message>
+    <message>
+        <source>Steps to the edge of relaxed cones that no texel behind which the surface falls stands in; then bisects the last step.</source>
+        <translation>Розширені конуси, у яких немає жодного текселя, за яким поверхня спадає; останній крок ділять навпіл.</translation>
+    </message>
 </context>
 </TS>

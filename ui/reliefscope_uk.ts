@@ -290,6 +290,38 @@
         <source>Is off; press to turn it on</source>
         <translation>Вимкнена; натисніть, щоб увімкнути</translation>
     </message>
+    <message>
+        <source>condition</source>
+        <translation>умова</translation>
+    </message>
+    <message>
+        <source>Condition over the columns of the steps</source>
+        <translation>Умова над стовпцями кроків</translation>
+    </message>
+    <message>
+        <source>Condition over the columns of the steps and the pixel, such as level == 3 &amp;&amp; delta_lambda &lt; 0.01 or pixel == 480,300; Enter adds it</source>
+        <translation>Умова над стовпцями кроків і пікселем, наприклад level == 3 &amp;&amp; delta_lambda &lt; 0.01 або pixel == 480,300; Enter додає її</translation>
+    </message>
+    <message>
+        <source>ignore </source>
+        <translation>пропустити </translation>
+    </message>
+    <message>
+        <source>How many times the ray meets it before it stops</source>
+        <translation>Скільки разів промінь її проходить, перш ніж зупинитися</translation>
+    </message>
+    <message numerus="yes">
+        <source>On this ray: %n stop(s)</source>
+        <translation>
+            <numerusform>На цьому промені: %n зупинка</numerusform>
+            <numerusform>На цьому промені: %n зупинки</numerusform>
+            <numerusform>На цьому промені: %n зупинок</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, the first %1 ignored</source>
+        <translation>, перші %1 пропущено</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::ChartsView</name>
@@ -840,6 +872,41 @@
     </message>
 </context>
 <context>
+    <name>reliefui::DoctorView</name>
+    <message>
+        <source>Doctor</source>
+        <translation>Лікар</translation>
+    </message>
+    <message>
+        <source>What is wrong with another tracer, from its rays and hits</source>
+        <translation>Що не так з іншим методом — за його променями й перетинами</translation>
+    </message>
+    <message>
+        <source>Export the diagnosis</source>
+        <translation>Експорт діагнозу</translation>
+    </message>
+    <message>
+        <source>diagnose</source>
+        <translation>діагностувати</translation>
+    </message>
+    <message>
+        <source>Read the files again and diagnose them, or cancel it (Esc)</source>
+        <translation>Прочитати файли ще раз і діагностувати або зупинити (Esc)</translation>
+    </message>
+    <message>
+        <source>Faults of the tracer; a click chooses the worst ray</source>
+        <translation>Вади методу; клацання вибирає найгірший промінь</translation>
+    </message>
+    <message>
+        <source>Choose a wrong ray</source>
+        <translation>Вибір хибного променя</translation>
+    </message>
+    <message>
+        <source>cancel (%1%)</source>
+        <translation>зупинити (%1 %)</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::DrawnGrid</name>
     <message>
         <source>Relief by hand: its texels</source>
@@ -1092,6 +1159,22 @@
     <message>
         <source>Remove the point</source>
         <translation>Прибрати точку</translation>
+    </message>
+    <message>
+        <source>Another width</source>
+        <translation>Інша ширина</translation>
+    </message>
+    <message>
+        <source>Column of a journal (84 mm)</source>
+        <translation>Колонка журналу (84 мм)</translation>
+    </message>
+    <message>
+        <source>Page of a journal (174 mm)</source>
+        <translation>Сторінка журналу (174 мм)</translation>
+    </message>
+    <message>
+        <source>For:</source>
+        <translation>Для:</translation>
     </message>
 </context>
 <context>
@@ -1928,10 +2011,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Відкрити кроки іншого &amp;трасувальника…</translation>
     </message>
     <message>
-        <source>Open a file of rays and a file of the steps that another tracer took on them</source>
-        <translation>Відкрити файл променів і файл кроків, які зробив на них інший трасувальник (метод чужої програми)</translation>
-    </message>
-    <message>
         <source>Play the steps until a breakpoint</source>
         <translation>Відтворювати кроки до точки зупинки</translation>
     </message>
@@ -2062,14 +2141,6 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Rays (*.csv);;All files (*)</source>
         <translation>Промені (*.csv);;Усі файли (*)</translation>
-    </message>
-    <message>
-        <source>Its steps on them</source>
-        <translation>Його кроки на них</translation>
-    </message>
-    <message>
-        <source>Steps (*.csv *.json);;All files (*)</source>
-        <translation>Кроки (*.csv *.json);;Усі файли (*)</translation>
     </message>
     <message>
         <source>drawn by hand</source>
@@ -2355,6 +2426,46 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <source>&amp;Short scenes</source>
         <translation>&amp;Короткі сцени</translation>
     </message>
+    <message>
+        <source>Open a file of rays and a file of the steps or hits of another tracer on them</source>
+        <translation>Відкрити файл променів і файл кроків або перетинів іншого методу на них</translation>
+    </message>
+    <message>
+        <source>&amp;Moving picture…</source>
+        <translation>&amp;Рухоме зображення…</translation>
+    </message>
+    <message>
+        <source>A pane at each step, from all sides, or while an option changes: as a page for browsers or as numbered pictures</source>
+        <translation>Панель на кожному кроці, з усіх боків або під час зміни параметра: як сторінка для браузера або пронумеровані зображення</translation>
+    </message>
+    <message>
+        <source>Run to the next &amp;change</source>
+        <translation>До наступної з&amp;міни</translation>
+    </message>
+    <message>
+        <source>Go to the next step at which the chosen value of the pane Watch changes</source>
+        <translation>Перейти до наступного кроку, на якому змінюється вибрана величина панелі «Спостереження»</translation>
+    </message>
+    <message>
+        <source>Run back to a c&amp;hange</source>
+        <translation>До попе&amp;редньої зміни</translation>
+    </message>
+    <message>
+        <source>Go back to the step before the watched value became what it is</source>
+        <translation>Повернутися до кроку, після якого спостережувана величина стала такою, як тепер</translation>
+    </message>
+    <message>
+        <source>run to the next change of the watched value, and back</source>
+        <translation>до наступної зміни спостережуваної величини і назад</translation>
+    </message>
+    <message>
+        <source>Its steps or hits on them</source>
+        <translation>Його кроки або перетини на них</translation>
+    </message>
+    <message>
+        <source>Steps or hits (*.csv *.json);;All files (*)</source>
+        <translation>Кроки або перетини (*.csv *.json);;Усі файли (*)</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::MessageBar</name>
@@ -2365,6 +2476,57 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Close this message</source>
         <translation>Закрити це повідомлення</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::MovingPicture</name>
+    <message>
+        <source>the steps of the ray</source>
+        <translation>кроки променя</translation>
+    </message>
+    <message>
+        <source>the camera, around its target</source>
+        <translation>камера, навколо своєї цілі</translation>
+    </message>
+    <message>
+        <source>Moving picture</source>
+        <translation>Рухоме зображення</translation>
+    </message>
+    <message>
+        <source>Pane:</source>
+        <translation>Панель:</translation>
+    </message>
+    <message>
+        <source>What changes:</source>
+        <translation>Що змінюється:</translation>
+    </message>
+    <message>
+        <source>FROM..TO, or values with commas between them</source>
+        <translation>ВІД..ДО або значення через кому</translation>
+    </message>
+    <message>
+        <source>Values:</source>
+        <translation>Значення:</translation>
+    </message>
+    <message>
+        <source>Frames:</source>
+        <translation>Кадрів:</translation>
+    </message>
+    <message>
+        <source>one page for browsers</source>
+        <translation>одну сторінку для браузера</translation>
+    </message>
+    <message>
+        <source>numbered pictures (PNG)</source>
+        <translation>пронумеровані зображення (PNG)</translation>
+    </message>
+    <message>
+        <source>Written as:</source>
+        <translation>Записати як:</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Зображення (*.png)</translation>
     </message>
 </context>
 <context>
@@ -3471,6 +3633,57 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
 </context>
 <context>
+    <name>reliefui::ShaderView</name>
+    <message>
+        <source>Shader</source>
+        <translation>Шейдер</translation>
+    </message>
+    <message>
+        <source>The picture of the exported shader, compared with the CPU&apos;s</source>
+        <translation>Зображення експортованого шейдера порівняно із зображенням CPU</translation>
+    </message>
+    <message>
+        <source>Export the shader&apos;s picture</source>
+        <translation>Експорт зображення шейдера</translation>
+    </message>
+    <message>
+        <source>draw</source>
+        <translation>намалювати</translation>
+    </message>
+    <message>
+        <source>Draw the shader again and measure its time, or cancel it (Esc)</source>
+        <translation>Виконати шейдер ще раз і виміряти його час або зупинити (Esc)</translation>
+    </message>
+    <message>
+        <source>worst pixel</source>
+        <translation>найгірший піксель</translation>
+    </message>
+    <message>
+        <source>Choose the pixel with the largest difference</source>
+        <translation>Вибрати піксель із найбільшою відмінністю</translation>
+    </message>
+    <message>
+        <source>Difference to show, by which the worst pixel is found</source>
+        <translation>Яку відмінність показати і за якою шукати найгірший піксель</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>кольори</translation>
+    </message>
+    <message>
+        <source>hits</source>
+        <translation>перетини</translation>
+    </message>
+    <message>
+        <source>Shader: other difference</source>
+        <translation>Шейдер: інша відмінність</translation>
+    </message>
+    <message>
+        <source>cancel (%1%)</source>
+        <translation>зупинити (%1 %)</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::Share</name>
     <message>
         <source>Page for browsers</source>
@@ -3483,6 +3696,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 was not written.</source>
+        <translation>Скасовано: %1 не записано.</translation>
     </message>
 </context>
 <context>
@@ -3805,6 +4022,10 @@ Click to switch the method to %1</source>
         <source>hidden until you guess</source>
         <translation>приховано до вашого припущення</translation>
     </message>
+    <message>
+        <source>No value is watched: choose one in the pane Watch</source>
+        <translation>Немає величини для спостереження: виберіть її на панелі «Спостереження»</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::StepModel</name>
@@ -3871,6 +4092,10 @@ Click to switch the method to %1</source>
     <message>
         <source>where the ray continued</source>
         <translation>місце, звідки продовжено промінь</translation>
+    </message>
+    <message>
+        <source>column of the other program&apos;s file</source>
+        <translation>стовпець файлу іншої програми</translation>
     </message>
 </context>
 <context>
@@ -4044,6 +4269,72 @@ Click to switch the method to %1</source>
     <message>
         <source>%1: refined distance %2 texels</source>
         <translation>%1: уточнена відстань, текселів: %2</translation>
+    </message>
+    <message>
+        <source>Relief: %1 × %2 texels around the ray</source>
+        <translation>Рельєф: %1 × %2 текселів навколо променя</translation>
+    </message>
+    <message>
+        <source>%1; one height in %2 along each side</source>
+        <translation>%1; одна висота з %2 вздовж кожної сторони</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::WatchView</name>
+    <message>
+        <source>Watch</source>
+        <translation>Спостереження</translation>
+    </message>
+    <message>
+        <source>Values of the steps as graphs, with the current step; runs to the next change of one</source>
+        <translation>Величини кроків як графіки з поточним кроком; перехід до наступної зміни однієї з них</translation>
+    </message>
+    <message>
+        <source>Export the watched values</source>
+        <translation>Експорт спостережуваних величин</translation>
+    </message>
+    <message>
+        <source>Value to watch</source>
+        <translation>Величина для спостереження</translation>
+    </message>
+    <message>
+        <source>Column of the steps, or an expression over them such as z_out - value; Enter adds it</source>
+        <translation>Стовпець кроків або вираз над ними, наприклад z_out - value; Enter додає його</translation>
+    </message>
+    <message>
+        <source>Watch this value</source>
+        <translation>Спостерігати за цією величиною</translation>
+    </message>
+    <message>
+        <source>Stop watching the chosen value</source>
+        <translation>Не спостерігати за вибраною величиною</translation>
+    </message>
+    <message>
+        <source>Watch: other values</source>
+        <translation>Спостереження: інші величини</translation>
+    </message>
+    <message>
+        <source>step %1 · %2 = %3</source>
+        <translation>крок %1 · %2 = %3</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::WhyView</name>
+    <message>
+        <source>Why this colour</source>
+        <translation>Чому такий колір</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Чому</translation>
+    </message>
+    <message>
+        <source>Coverage, ray, hit, filter and light of the pixel, with numbers that multiply out to it</source>
+        <translation>Покриття, промінь, перетин, фільтр і освітлення пікселя, з числами, добуток яких дає його колір</translation>
+    </message>
+    <message>
+        <source>Export the pixel&apos;s history</source>
+        <translation>Експорт історії пікселя</translation>
     </message>
 </context>
 <context>
