@@ -124,38 +124,57 @@ ColorImage SampleSums::mean(Work& work) const {
     return picture;
 }
 
-std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work) {
+std::vector<SamplePass> samplePasses(const FrameRequest& request) {
     const int ring = SampleSums(1, 1, request.filter.pixelModel).margin();
-    FrameRequest pass = withRing(request, ring);
-    const std::vector<TexturedQuad> scene = makeScene(request.scene, request.field.width(), request.field.height());
-    RayBlock rays;
-    std::vector<glm::dvec3> weights;
+    std::vector<SamplePass> passes;
     glm::dvec3 total(0);
     for (const glm::ivec2 part : sampleOrder(request.filter.samples)) {
-        pass.sample = samplePlace(part, request.filter.samples);
-        const VisiblePolygons visible = visiblePolygons(scene, requestCamera(pass), pass.width, pass.height,
-                                                        request.field.reliefDepth(), request.mapping);
-        const ChannelWeights across = channelWeights(request.filter.pixelModel, PixelAxis::Across, pass.sample.x);
-        const ChannelWeights down = channelWeights(request.filter.pixelModel, PixelAxis::Down, pass.sample.y);
+        SamplePass pass{withRing(request, ring), {}};
+        pass.request.filter = {};
+        pass.request.sample = samplePlace(part, request.filter.samples);
+        const glm::dvec2 place = pass.request.sample;
+        const ChannelWeights across = channelWeights(request.filter.pixelModel, PixelAxis::Across, place.x);
+        const ChannelWeights down = channelWeights(request.filter.pixelModel, PixelAxis::Down, place.y);
         for (int m = -ring; m <= ring; ++m) {
             for (int n = -ring; n <= ring; ++n) {
                 const glm::dvec3 both = across[static_cast<std::size_t>(kGaussianRing + n)] *
                                         down[static_cast<std::size_t>(kGaussianRing + m)];
                 total += both;
-                const VisiblePolygon* const polygon = visible.at(x + ring - n, y + ring - m, pass.width);
-                if (polygon == nullptr || both == glm::dvec3(0)) continue;
-                rays.push(polygon->entry(x + ring - n, y + ring - m).ray);
-                weights.push_back(both);
+                if (both != glm::dvec3(0)) pass.shares.push_back({-n, -m, both});
             }
+        }
+        passes.push_back(std::move(pass));
+    }
+    for (SamplePass& pass : passes) {
+        for (SampleShare& share : pass.shares) share.share /= total;
+    }
+    return passes;
+}
+
+std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work) {
+    const std::vector<TexturedQuad> scene = makeScene(request.scene, request.field.width(), request.field.height());
+    RayBlock rays;
+    std::vector<glm::dvec3> shares;
+    for (const SamplePass& pass : samplePasses(request)) {
+        const int ring = pass.request.margin - request.margin;
+        const VisiblePolygons visible =
+            visiblePolygons(scene, requestCamera(pass.request), pass.request.width, pass.request.height,
+                            request.field.reliefDepth(), request.mapping);
+        for (const SampleShare& share : pass.shares) {
+            const int column = x + ring + share.x, row = y + ring + share.y;
+            const VisiblePolygon* const polygon = visible.at(column, row, pass.request.width);
+            if (polygon == nullptr) continue;
+            rays.push(polygon->entry(column, row).ray);
+            shares.push_back(share.share);
         }
     }
     HitBlock hits;
     NullSink sink;
     tracer.trace(rays, hits, sink, work);
     std::vector<PixelSample> samples;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
         if (hits.outcome[i] != Outcome::Hit) continue;
-        samples.push_back({lookUpPoint(request.field, rays[i], hits[i]), Color(weights[i] / total)});
+        samples.push_back({lookUpPoint(request.field, rays[i], hits[i]), Color(shares[i])});
     }
     return samples;
 }

@@ -69,6 +69,21 @@ struct PixelSample {
 // heights. Cost: N x N rays, for gaussian and crt also those of the neighbouring pixels. Throws Cancelled.
 std::vector<PixelSample> pixelSamples(const FrameRequest& request, const Tracer& tracer, int x, int y, Work& work);
 
+// A pass as a frame of its own, and the shares of its samples in one pixel of the request's frame. (x, y): the sample's
+// pixel, relative to that pixel; 0, 0 for models that do not reach beyond it. Over all passes the shares of a channel
+// sum to 1. The frame of a pass begins `margin - request.margin` pixels farther to the left and above.
+struct SampleShare {
+    int x = 0;
+    int y = 0;
+    glm::dvec3 share{0};
+};
+struct SamplePass {
+    FrameRequest request;
+    std::vector<SampleShare> shares;
+};
+// Returns the passes in the order in which supersampled() makes them.
+std::vector<SamplePass> samplePasses(const FrameRequest& request);
+
 // Returns the supersampled picture of the request, whose filter gives N and the model; all other settings are used
 // unchanged. Adds the counters CountSamples, CountSampleRays and, if the request counts, CountSampleSteps. rows: the
 // rows to make, which alone are returned; empty: all. Throws what FrameRenderer::render throws.

@@ -1,5 +1,7 @@
 #include "scenario/breakpoint.h"
 
+#include <algorithm>
+
 #include "relief/errors.h"
 #include "scenario/step_sentence.h"
 
@@ -7,22 +9,90 @@ namespace relief {
 
 namespace {
 
-// Returns true if the condition holds at a step, whether or not it held at the step before.
-bool holds(const Breakpoint& breakpoint, const StoppedRay& ray, std::size_t step) {
-    const Step& at = (*ray.steps)[step];
-    switch (breakpoint.kind) {
-        case StopKind::LevelBelow:
-            return at.level < breakpoint.level;
-        case StopKind::Texel:
-            return at.level == breakpoint.level && at.i == breakpoint.i && at.j == breakpoint.j;
-        case StopKind::RayBelow:
-            return 1 - at.lambdaAfter < breakpoint.height;
-        case StopKind::Overshoot:
-            return ray.overshoot && step >= *ray.overshoot;
-        case StopKind::Disagreement:
-            return ray.disagreement && step >= *ray.disagreement;
+// Tests a breakpoint at the steps of a ray.
+class Test {
+  public:
+    Test(const Breakpoint& breakpoint, const StoppedRay& ray)
+        : breakpoint_(breakpoint), ray_(ray), columns_(ray.columns ? *ray.columns : StepColumns(*ray.steps)) {
+        if (breakpoint.kind != StopKind::Condition) return;
+        run([&] { condition_.emplace(breakpoint.condition); });
     }
-    return false;
+
+    const std::optional<Message>& fault() const { return fault_; }
+
+    // Returns true if the breakpoint is met at this step.
+    bool met(std::size_t step) {
+        if (breakpoint_.kind == StopKind::Condition) return condition(step);
+        return holds(step) && (step == 0 || !holds(step - 1));
+    }
+    // Returns true if it stops there.
+    bool stops(std::size_t step) {
+        if (!met(step)) return false;
+        if (!first_) findFirst();
+        return step >= *first_;
+    }
+
+  private:
+    // Returns true if the condition holds at a step, whether or not it held at the step before.
+    bool holds(std::size_t step) const {
+        const Step& at = (*ray_.steps)[step];
+        switch (breakpoint_.kind) {
+            case StopKind::LevelBelow:
+                return at.level < breakpoint_.level;
+            case StopKind::Texel:
+                return at.level == breakpoint_.level && at.i == breakpoint_.i && at.j == breakpoint_.j;
+            case StopKind::RayBelow:
+                return 1 - at.lambdaAfter < breakpoint_.height;
+            case StopKind::Overshoot:
+                return ray_.overshoot && step >= *ray_.overshoot;
+            case StopKind::Disagreement:
+                return ray_.disagreement && step >= *ray_.disagreement;
+            case StopKind::Condition:
+                break;
+        }
+        return false;
+    }
+    void findFirst() {
+        first_ = 0;
+        for (int left = breakpoint_.ignore; left > 0 && *first_ < ray_.steps->size(); ++*first_) {
+            if (met(*first_)) --left;
+        }
+    }
+    bool condition(std::size_t step) {
+        bool holds = false;
+        if (condition_) run([&] { holds = condition_->holds(columns_.at(step)); });
+        return holds;
+    }
+    template <class Body>
+    void run(const Body& body) {
+        try {
+            body();
+        } catch (const InputError& error) {
+            fault_ = error.message();
+            condition_.reset();
+        }
+    }
+
+    const Breakpoint& breakpoint_;
+    const StoppedRay& ray_;
+    StepColumns columns_;
+    std::optional<Expression> condition_;
+    std::optional<Message> fault_;
+    std::optional<std::size_t> first_;  // the first step that stops, once it is known
+};
+
+void checkCondition(const std::string& condition, const std::string& subject) {
+    if (condition.size() > kLongestCondition) {
+        throw InputError(subject, Message(MessageId::TooMany, {{"what", MessageId::WordConditionBytes},
+                                                               {"count", condition.size()},
+                                                               {"limit", kLongestCondition}}));
+    }
+    try {
+        const Expression parsed(condition);
+    } catch (const InputError& error) {
+        throw InputError(subject,
+                         Message(MessageId::StopConditionFault, {{"condition", condition}, {"why", error.message()}}));
+    }
 }
 
 }  // namespace
@@ -36,17 +106,32 @@ StopKind parseStop(std::string_view text) {
     throw InputError("", unknownName({"what", MessageId::WordBreakpoint}, std::string(text), known));
 }
 
+BreakpointHits breakpointHits(const Breakpoint& breakpoint, const StoppedRay& ray) {
+    Test test(breakpoint, ray);
+    BreakpointHits hits;
+    for (std::size_t k = 0; k < ray.steps->size(); ++k) {
+        if (test.met(k)) hits.steps.push_back(k);
+    }
+    hits.ignored = std::min(hits.steps.size(), static_cast<std::size_t>(breakpoint.ignore));
+    hits.fault = test.fault();
+    return hits;
+}
+
 bool stopsAt(const Breakpoint& breakpoint, const StoppedRay& ray, std::size_t step) {
-    return holds(breakpoint, ray, step) && (step == 0 || !holds(breakpoint, ray, step - 1));
+    return Test(breakpoint, ray).stops(step);
 }
 
 std::optional<std::size_t> nextStop(const std::vector<Breakpoint>& breakpoints, const StoppedRay& ray, std::size_t from,
                                     bool forward) {
+    std::vector<Test> tests;
+    tests.reserve(breakpoints.size());
+    for (const Breakpoint& breakpoint : breakpoints) {
+        if (breakpoint.on) tests.emplace_back(breakpoint, ray);
+    }
     const std::size_t count = ray.steps->size();
     for (std::size_t k = from; forward ? ++k < count : k-- > 0;) {
-        for (const Breakpoint& breakpoint : breakpoints) {
-            if (breakpoint.on && k < count && stopsAt(breakpoint, ray, k)) return k;
-        }
+        if (k >= count) continue;
+        if (std::any_of(tests.begin(), tests.end(), [&](Test& test) { return test.stops(k); })) return k;
     }
     return std::nullopt;
 }
@@ -72,6 +157,8 @@ Message breakpointTitle(const Breakpoint& breakpoint) {
             return Message(MessageId::StopRayBelow, {{"height", numberText(breakpoint.height)}});
         case StopKind::Overshoot:
             return Message(MessageId::StopOvershoot);
+        case StopKind::Condition:
+            return Message(MessageId::StopCondition, {{"condition", breakpoint.condition}});
         case StopKind::Disagreement:
             break;
     }
@@ -79,6 +166,12 @@ Message breakpointTitle(const Breakpoint& breakpoint) {
 }
 
 void checkBreakpoint(const Breakpoint& breakpoint, const std::string& subject) {
+    if (breakpoint.ignore < 0 || breakpoint.ignore > kMostIgnored) {
+        throw InputError(
+            subject, Message(MessageId::OutOfRange,
+                             {{"what", "ignore"}, {"value", breakpoint.ignore}, {"range", rangeOf(0, kMostIgnored)}}));
+    }
+    if (breakpoint.kind == StopKind::Condition) checkCondition(breakpoint.condition, subject);
     if (breakpoint.level < 0 || breakpoint.level > kMostLevels) {
         throw InputError(subject, Message(MessageId::OutOfRange, {{"what", MessageId::WordLevel},
                                                                   {"value", breakpoint.level},

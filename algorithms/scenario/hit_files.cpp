@@ -14,8 +14,10 @@ constexpr double kBeyond = 1e-5;
 
 enum class HitColumn : std::uint8_t { S, T, Steps, Other };
 
+constexpr std::string_view kFirstColumns = "outcome,lambda";
+
 std::vector<HitColumn> hitColumns(std::string_view header, const std::string& fileName) {
-    const auto names = columnsAfter(header, "outcome,lambda");
+    const auto names = columnsAfter(header, kFirstColumns);
     if (!names) throw InputError(fileName, Message(MessageId::HitsHeader, {{"text", quoted(header)}}));
     std::vector<HitColumn> columns;
     for (const std::string_view name : *names) {
@@ -62,6 +64,10 @@ void parseHit(std::string_view row, const std::vector<HitColumn>& columns, std::
 }
 
 }  // namespace
+
+bool isHitsText(std::string_view text) {
+    return withoutMark(text).starts_with(kFirstColumns);
+}
 
 HitBlock parseHits(std::string_view text, const std::string& fileName) {
     text = withoutMark(text);

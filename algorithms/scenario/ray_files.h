@@ -7,11 +7,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "relief/ray.h"
 #include "relief/tracers.h"
 
 namespace relief {
+
+struct FurtherColumn;
 
 inline constexpr std::string_view kRaysHeader = "s0,t0,a,b";
 inline constexpr std::string_view kHitsHeader = "outcome,lambda,s,t,steps";
@@ -40,14 +43,17 @@ RayBlock parseRays(std::string_view text, const std::string& fileName);
 // Throws InputError with the line for another header, wrong columns, an unknown outcome, a number that is not finite,
 // and a hit whose lambda is outside [0, 1] by more than 1e-5; a smaller difference is rounding, and is clamped.
 HitBlock parseHits(std::string_view text, const std::string& fileName);
+// Returns true if the text begins as a file of hits does.
+bool isHitsText(std::string_view text);
 // Parses steps of `rays` rays, numbered from 0, in the formats written below: CSV, or JSON if the text begins with "[".
 // The rays may be in any order and some may be missing; the steps of one ray must be consecutive and numbered from 1.
 // phase, i, j, k, z_in, z_out and all values of the kind may be left out in JSON, the columns from `kind` on in CSV;
-// columns with other names are ignored. Throws InputError with the line for another header, wrong columns, an unknown
-// decision, phase or kind, a number that is not finite, lambda outside [0, 1] or before the interval's begin, heights
-// that differ from 1 - lambda, steps out of order, and rays that the rays file does not have. Files contain no periods,
-// and those of earlier versions no kinds: placeSteps() determines them.
-StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays);
+// columns with other names go to `further` unless it is null. Throws InputError with the line for another header, wrong
+// columns, an unknown decision, phase or kind, a number that is not finite, lambda outside [0, 1] or before the
+// interval's begin, heights that differ from 1 - lambda, steps out of order, and rays that the rays file does not have.
+// Files contain no periods, and those of earlier versions no kinds: placeSteps() determines them.
+StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays,
+                   std::vector<FurtherColumn>* further = nullptr);
 // Sets the period of each step's texel under repeat addressing, and missing kinds: in a log without any decision about
 // cells, steps without a kind examine points. number: number of the ray, for messages. Throws InputError if the picture
 // has no such texel.

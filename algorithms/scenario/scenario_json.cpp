@@ -211,6 +211,8 @@ Breakpoint readBreakpoint(Reader reader) {
     reader.readWhole("j", breakpoint.j);
     reader.read("height", breakpoint.height);
     reader.read("on", breakpoint.on);
+    reader.readWhole("ignore", breakpoint.ignore);
+    reader.read("if", breakpoint.condition);
     reader.finish();
     return breakpoint;
 }
@@ -224,6 +226,8 @@ Json breakpointJson(const Breakpoint& breakpoint) {
     if (texel || breakpoint.j != 0) json["j"] = breakpoint.j;
     if (breakpoint.height != standard.height) json["height"] = breakpoint.height;
     if (!breakpoint.on) json["on"] = false;
+    if (breakpoint.ignore != 0) json["ignore"] = breakpoint.ignore;
+    if (!breakpoint.condition.empty()) json["if"] = breakpoint.condition;
     return json;
 }
 

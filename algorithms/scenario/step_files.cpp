@@ -8,6 +8,7 @@
 #include "scenario/breakpoint.h"
 #include "scenario/json_reader.h"
 #include "scenario/ray_files.h"
+#include "scenario/step_columns.h"
 #include "scenario/text_lines.h"
 
 namespace relief {
@@ -162,28 +163,41 @@ void check(const Row& row, const Place& place) {
     if (row.zOut) place.height("z_out", *row.zOut, step.lambdaOut);
 }
 
-// For each column of the header after those that every file has, its index in kSubjectColumns; std::nullopt for unknown
-// columns.
-using FurtherColumns = std::vector<std::optional<std::size_t>>;
+// The columns of the header after those that every file has.
+struct FurtherNames {
+    struct Column {
+        std::optional<std::size_t> subject;  // index in kSubjectColumns
+        std::size_t further = 0;             // otherwise: index in `names`
+    };
+    std::vector<Column> columns;
+    std::vector<std::string> names;  // of columns that are none of ours
+};
 
-FurtherColumns furtherColumns(std::string_view header, const std::string& fileName) {
+FurtherNames furtherNames(std::string_view header, const std::string& fileName) {
     const auto names = columnsAfter(header, kStepColumns);
     if (!names) {
         throw InputError(fileName, Message(MessageId::RaysHeader,
                                            {{"header", std::string(kStepsHeader)}, {"text", quoted(header)}}));
     }
-    FurtherColumns columns;
+    FurtherNames further;
     for (const std::string_view name : *names) {
         const auto found = std::find(kSubjectColumns.begin(), kSubjectColumns.end(), name);
-        columns.emplace_back();
-        if (found != kSubjectColumns.end()) columns.back() = static_cast<std::size_t>(found - kSubjectColumns.begin());
+        FurtherNames::Column& column = further.columns.emplace_back();
+        if (found != kSubjectColumns.end()) {
+            column.subject = static_cast<std::size_t>(found - kSubjectColumns.begin());
+        } else {
+            column.further = further.names.size();
+            further.names.emplace_back(name);
+        }
     }
-    return columns;
+    return further;
 }
 
-Row csvRow(std::string_view text, const FurtherColumns& further, const Place& place) {
+// keep(column, cell) is called for the cells of further columns.
+template <class Keep>
+Row csvRow(std::string_view text, const FurtherNames& further, const Place& place, const Keep& keep) {
     constexpr std::size_t kColumns = 14;
-    requireCells(text, kColumns + further.size(), place.fileName, place.line);
+    requireCells(text, kColumns + further.columns.size(), place.fileName, place.line);
     Row row;
     Step& step = row.step;
     const auto number = [&] { return finiteNumber(takeCell(text), place.fileName, place.line); };
@@ -207,13 +221,14 @@ Row csvRow(std::string_view text, const FurtherColumns& further, const Place& pl
     step.decision = place.word<Decision>("decision", takeCell(text), kDecisionNames);
     step.lambdaAfter = number();
     SubjectRow subject;
-    for (const std::optional<std::size_t>& column : further) {
+    for (const FurtherNames::Column& column : further.columns) {
         const std::string_view cell = takeCell(text);
-        if (!column || cell.empty()) continue;
-        if (*column == 0) {
+        if (!column.subject) keep(column.further, cell);
+        if (!column.subject || cell.empty()) continue;
+        if (*column.subject == 0) {
             subject.kind = cell;
         } else {
-            subject.values[*column - 1] = finiteNumber(cell, place.fileName, place.line);
+            subject.values[*column.subject - 1] = finiteNumber(cell, place.fileName, place.line);
         }
     }
     step.subject = subjectOf(step, subject, place);
@@ -275,7 +290,22 @@ Row jsonRow(const Json& object, const Place& place) {
 // Collects rows into the logs of rays.
 class Gatherer {
   public:
-    explicit Gatherer(std::size_t rays) : logs_(rays) {}
+    explicit Gatherer(std::size_t rays) : logs_(rays), rows_(rays) {}
+
+    // Returns the index of the further column of this name, which is made if there is none.
+    std::size_t column(const std::string& name) {
+        const auto found =
+            std::find_if(further_.begin(), further_.end(), [&](const FurtherColumn& c) { return c.name == name; });
+        if (found != further_.end()) return static_cast<std::size_t>(found - further_.begin());
+        further_.push_back({name, {}});
+        return further_.size() - 1;
+    }
+    // Keeps a cell of the row that is added next.
+    void keep(std::size_t column, std::string_view cell) {
+        std::vector<std::string>& cells = further_[column].cells;
+        cells.resize(count_ + 1);
+        cells[count_] = cell;
+    }
 
     void add(const Row& row, const Place& place) {
         const auto ray = static_cast<std::size_t>(row.ray);
@@ -289,7 +319,21 @@ class Gatherer {
                 Message(MessageId::StepOrder, {{"line", place.line}, {"number", row.number}, {"ray", row.ray}}));
         }
         logs_[ray].push_back(row.step);
+        rows_[ray].push_back(count_++);
         last_ = ray;
+    }
+    // Returns the further columns, with a cell for each step of take().
+    std::vector<FurtherColumn> further() const {
+        std::vector<FurtherColumn> out;
+        for (const FurtherColumn& column : further_) {
+            std::vector<std::string>& cells = out.emplace_back(FurtherColumn{column.name, {}}).cells;
+            for (const std::vector<std::size_t>& rows : rows_) {
+                for (const std::size_t row : rows) {
+                    cells.push_back(row < column.cells.size() ? column.cells[row] : std::string());
+                }
+            }
+        }
+        return out;
     }
     StepLog take() const {
         StepLog log;
@@ -303,6 +347,9 @@ class Gatherer {
 
   private:
     std::vector<std::vector<Step>> logs_;
+    std::vector<std::vector<std::size_t>> rows_;  // of the file, for each step of logs_
+    std::vector<FurtherColumn> further_;          // in the order of the file
+    std::size_t count_ = 0;
     std::size_t last_ = 0;
 };
 
@@ -325,6 +372,14 @@ std::vector<std::size_t> objectLines(std::string_view text) {
     return lines;
 }
 
+bool isOurColumn(std::string_view name) {
+    std::string_view ours = kStepColumns;
+    while (!ours.empty()) {
+        if (takeCell(ours) == name) return true;
+    }
+    return std::find(kSubjectColumns.begin(), kSubjectColumns.end(), name) != kSubjectColumns.end();
+}
+
 void gatherJson(const std::string& text, const std::string& fileName, Gatherer& gatherer) {
     const Json json = parseJson(text, fileName);
     const std::vector<std::size_t> lines = objectLines(text);
@@ -334,25 +389,36 @@ void gatherJson(const std::string& text, const std::string& fileName, Gatherer& 
             place.refuse(Message(MessageId::ScenarioWrongType,
                                  {{"line", place.line}, {"key", "steps"}, {"wanted", MessageId::WantObjects}}));
         }
+        for (const auto& [key, value] : json[n].items()) {
+            if (isOurColumn(key) || value.is_null()) continue;
+            gatherer.keep(gatherer.column(key), value.is_string() ? value.get<std::string>() : value.dump());
+        }
         gatherer.add(jsonRow(json[n], place), place);
     }
 }
 
 }  // namespace
 
-StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays) {
+StepLog parseSteps(std::string_view text, const std::string& fileName, std::size_t rays,
+                   std::vector<FurtherColumn>* further) {
     Gatherer gatherer(rays);
     text = withoutMark(text);
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin != std::string_view::npos && text[begin] == '[') {
         gatherJson(std::string(text), fileName, gatherer);
-        return gatherer.take();
+    } else {
+        const FurtherNames names = furtherNames(takeLine(text), fileName);
+        std::vector<std::size_t> columns;
+        for (const std::string& name : names.names) columns.push_back(gatherer.column(name));
+        forEachRow(text, [&](std::string_view row, std::size_t line) {
+            const Place place{fileName, line};
+            gatherer.add(
+                csvRow(row, names, place,
+                       [&](std::size_t column, std::string_view cell) { gatherer.keep(columns[column], cell); }),
+                place);
+        });
     }
-    const FurtherColumns further = furtherColumns(takeLine(text), fileName);
-    forEachRow(text, [&](std::string_view row, std::size_t line) {
-        const Place place{fileName, line};
-        gatherer.add(csvRow(row, further, place), place);
-    });
+    if (further != nullptr) *further = gatherer.further();
     return gatherer.take();
 }
 

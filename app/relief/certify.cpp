@@ -5,7 +5,7 @@
 #include "output.h"
 #include "relief/maps/engine_map.h"
 #include "relief/tracers/map_choice.h"
-#include "witness.h"
+#include "scenario/witness.h"
 
 namespace relief::app {
 

@@ -6,11 +6,10 @@
 
 #include "json_line.h"
 #include "measuring/diagnose/error_picture.h"
+#include "measuring/diagnose/tracer_files.h"
 #include "options_common.h"
 #include "output.h"
-#include "rays_view.h"
 #include "scenario/ray_files.h"
-#include "witness.h"
 
 namespace relief::app {
 
@@ -30,30 +29,18 @@ TracerRecord recordOf(const DiagnoseOptions& options, const HeightField& field) 
     record.rays = parseRays(readTextFile(raysFile), raysFile);
     const std::size_t rays = record.rays.size();
     if (rays == 0) throw InputError(raysFile, Message(MessageId::RaysMissing));
-    if (options.steps) {
-        record.steps = parseSteps(readTextFile(*options.steps), *options.steps, rays);
-        for (std::size_t r = 0; r < rays; ++r) {
-            placeSteps(stepsOf(*record.steps, r), record.rays[r], field, *options.steps, r);
-        }
-    }
-    if (options.hits) {
-        record.hits = parseHits(readTextFile(*options.hits), *options.hits);
-        if (record.hits.size() != rays) {
-            throw InputError(
-                *options.hits,
-                Message(MessageId::HitsCount, {{"count", record.hits.size()}, {"file", raysFile}, {"rays", rays}}));
-        }
-        return record;
-    }
-    if (!record.steps)
+    if (!options.hits && !options.steps) {
         throw InputError("", Message(MessageId::NeedsEither, {{"other", "--hits"}, {"another", "--steps"}}));
-    // The answers with which the logs end.
-    const StepLog& log = *record.steps;
-    record.hits.resize(rays);
-    for (std::size_t r = 0; r < rays; ++r) {
-        const std::span<const Step> steps = stepsOf(log, r);
-        record.hits.set(r, answerOf(steps, record.rays[r]));
-        record.hits.steps[r] = static_cast<std::uint32_t>(steps.size());
+    }
+    if (options.steps) {
+        RayFiles files{std::move(record.rays), parseSteps(readTextFile(*options.steps), *options.steps, rays)};
+        record = tracerRecord(std::move(files), field, *options.steps);
+    }
+    if (!options.hits) return record;
+    record.hits = parseHits(readTextFile(*options.hits), *options.hits);
+    if (record.hits.size() != rays) {
+        throw InputError(*options.hits, Message(MessageId::HitsCount,
+                                                {{"count", record.hits.size()}, {"file", raysFile}, {"rays", rays}}));
     }
     return record;
 }
@@ -78,12 +65,7 @@ struct Report {
     }
 
     // Returns the scenario with the ray as its chosen pixel.
-    Scenario sceneOf(std::size_t ray) const {
-        if (!view) return witness(scenario, field, record.rays[ray]);
-        Scenario scene = scenario;
-        scene.pixel = view->pixels[ray];
-        return scene;
-    }
+    Scenario sceneOf(std::size_t ray) const { return sceneOfRay(scenario, field, record.rays, view, ray); }
 
     // Writes the scenario of the worst ray of the first fault, with a bookmark for each fault.
     void writeScene(const Diagnosis& diagnosis) const {
@@ -149,12 +131,6 @@ int runDiagnose(const DiagnoseOptions& options, Session& session) {
     const HeightField field(assets.heights, scenario.surface, scenario.address, scenario.reliefDepth);
     const TracerRecord record = recordOf(options, field);
     const std::optional<RaysView> view = readRaysView(raysFile, record.rays.size());
-    if (view) {
-        scenario.scene = view->scenario.scene;
-        scenario.camera = view->scenario.camera;
-        scenario.width = view->scenario.width;
-        scenario.height = view->scenario.height;
-    }
     const Diagnosis diagnosis = diagnose(record, field, work);
     const Report report{options, scenario, field, record, view};
     if (options.picture) report.writePicture(diagnosis);

@@ -1,8 +1,8 @@
 // relief export rays PICTURE|SCENARIO.json [options of the view] -o FILE.csv
 #include "export.h"
 #include "output.h"
-#include "rays_view.h"
 #include "scenario/ray_files.h"
+#include "scenario/rays_view.h"
 
 namespace relief::app {
 

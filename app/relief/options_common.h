@@ -145,6 +145,8 @@ class ScenarioOptions {
     void chooseTracer(const std::string& method, const std::string& argument);
     // Returns the name of an option of the view that was given, such as "--camera"; empty if none was.
     std::string viewOption() const;
+    // The same for options on which the colours alone depend, such as "--filter".
+    std::string lookOption() const;
     // --map: puts the stored map into the cache for the scenario's tracer and sets the tracer's options to those that
     // the map was built with. follow: if neither --tracer nor a scenario file is given, selects the tracer that uses
     // such maps.

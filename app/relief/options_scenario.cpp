@@ -324,6 +324,17 @@ std::string ScenarioOptions::viewOption() const {
     return {};
 }
 
+std::string ScenarioOptions::lookOption() const {
+    for (const auto& [given, name] :
+         {std::pair(&color_, "--color"), std::pair(&normal_, "--normal"), std::pair(&filter_, "--filter"),
+          std::pair(&supersample_, "--supersample"), std::pair(&pixelModel_, "--pixel-model"),
+          std::pair(&light_, "--light"), std::pair(&bounded_, "--bounded")}) {
+        if (*given) return name;
+    }
+    if (!filterSettings_.empty()) return "--filter-set";
+    return shadows_ ? "--shadows" : noSkip_ ? "--no-skip" : "";
+}
+
 void ScenarioOptions::applyTracer(MethodChoice& method) const {
     if (!tracer_) return;
     MethodChoice given = splitMethodChoice(*tracer_, tracerOption_);

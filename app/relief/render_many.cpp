@@ -12,6 +12,7 @@
 #include "parts_run.h"
 #include "relief/files.h"
 #include "relief/memory.h"
+#include "scenario/sequence.h"
 #include "scratch_folder.h"
 #include "team.h"
 
@@ -19,8 +20,6 @@ namespace relief::app {
 
 namespace {
 
-constexpr std::int64_t kMostFrames = 100'000;
-constexpr std::size_t kDigits = 5;  // digits of a frame's number in its file name
 // Pictures of at most this many pixels keep the results of their stages for the next picture, in 190 MB.
 constexpr int kKeptPixels = 1 << 20;
 
@@ -43,12 +42,6 @@ Camera between(const Camera& from, const Camera& to, double share) {
     return camera;
 }
 
-std::string numbered(const std::string& stem, std::int64_t number) {
-    std::string digits = std::to_string(number);
-    digits.insert(0, kDigits - std::min(kDigits, digits.size()), '0');
-    return stem + "_" + digits;
-}
-
 // Renders the pictures one by one and keeps what the next one may need: heights, maps, the filter's levels, buffers of
 // a band.
 class Studio {
@@ -62,7 +55,7 @@ class Studio {
         const Assets assets = store_.load(scenario.pictures, work, true);
         const bool first = seen_.insert(picture.scenario).second;
         if (first) {
-            noteHeights(session_, assets, scenario);
+            if (noted_.insert(heightsName(scenario.pictures)).second) noteHeights(session_, assets, scenario);
             options_.useStoredMap(scenario, assets, *maps_, work);
         }
         FrameRequest request = frameRequest(scenario, assets);
@@ -104,15 +97,49 @@ class Studio {
     std::shared_ptr<MapCache> maps_ = std::make_shared<MapCache>();
     FrameRenderer renderer_{maps_, true};
     std::set<std::size_t> seen_;
+    std::set<std::string> noted_;  // names of height maps, whose notes are printed once
 };
 
-void addPictures(std::size_t scenario, const Camera& from, const Camera& to, std::int64_t frames,
-                 const std::string& stem, const std::string& ending, std::vector<Picture>& pictures) {
-    for (std::int64_t f = 0; f < frames; ++f) {
-        const double share = frames > 1 ? static_cast<double>(f) / static_cast<double>(frames - 1) : 0;
-        pictures.push_back({scenario, between(from, to, share), (frames > 1 ? numbered(stem, f) : stem) + ending});
+// What is rendered, and its description in the journal.
+struct PictureList {
+    std::string ending;
+    std::vector<Scenario> scenarios;
+    std::vector<Picture> pictures;
+    Json what;
+
+    // to: the end of the camera path.
+    void addPath(const Scenario& scenario, const OptionText& to, std::int64_t frames, const std::string& stem) {
+        Scenario end = scenario;
+        if (to) {
+            if (scenario.camera.kind != Camera::Kind::Orbit) {
+                throw InputError("--to", Message(MessageId::ArgumentsExclude, {{"other", "--eye"}}));
+            }
+            applyOrbit(end, *to, "--to");
+        }
+        for (std::int64_t f = 0; f < frames; ++f) {
+            const double share = frames > 1 ? static_cast<double>(f) / static_cast<double>(frames - 1) : 0;
+            const std::string name = frames > 1 ? frameName(stem, static_cast<std::size_t>(f)) : stem;
+            pictures.push_back({scenarios.size(), between(scenario.camera, end.camera, share), name + ending});
+        }
+        describe("scenarios", scenario);
+        describe("ends", std::move(end));
+        scenarios.push_back(scenario);
     }
-}
+    void addSweep(std::vector<SequenceFrame> frames, const std::string& stem) {
+        for (std::size_t f = 0; f < frames.size(); ++f) {
+            Scenario& scenario = frames[f].scenario;
+            pictures.push_back({scenarios.size(), scenario.camera, frameName(stem, f) + ending});
+            describe("scenarios", scenario);
+            scenarios.push_back(std::move(scenario));
+        }
+    }
+
+  private:
+    void describe(const char* list, Scenario scenario) {
+        scenario.ui.clear();  // the window's state does not affect pictures
+        what[list].push_back(scenarioText(scenario));
+    }
+};
 
 void makeFolder(const std::string& folder) {
     std::error_code error;
@@ -147,45 +174,49 @@ void ManyFrames::add(CLI::App& parser) {
             "render ... shares the pictures among processes; rank 0 writes them",
             "Output");
     addText(parser, "--to", to, "KEY=VALUE,...", "end of the camera path: elevation, azimuth, distance, fov", "Output");
+    addText(parser, "--sweep", sweep, "OPTION=FROM..TO|OPTION=A,B,...",
+            "render pictures that differ in one option: a number of the scenario, such as light-azimuth or "
+            "relief-depth, or an option of the tracer or the filter; from FROM to TO in --frames pictures (" +
+                std::to_string(kSequenceFrames) + "); -o then names a folder",
+            "Output");
     restart.add(parser, "many pictures, or one in tiles", "Output");
 }
 
 int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,
                     const PartNumber& part, Session& session) const {
     const EarlierRun earlier = restart.chosen();
-    const std::int64_t count = frames ? parseWhole(*frames, "--frames", 1, kMostFrames) : 1;
+    std::optional<int> given;
+    if (frames) given = static_cast<int>(parseWhole(*frames, "--frames", 1, kMostSequenceFrames));
+    std::optional<Sequence> swept;
+    if (sweep) swept = parseSweep(*sweep, given, "--sweep");
+    if (sweep && to) throw InputError("--sweep", Message(MessageId::ArgumentsExclude, {{"other", "--to"}}));
+    const std::int64_t count = sweep ? 1 : given.value_or(1);
     if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
     // A picture's file name given for several pictures is a mistake; creating a folder of that name would hide it.
     if (std::filesystem::path(folder).has_extension() && !std::filesystem::is_directory(folder)) {
-        throw InputError(more.empty() ? "--frames" : more.front(),
+        throw InputError(!more.empty() ? more.front()
+                         : sweep       ? "--sweep"
+                                       : "--frames",
                          Message(MessageId::ArgumentsExclude, {{"other", "--output " + folder}}));
     }
     std::vector<OptionText> files{options.file()};
     files.insert(files.end(), more.begin(), more.end());
-    std::vector<Scenario> scenarios;
-    std::vector<Picture> pictures;
+    PictureList list;
+    list.ending = layers.empty() ? ".png" : ".exr";
+    list.what = {{"kind", "render"}, {"layers", layers}};
     std::set<std::string> stems;
-    Json what{{"kind", "render"}, {"layers", layers}};
     for (const OptionText& file : files) {
         const std::string stem = file ? std::filesystem::path(*file).stem().string() : "frame";
         if (!stems.insert(stem).second) throw InputError(*file, Message(MessageId::ArgumentRepeated));
-        Scenario scenario = options.scenario(file);
-        Scenario end = scenario;
-        if (to) {
-            if (scenario.camera.kind != Camera::Kind::Orbit) {
-                throw InputError("--to", Message(MessageId::ArgumentsExclude, {{"other", "--eye"}}));
-            }
-            applyOrbit(end, *to, "--to");
+        const Scenario scenario = options.scenario(file);
+        if (swept) {
+            list.addSweep(framesOf(*swept, scenario, "--sweep"), stem);
+        } else {
+            list.addPath(scenario, to, count, stem);
         }
-        addPictures(scenarios.size(), scenario.camera, end.camera, count, stem, layers.empty() ? ".png" : ".exr",
-                    pictures);
-        // The window's state does not affect pictures.
-        Scenario begin = scenario;
-        begin.ui.clear(), end.ui.clear();
-        what["scenarios"].push_back(scenarioText(begin));
-        what["ends"].push_back(scenarioText(end));
-        scenarios.push_back(std::move(scenario));
     }
+    std::vector<Picture>& pictures = list.pictures;
+    Json& what = list.what;
     std::string journal = "pictures";
     if (part.of > 1) {
         std::size_t index = 0;
@@ -195,7 +226,7 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     const std::filesystem::path place(folder);
     const bool writes = leadsRun(part.of > 1);
     if (writes) makeFolder(folder);
-    Studio studio(options, std::move(scenarios), count > 1, session);
+    Studio studio(options, std::move(list.scenarios), count > 1, session);
     // Written only if there is a map, so that runs of earlier versions can be resumed.
     if (const std::string map = options.mapContent(); !map.empty()) what["map"] = map;
     PartsRun run;

@@ -1,5 +1,5 @@
-// Renders several pictures with one command: a list of scenarios, the frames of a camera path, or both; shared by the
-// ranks of an MPI run (parts_run.h), and resumable after the run was killed.
+// Renders several pictures with one command: a list of scenarios, the frames of a camera path or of a sweep of an
+// option, or both; shared by the ranks of an MPI run (parts_run.h), and resumable after the run was killed.
 #pragma once
 
 #include "options_common.h"
@@ -23,12 +23,12 @@ void requirePictureMemory(const FrameRequest& request, const std::vector<std::st
 
 struct ManyFrames {
     std::vector<std::string> more;  // scenarios after the first
-    OptionText frames, to;
+    OptionText frames, to, sweep;
     RestartOptions restart;
 
     void add(CLI::App& parser);
     // Returns true if the options request more than one picture.
-    bool requested() const { return !more.empty() || frames || to; }
+    bool requested() const { return !more.empty() || frames || to || sweep; }
     // Renders the pictures into `folder`, which is created if needed. layers: empty for pictures alone. part: restricts
     // the run to the pictures of that part. Returns the exit status.
     int run(const ScenarioOptions& options, const std::string& folder, const std::vector<std::string>& layers,

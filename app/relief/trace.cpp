@@ -8,9 +8,11 @@
 #include "relief/memory.h"
 #include "rendering/frame.h"
 #include "rendering/pixel_coefficients.h"
+#include "rendering/pixel_history_text.h"
 #include "rendering/view_rays.h"
 #include "scenario/ray_files.h"
 #include "tiles_report.h"
+#include "why.h"
 
 namespace relief::app {
 
@@ -28,6 +30,8 @@ struct TraceOptions {
     std::vector<std::string> single, pixels;
     bool coefficients = false;
     bool children = false;
+    bool why = false;
+    bool json = false;
     RunOptions run;
 };
 
@@ -157,15 +161,43 @@ ChildrenByLevel childrenOf(const RaySelection& selection, const Tracer& tracer, 
     return counts;
 }
 
+// Writes why the pixels have their colours. Returns 1 if the numbers of a pixel do not multiply out to it.
+int writeWhy(const TraceOptions& options, const std::vector<PixelChoice>& pixels, const FrameRequest& request,
+             const std::shared_ptr<MapCache>& maps, Session& session) {
+    std::vector<PixelHistory> histories;
+    for (const PixelChoice& pixel : pixels) {
+        histories.push_back(pixelHistory(request, pixel.x, pixel.y, maps, session.work()));
+    }
+    const std::string output = options.output.value_or("-");
+    std::string text;
+    if (options.json || (output != "-" && fileEnding(output) == "json")) {
+        text = historiesJson(histories, request);
+    } else {
+        for (const PixelHistory& history : histories) {
+            text += historyText(history, request, session.language());
+        }
+    }
+    session.eraseBar();
+    TextOutput file(output, session.stop());
+    file.write(text);
+    file.commit();
+    const bool good = std::all_of(histories.begin(), histories.end(),
+                                  [](const PixelHistory& history) { return history.multipliesOut(); });
+    return good ? kDone : kFailed;
+}
+
 void refuseTwoSources(const TraceOptions& options) {
     const auto refuse = [](const std::string& one, const std::string& other) {
         throw InputError(one, Message(MessageId::ArgumentsExclude, {{"other", other}}));
     };
-    const std::string table = options.coefficients ? "--coefficients" : "--children";
+    const std::string table = options.why ? "--why" : options.coefficients ? "--coefficients" : "--children";
     if (options.coefficients && options.children) refuse("--coefficients", "--children");
-    if ((options.coefficients || options.children) && options.steps) refuse(table, "--steps");
-    if (options.coefficients && options.rays) refuse(table, "--rays");
-    if (options.coefficients && !options.single.empty()) refuse(table, "--ray");
+    if (options.why && options.coefficients) refuse(table, "--coefficients");
+    if (options.why && options.children) refuse(table, "--children");
+    if ((options.why || options.coefficients || options.children) && options.steps) refuse(table, "--steps");
+    const bool ofPixels = options.coefficients || options.why;
+    if (ofPixels && options.rays) refuse(table, "--rays");
+    if (ofPixels && !options.single.empty()) refuse(table, "--ray");
     if (options.rays && !options.pixels.empty()) refuse("--rays", "--pixel");
     if (options.rays && !options.single.empty()) refuse("--rays", "--ray");
     if (!options.single.empty() && !options.pixels.empty()) refuse("--ray", "--pixel");
@@ -181,10 +213,17 @@ int runTrace(const TraceOptions& options, Session& session) {
     if (output != "-") checkOutputFolder(output);
     if (options.steps) checkOutput(*options.steps, {"csv", "json"});
     refuseTwoSources(options);
+    // Only the colour of a pixel depends on these.
+    const std::string colored = options.json ? "--json" : options.scenario.lookOption();
+    if (!options.why && !colored.empty()) {
+        throw InputError(colored, Message(MessageId::NeedsArgument, {{"other", "--why"}}));
+    }
     Scenario scenario = options.scenario.scenario();
-    // Tracing depends on the heights only.
-    scenario.pictures.color.clear();
-    scenario.pictures.normal.clear();
+    if (!options.why) {
+        // Tracing depends on the heights only.
+        scenario.pictures.color.clear();
+        scenario.pictures.normal.clear();
+    }
     const bool given = options.rays || !options.single.empty();
     // Without a ray or pixel, children are counted for the whole view.
     const bool wholeView = options.children && !given && options.pixels.empty();
@@ -196,7 +235,8 @@ int runTrace(const TraceOptions& options, Session& session) {
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work, true);
     noteHeights(session, assets, scenario);
-    MapCache maps;
+    const auto shared = std::make_shared<MapCache>();
+    MapCache& maps = *shared;
     options.scenario.useStoredMap(scenario, assets, maps, work);
     const FrameRequest request = frameRequest(scenario, assets);
     if (options.coefficients) {
@@ -207,6 +247,7 @@ int runTrace(const TraceOptions& options, Session& session) {
         text.commit();
         return 0;
     }
+    if (options.why) return writeWhy(options, pixels, request, shared, session);
     // Rays given as numbers have no view from which the base level could be chosen; the tracer refuses base=auto for
     // them.
     if (!options.rays && options.single.empty()) noteBaseLevel(session, scenario, request);
@@ -256,8 +297,9 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
                    "plane, 1: the bottom); s and t are in texels. Rays come from a file with the header s0,t0,a,b (the "
                    "point where the ray enters the top plane, and its horizontal displacement per unit of descent, "
                    "texels), from the command line, or from pixels of a view.",
-                   "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv");
-    options->scenario.add(*parser, ScenarioOptions::OptionGroups::View);
+                   "  relief trace heights.png --tracer max-pyramid --scene wall --pixel 400,300 --steps steps.csv\n"
+                   "  relief trace heights.png --color color.jpg --shadows --pixel 400,300 --why");
+    options->scenario.add(*parser, ScenarioOptions::OptionGroups::All);
     options->scenario.addMemory(*parser);
     addText(*parser, "--rays", options->rays, "FILE.csv",
             "file of rays with the header s0,t0,a,b; - for standard input", "Rays");
@@ -279,6 +321,12 @@ void addTraceCommand(CLI::App& program, Commands& commands) {
             "instead of hits, write the number of children of a texel that the rays enter at each level of a max "
             "pyramid: a table with a histogram, or CSV if the file is a .csv; without rays, for all pixels of the view",
             "Output");
+    addFlag(*parser, "--why", options->why,
+            "instead of hits, explain the colour of each --pixel: coverage, ray, hit, texels with weights and colours, "
+            "light, and their product beside the drawn pixel; JSON if the file is a .json. Needs --pixel; pictures, "
+            "filter, shadows and light are those of relief render. Exit status 1 if the numbers do not multiply out",
+            "Output");
+    addFlag(*parser, "--json", options->json, "with --why: write JSON", "Output");
     options->run.add(*parser);
     commands.push_back({parser, [options](Session& session) { return runTrace(*options, session); }});
 }

@@ -8,8 +8,10 @@
 
 #include "painting/drawing.h"
 #include "panes/figure.h"
+#include "panes/figure_formats.h"
 #include "relief/describe.h"
 #include "scenario/scenario.h"
+#include "scenario/sequence.h"
 
 namespace relief::app {
 
@@ -40,6 +42,13 @@ int wholeNumber(const std::string& text, const std::string& subject) {
     const double number = parseNumber(text, subject);
     if (number >= 0 && number <= kMost && number == static_cast<int>(number)) return static_cast<int>(number);
     throw InputError(subject, Message(MessageId::NumberOutOfRange, {{"value", number}, {"range", "0, 1, 2, ..."}}));
+}
+
+// Width of a figure in millimetres: a number, "84mm", or the name of a journal's width.
+double figureWidth(const std::string& text, const std::string& subject) {
+    if (text == "column") return reliefui::kColumnMm;
+    if (text == "page") return reliefui::kJournalPageMm;
+    return parseNumber(text.ends_with("mm") ? text.substr(0, text.size() - 2) : text, subject);
 }
 
 // Returns all options that the help names.
@@ -97,14 +106,21 @@ Arguments parseArguments(int count, char** arguments) {
             parsed.check = true;
         } else if (argument == "--html") {
             parsed.html = true;
+        } else if (argument == "--paper-figures") {
+            parsed.paperFigures = value();
         } else if (argument == "--screenshot") {
             parsed.screenshot = value();
         } else if (argument == "--export") {
             parsed.figure = value();
+        } else if (argument == "--sequence") {
+            parsed.sequence = value();
+        } else if (argument == "--frames") {
+            parsed.frames = wholeNumber(value(), argument);
+            reliefui::requireRange(argument, *parsed.frames, 1, kMostSequenceFrames);
         } else if (argument == "-o") {
             parsed.output = value();
         } else if (argument == "--width") {
-            parsed.widthMm = parseNumber(value(), argument);
+            parsed.widthMm = figureWidth(value(), argument);
         } else if (argument == "--dpi") {
             parsed.dpi = parseNumber(value(), argument);
         } else if (argument == "--layer") {
@@ -164,15 +180,23 @@ Arguments parseArguments(int count, char** arguments) {
     needs(parsed.check && !lesson, "--check", lessonOption);
     needs(parsed.html && !lesson && parsed.figure.empty(), "--html", lessonOption);
     needs(parsed.html && parsed.output.empty(), "--html", Message(MessageId::WordOutputOption));
-    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html, "-o", view);
+    const bool papers = !parsed.paperFigures.empty();
+    needs(!parsed.output.empty() && parsed.figure.empty() && !parsed.html && !papers, "-o", view);
     const auto excludes = [](bool both, const char* option, const char* other) {
         if (both) throw InputError(option, Message(MessageId::ArgumentsExclude, {{"other", other}}));
     };
+    excludes(papers && lesson, "--paper-figures", "--lesson");
+    excludes(papers && !parsed.figure.empty(), "--paper-figures", "--export");
+    excludes(papers && !parsed.file.empty(), "--paper-figures", "SCENARIO.json");
     excludes(lesson && !parsed.figure.empty(), "--lesson", "--export");
     excludes(lesson && !parsed.file.empty(), "--lesson", "SCENARIO.json");
     excludes(parsed.check && parsed.html, "--check", "--html");
     needs(!parsed.layer.empty() && parsed.figure != "result", "--layer", plainText("--export result"));
     const bool figure = !parsed.figure.empty();
+    needs(!parsed.sequence.empty() && !figure, "--sequence", view);
+    needs(parsed.frames && parsed.sequence.empty(), "--frames", plainText("--sequence"));
+    if (!parsed.sequence.empty()) parseSequence(parsed.sequence, parsed.frames, "--sequence");  // throws
+    excludes(!parsed.sequence.empty() && parsed.figure == "pareto", "--sequence", "--export pareto");
     needs(parsed.memory > 0 && parsed.file.empty(), "--memory", plainText("SCENARIO.json | PICTURE"));
     needs(!parsed.pixel.empty() && !figure, "--pixel", view);
     needs(!parsed.tracers.empty() && !figure, "--tracers", view);
@@ -184,7 +208,7 @@ Arguments parseArguments(int count, char** arguments) {
     needs(!parsed.minus.empty() && !distance, "--minus", plainText("--export distance"));
     needs(!parsed.axis.empty() && !distance, "--axis", plainText("--export distance"));
     needs(parsed.slice >= 0 && !distance, "--slice", plainText("--export distance"));
-    const bool rows = parsed.figure == "rows";
+    const bool rows = parsed.figure == "rows" || parsed.figure == "row-flow";
     needs(!parsed.variants.empty() && !rows, "--variants", plainText("--export rows"));
     needs(parsed.rowWidth && !rows, "--row-width", plainText("--export rows"));
     const bool pareto = parsed.figure == "pareto";
@@ -218,9 +242,20 @@ Options, with defaults in parentheses
                         write the lesson as one page for any browser; all: a folder of pages with contents
   --export VIEW --html -o FILE.html
                         write a view as a page with a slider over the steps of the ray
-  --export VIEW -o FILE write one figure to an SVG, PDF or PNG file, without a window; needs no display
+  --export VIEW -o FILE write one figure to an SVG, PDF, PNG or TikZ file (.tikz, .tex, .pgf: a tikzpicture for
+                        \input into LaTeX), without a window; needs no display
+  --paper-figures NAME,...|all [-o FOLDER]
+                        list figures of the papers, such as MIP18 or DIST17-5, or write them into the folder:
+                        SVG, PDF and PNG in English and Ukrainian, captions for LaTeX, and a JSON file each,
+                        which is a NAME as well and from which the same bytes are written again
 )" + views +
            R"(
+  --sequence WHAT       with --export VIEW: write a moving picture in place of one figure; WHAT: steps (those of the
+                        ray), orbit (the camera around its target), sweep:OPTION=FROM..TO or sweep:OPTION=A,B,...
+                        (light-azimuth, relief-depth, layers, ...); -o FOLDER/NAME.png writes FOLDER/NAME_00000.png
+                        and so on, --html -o FILE.html one page with a slider
+  --frames N            number of frames of an orbit, or from FROM to TO ()" +
+           std::to_string(kSequenceFrames) + R"()
   --pixel X,Y           pixel whose ray is shown, at its last step (that of the scenario)
   --pixels WxH|N        size of the rendered picture; a PNG figure is as wide
   --tracers A,B,...     the method, and methods to compare it with, spelled as for relief bench tracers
@@ -235,14 +270,15 @@ Options, with defaults in parentheses
   --minus KIND          distance: map to subtract, which shows where the two differ
   --axis x|y|z          distance: slice at constant x, y or height (along the ray)
   --slice N             distance: number of the slice, from 0 (the one at the scenario's step)
-  --variants LIST       rows: up to four methods, spelled as for relief bench rows
+  --variants LIST       rows, row-flow: up to four methods, spelled as for relief bench rows
                         (affine,direct,incremental:anchor=0,streams:streams=4)
-  --row-width N         rows: width of the row, pixels (that of the picture)
+  --row-width N         rows, row-flow: width of the row, pixels (that of the picture)
   --relief NAME         pareto, whose file is a table of relief bench tracers (JSON, CSV): show only this relief
   --elevation DEG       pareto: show only this elevation
   --error MEASURE       pareto, charts: mean, p95, p9999 or max (mean)
-  --width MM            width of the figure (160)
-  --dpi N               pixels per inch of a PNG, and of the pictures in an SVG or PDF, up to )" +
+  --width MM|column|page
+                        width of the figure; column: 84 mm, page: 174 mm, of a journal (160)
+  --dpi N               pixels per inch of a PNG, and of the pictures in other files, up to )" +
            std::to_string(reliefui::kMostRenderedPixels) + R"( in all (300)
   --no-caption          omit the line that names height map, method, filter, pixel and step
   --dark                draw light on dark, as in the window
@@ -253,7 +289,10 @@ Options, with defaults in parentheses
 Exit status: 0 done, 1 the work failed or a lesson's claim does not hold, 2 wrong usage or input, or no display.
 Examples: reliefscope datasets/gray_rocks/height.png
           reliefscope scenario.json --export profile -o profile.svg --width 120
+          reliefscope scenario.json --export profile -o profile.tikz --width column
+          reliefscope scenario.json --export result --sequence orbit --frames 72 -o orbit/frame.png
           reliefscope --lesson all --check
+          reliefscope --paper-figures MIP18 -o figures
           reliefscope bench.json --export pareto --elevation 25 -o pareto.svg
 )";
 }

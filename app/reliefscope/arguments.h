@@ -17,11 +17,15 @@ struct Arguments {
     std::string screenshot;  // output file; empty: none
     int width = 0;           // of the window, in pixels; 0: default
     int height = 0;
-    std::string lesson;  // its name, "all", or a folder; empty: none
-    bool check = false;  // check the lesson instead of opening it
-    bool html = false;   // write a page instead of a figure, or of opening the lesson
-    std::string figure;  // the view to export; empty: open the window
-    std::string output;  // output file of the export
+    std::string lesson;        // its name, "all", or a folder; empty: none
+    bool check = false;        // check the lesson instead of opening it
+    bool html = false;         // write a page instead of a figure, or of opening the lesson
+    std::string paperFigures;  // names of figures of papers, "all", or files; empty: none
+    std::string figure;        // the view to export; empty: open the window
+    std::string output;        // output file of the export
+    // Frames of a moving picture in place of one figure, as relief::parseSequence() has it; empty: one figure.
+    std::string sequence;
+    std::optional<int> frames;
     double widthMm = 160;
     double dpi = 300;
     bool dark = false;

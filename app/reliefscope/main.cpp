@@ -9,10 +9,13 @@
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 #include <QApplication>
 #include <QFileInfo>
 #include <QSettings>
 
+#include "../relief/signals.h"
 #include "arguments.h"
 #include "end_signals.h"
 #include "lesson_command.h"
@@ -25,6 +28,7 @@
 #include "panes/distance/distance_state.h"
 #include "panes/rows/rows_drawing.h"
 #include "panes/rows/rows_state.h"
+#include "paper_command.h"
 #include "relief/errors.h"
 #include "relief/files.h"
 #include "relief/tracers/map_choice.h"
@@ -34,6 +38,7 @@
 #include "windows/lesson_html.h"
 #include "windows/lesson_menu.h"
 #include "windows/main_window.h"
+#include "windows/moving_picture.h"
 #include "windows/pane_list.h"
 #include "windows/program.h"
 #include "windows/restore_offer.h"
@@ -237,7 +242,21 @@ std::string figureLines() {
     return lines;
 }
 
-int exportFigure(int count, char** values, const Arguments& arguments) {
+void writeMoving(const reliefui::MovingPicture& moving, reliefui::SnapshotMaker& maker,
+                 const reliefui::FigurePage& page, const Arguments& arguments, Work& work) {
+    const bool terminal = isatty(STDERR_FILENO) == 1;
+    const auto progress = [terminal](std::size_t done, std::size_t all) {
+        if (terminal) std::fprintf(stderr, "\r%zu/%zu%s", done, all, done == all ? "\n" : "");
+    };
+    if (arguments.html) {
+        writeTextFile(arguments.output,
+                      reliefui::movingPage(moving, maker, reliefui::installPageLanguage, progress, work));
+    } else {
+        reliefui::writeFrames(moving, maker, page, arguments.output, progress, work);
+    }
+}
+
+int exportFigure(int count, char** values, const Arguments& arguments, std::stop_token stop) {
     const reliefui::FigureKind kind = reliefui::figureKind(arguments.figure);
     reliefui::FigurePage page;
     page.title = arguments.figure;
@@ -261,7 +280,7 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
         reliefui::prepareFigures();
         QApplication application(count, values);
         reliefui::setUpApplication(application);
-        Work work;
+        Work work(0, stop);
         reliefui::writeFigure(*chart, page, arguments.output, work);
         return 0;
     }
@@ -276,7 +295,12 @@ int exportFigure(int count, char** values, const Arguments& arguments) {
     order.scenario = start.scenario;
     order.layer = chosenLayer(arguments.layer);
     order.lastStep = !arguments.pixel.empty();
-    Work work;
+    Work work(0, stop);
+    if (!arguments.sequence.empty()) {
+        writeMoving({kind, parseSequence(arguments.sequence, arguments.frames, "--sequence"), order}, maker, page,
+                    arguments, work);
+        return 0;
+    }
     const auto snapshot = maker.make(order, work);
     if (arguments.slice >= 0) reliefui::checkSlice(*snapshot, arguments.slice, "--slice", work);
     if (arguments.html) {
@@ -329,7 +353,15 @@ int run(int count, char** values, const Arguments& arguments) {
     if (arguments.html && arguments.figure.empty()) {
         return writeLessonPages(count, values, arguments, shippedPictures());
     }
-    if (!arguments.figure.empty()) return exportFigure(count, values, arguments);
+    if (!arguments.paperFigures.empty()) return paperFigures(count, values, arguments, shippedPictures());
+    if (!arguments.figure.empty()) {
+        const SignalWatch watch;
+        try {
+            return exportFigure(count, values, arguments, watch.stop());
+        } catch (const Cancelled&) {
+            return watch.exitStatus();
+        }
+    }
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
         const Message fault(MessageId::WindowNone, {{"why", problem}});

@@ -104,6 +104,28 @@ TEST_P(RenderManyTest, APathOfTheCamera) {
     }
 }
 
+// Each picture of a sweep is that of a single command with the value.
+TEST_P(RenderManyTest, ASweepOfAnOption) {
+    const std::vector<std::string> one{"render", "--relief", "bricks:64x64", "--size", "60x40", "--tracer", "layers"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), one.begin(), one.end());
+        return more;
+    };
+    runFine(with({"--sweep", "layers=2..8", "--frames", "3", "-o", path("sweep")}));
+    EXPECT_EQ(named("sweep"), (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png"}));
+    runFine(with({"--set", "layers=5", "-o", path("five.png")}));
+    EXPECT_EQ(read("sweep/frame_00001.png"), read("five.png"));
+    runFine(with(
+        {"--sweep", "light-azimuth=0,120", "--light", "azimuth=7", "--layers", "color,depth", "-o", path("light")}));
+    EXPECT_EQ(named("light"), (std::vector<std::string>{"frame_00000.exr", "frame_00001.exr"}));
+    runFine(with({"--light", "azimuth=120", "--layers", "color,depth", "-o", path("light.exr")}));
+    EXPECT_TRUE(withoutDate(read("light/frame_00001.exr")) == withoutDate(read("light.exr")));
+    expectRefusal(with({"--sweep", "layer=2..8", "-o", path("none")}), 2, {"--sweep", "did you mean \"layers\"?"});
+    expectRefusal(with({"--sweep", "layers=2..8", "--to", "azimuth=3", "--frames", "3", "-o", path("none")}), 2,
+                  {"--sweep", "--to"});
+    expectRefusal(with({"--sweep", "layers=2..8", "-o", path("none.png")}), 2, {"--sweep", path("none.png")});
+}
+
 // Frames of two paths must not be mixed in one folder.
 TEST_P(RenderManyTest, AnotherPathIsNotResumed) {
     auto stopped = pathOf("path", "400");

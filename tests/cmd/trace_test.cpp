@@ -389,4 +389,50 @@ TEST_P(TraceTest, ReadsTilesWithinTheGivenMemory) {
     expectRefusal({"trace", tiled, "--rays", rays, "--memory", "0"}, 2, {"--memory"});
 }
 
+// The numbers are multiplied out here once more, from the JSON alone.
+TEST_P(TraceTest, WhyAPixelHasItsColour) {
+    const std::vector<std::string> view{"--height",  height(),  "--color", height(), "--scene", "wall", "--shadows",
+                                        "--address", "border",  "--size",  "40",     "--pixel", "0,0",  "--pixel",
+                                        "20,20",     "--pixel", "33,12",   "--why",  "--json"};
+    for (const char* const filter : {"elliptical-visible", "trilinear", "supersample:samples=2"}) {
+        std::vector<std::string> command{"trace", "--filter", filter};
+        command.insert(command.end(), view.begin(), view.end());
+        const auto pixels = nlohmann::json::parse(runFine(command));
+        ASSERT_EQ(pixels.size(), 3U);
+        int hits = 0;
+        for (const auto& pixel : pixels) {
+            const double bound = pixel["bound"];
+            for (std::size_t c = 0; c < 3; ++c) {
+                double product = 0;
+                for (const auto& ray : pixel["rays"]) {
+                    double color = ray["product"][c];
+                    if (ray.contains("filter") && ray["filter"].contains("texels")) {
+                        color = 0;
+                        for (const auto& texel : ray["filter"]["texels"]) {
+                            color += texel["weight"][c].get<double>() * texel["color"][c].get<double>();
+                        }
+                        const auto& light = pixel["light"];
+                        const double facing = ray["light"]["shadowed"].get<bool>()
+                                                  ? 0
+                                                  : std::max(0.0, ray["light"]["cosine"].get<double>());
+                        const double ambient = light["ambient"];
+                        color *= light["intensity"].get<double>() * (ambient + (1 - ambient) * facing);
+                        ++hits;
+                    }
+                    product += ray["share"][c].get<double>() * color;
+                }
+                EXPECT_NEAR(product, pixel["drawn"][c].get<double>(), bound) << filter;
+            }
+        }
+        EXPECT_GT(hits, 0) << filter << ": nothing is tested";
+    }
+    const std::string text =
+        runFine({"trace", "--height", height(), "--scene", "wall", "--size", "40", "--pixel", "20,20", "--why"});
+    EXPECT_NE(text.find("It is the drawn pixel"), std::string::npos) << text;
+    // Options of colours are refused where nothing depends on them.
+    EXPECT_EQ(run({"trace", "--height", height(), "--pixel", "1,1", "--shadows"}).status, 2);
+    EXPECT_EQ(run({"trace", "--height", height(), "--pixel", "1,1", "--json"}).status, 2);
+    EXPECT_EQ(run({"trace", "--height", height(), "--ray", "1,1,1,1", "--why"}).status, 2);
+}
+
 }  // namespace relief::test

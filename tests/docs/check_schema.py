@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Validates scenarios and lessons against their JSON Schemas, and the schemas against the program.
+"""Validates scenarios, lessons and figures of papers against their JSON Schemas, and the schemas against the program.
 
     check_schema.py SOURCES BIN
 
@@ -136,6 +136,38 @@ if os.path.exists(reliefscope):
             if lesson_validator.is_valid(changed):
                 faults.append(f"the schema of lessons takes {path} = {value}")
 
+# Figures of the papers: the shipped ones with their scenarios; changed ones, which schema and program refuse.
+figure_schema = json.load(open(os.path.join(root, "algorithms/scenario/paper_figure.schema.json"), encoding="utf-8"))
+jsonschema.Draft7Validator.check_schema(figure_schema)
+figure_validator = jsonschema.Draft7Validator(figure_schema)
+figures = sorted(glob.glob(os.path.join(root, "ui/paper_figures/*.json")))
+for file in figures:
+    figure, what = json.load(open(file, encoding="utf-8")), os.path.relpath(file, root)
+    for error in figure_validator.iter_errors(figure):
+        faults.append(f"{what}: {'/'.join(map(str, error.path))}: {error.message}")
+    expect_valid(figure["scenario"], what)
+if os.path.exists(reliefscope):
+    words = subprocess.run([reliefscope, "--help"], capture_output=True, text=True, check=True).stdout.split("VIEW:")[1].split("  --")[0]
+    views = sorted(word for word in words.replace("(PNG alone)", "").replace(",", " ").split() if word != "pareto")
+    if views != figure_schema["properties"]["parts"]["items"]["properties"]["view"]["enum"]:
+        faults.append(f"paper_figure.schema.json: the program's views are\n    {json.dumps(views)}")
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "mine.json")
+        good = json.load(open(os.path.join(root, "ui/paper_figures/MIP18-4.json"), encoding="utf-8"))
+        for path, value in {("paper-figure",): 2, ("paper",): "", ("number",): 0, ("page",): -1, ("unknown",): 1, ("parts",): [],
+                            ("caption", "uk"): "", ("note",): {"en": "x"}, ("parts", 0, "view"): "pareto", ("parts", 0, "width"): 1,
+                            ("parts", 0, "layer"): "colour", ("parts", 0, "change"): 1, ("parts", 0, "unknown"): 1}.items():
+            changed = copy.deepcopy(good)
+            place = changed
+            for key in path[:-1]:
+                place = place[key]
+            place[path[-1]] = value
+            json.dump(changed, open(file, "w", encoding="utf-8"))
+            if subprocess.run([reliefscope, "--paper-figures", file], capture_output=True).returncode != 2:
+                faults.append(f"the program takes {path} = {value}")
+            if figure_validator.is_valid(changed):
+                faults.append(f"the schema of figures takes {path} = {value}")
+
 # Names of the lists.
 listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=True, text=True, check=True).stdout)
 for key, names in (("tracers", schema["definitions"]["method"]["properties"]["name"]["enum"]),
@@ -148,5 +180,5 @@ for key, names in (("tracers", schema["definitions"]["method"]["properties"]["na
                       f"    {json.dumps(program)}")
 
 print("\n".join(faults))
-print(f"{len(lessons)} lessons, {len(files)} scenarios of files and {len(given)} written are valid, {refused} changed ones refused: {len(faults)} faults")
+print(f"{len(lessons)} lessons, {len(figures)} figures of papers, {len(files)} scenarios of files and {len(given)} written are valid, {refused} changed ones refused: {len(faults)} faults")
 sys.exit(1 if faults else 0)

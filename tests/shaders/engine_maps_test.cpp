@@ -6,7 +6,7 @@
 #include "algorithms/relief/fields.h"
 #include "measuring/advise/shader_forms.h"
 #include "relief/maps/engine_builders.h"
-#include "shaders/shader_maps.h"
+#include "shaders/shader_fixture.h"
 
 namespace relief::test {
 namespace {
@@ -20,9 +20,9 @@ class ShaderEngineMaps : public ShaderTest {
         all.cone.unit = unit;
         return all;
     }
-    static TextureData texture(const EngineLevel& level, bool linear) {
+    static ShaderTexture texture(const EngineLevel& level, bool linear) {
         const FloatImage& first = level.channels[0];
-        TextureData data{first.width(), first.height(), 1, static_cast<int>(level.channels.size()), {{}}, linear};
+        ShaderTexture data{first.width(), first.height(), 1, static_cast<int>(level.channels.size()), {{}}, linear};
         for (int y = 0; y < data.height; ++y) {
             for (int x = 0; x < data.width; ++x) {
                 for (const FloatImage& channel : level.channels) data.levels[0].push_back(channel(x, y));
@@ -43,7 +43,7 @@ class ShaderEngineMaps : public ShaderTest {
     };
     Found trace(const ShaderChoice& choice, const HeightField& field) {
         const auto [numbers, rounded] = shaderRays(randomRays(7, field, 1000, 10));
-        const std::vector<float> answers = gl_->compute(computeText(shaderText(choice, "test")), numbers);
+        const std::vector<float> answers = gl_->compute(rayPassText(shaderText(choice, "test")), numbers);
         HitBlock hits;
         NullSink sink;
         MapCache maps;

@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "algorithms/relief/fields.h"
-#include "shaders/shader_maps.h"
+#include "shaders/shader_fixture.h"
 
 namespace relief::test {
 namespace {
@@ -19,7 +19,7 @@ const glm::dvec3 kLight(-0.6, 0.35, 0.5);
 
 class ShaderPicture : public ShaderTest {
   protected:
-    Gl::Picture draw(const std::string& tracer, const ShaderUniforms& uniforms, const TextureData& colors) {
+    Gl::Picture draw(const std::string& tracer, const ShaderUniforms& uniforms, const ShaderTexture& colors) {
         ShaderChoice choice;
         choice.method.name = tracer;
         choice.address = Address::Border;
@@ -28,8 +28,8 @@ class ShaderPicture : public ShaderTest {
         return gl_->draw(vertexText(), shaderText(choice, "test"), kWidth, kHeight);
     }
     // The colour of a place is the place.
-    static TextureData places() {
-        TextureData data{kSide, kSide, 1, 4, {{}}, true};
+    static ShaderTexture places() {
+        ShaderTexture data{kSide, kSide, 1, 4, {{}}, true};
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kSide; ++x) {
                 for (const double number : {(x + 0.5) / kSide, (y + 0.5) / kSide, 1.0, 1.0}) {
@@ -40,8 +40,8 @@ class ShaderPicture : public ShaderTest {
         return data;
     }
     // The colour is the level.
-    static TextureData levels(int side) {
-        TextureData data{side, side, 1, 4, {}, true};
+    static ShaderTexture levels(int side) {
+        ShaderTexture data{side, side, 1, 4, {}, true};
         for (int l = 0; side >> l > 0; ++l) {
             const auto count = static_cast<std::size_t>(side >> l) * static_cast<std::size_t>(side >> l) * 4;
             data.levels.emplace_back(count, static_cast<float>(l));

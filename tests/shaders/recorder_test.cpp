@@ -8,7 +8,7 @@
 #include "measuring/random_rays.h"
 #include "relief/files.h"
 #include "relief/reliefs.h"
-#include "shaders/shader_maps.h"
+#include "shaders/shader_fixture.h"
 
 namespace relief::test {
 
@@ -56,11 +56,11 @@ std::string marcher(bool flipped) {
 
 TEST(Recorder, AShaderIsRecordedAndDiagnosed) {
     std::string why;
-    const auto gl = Gl::open(why);
+    const auto gl = openGl(why);
     if (!gl) GTEST_SKIP() << why;
     const FloatImage heights = makeRelief("fractal", 128, 128, 3);
     const HeightField field(std::make_shared<const FloatImage>(heights), Surface::Bilinear, Address::Repeat, 0.15);
-    TextureData texture;
+    ShaderTexture texture;
     texture.width = 128;
     texture.height = 128;
     texture.levels = {std::vector<float>(heights.pixels().begin(), heights.pixels().end())};

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
-#include "shaders/shader_maps.h"
+#include "shaders/shader_fixture.h"
 
 namespace relief::test {
 namespace {
@@ -94,7 +94,7 @@ Differences compare(Gl& gl, const ShaderChoice& choice, const HeightField& field
                     Work& work) {
     const auto [numbers, rounded] = shaderRays(rays);
     bindMaps(gl, choice, field, {}, work);
-    const std::vector<float> found = gl.compute(computeText(shaderText(choice, "test")), numbers);
+    const std::vector<float> found = gl.compute(rayPassText(shaderText(choice, "test")), numbers);
     const auto tracer = makeTracer(choice.method, field, maps, work, Form::Scalar);
     HitBlock hits;
     BlockCounts counts;

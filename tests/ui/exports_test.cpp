@@ -6,9 +6,11 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "../small_disk.h"
+#include "foreign_tracer.h"
 #include "golden.h"
 #include "panes/figure.h"
 #include "panes/pyramid/pyramid_view.h"
@@ -54,8 +56,8 @@ bool hasCyrillic(const QByteArray& svg) {
 }
 
 // A scenario with everything that a view may need: a ray, methods to compare with; for the pane "drawn" a relief drawn
-// by hand.
-QString writeScenario(const QTemporaryDir& folder, bool drawn) {
+// by hand, for "doctor" the files of another tracer.
+QString writeScenario(const QTemporaryDir& folder, bool drawn, bool foreign = false) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "8"}}};
     scenario.comparison.others = {{"max-pyramid", {}}};
@@ -64,6 +66,10 @@ QString writeScenario(const QTemporaryDir& folder, bool drawn) {
         scenario.pictures = {};
         scenario.pictures.drawn.width = scenario.pictures.drawn.height = 8;
         for (int i = 0; i < 64; ++i) scenario.pictures.drawn.heights.push_back((i * 7 % 64) / 64.0);
+    }
+    if (foreign) {
+        scenario.pictures.recipe = "fractal";
+        scenario = withForeignTracer(scenario, folder, true);
     }
     const QString path = folder.filePath(drawn ? QStringLiteral("drawn.json") : QStringLiteral("scenario.json"));
     relief::saveScenario(path.toStdString(), scenario);
@@ -96,13 +102,33 @@ QString exportedFigure(const QString& scenario, const QString& view, const QStri
     return path;
 }
 
+// Text is text, in TrueType fonts that are embedded as far as they are used; pdffonts is asked where it is installed.
+void expectTrueType(const QByteArray& pdf, const QString& path) {
+    const int fonts = pdf.count("/Subtype /CIDFontType2");
+    EXPECT_GT(fonts, 0);
+    EXPECT_EQ(pdf.count("/FontFile2"), fonts);
+    for (const char* const other : {"/Type3", "/Type1", "/FontFile3"}) EXPECT_FALSE(pdf.contains(other)) << other;
+    if (QStandardPaths::findExecutable(QStringLiteral("pdffonts")).isEmpty()) return;
+    QProcess process;
+    process.start(QStringLiteral("pdffonts"), {path});
+    ASSERT_TRUE(process.waitForFinished(kPatienceMs));
+    const QStringList lines = QString::fromUtf8(process.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts).mid(2);
+    EXPECT_EQ(lines.size(), fonts);
+    for (const QString& line : lines) {
+        // Type, encoding, embedded, a name as of a subset (Qt embeds the letters that occur under the font's own name),
+        // with characters' Unicode.
+        EXPECT_TRUE(line.contains(QRegularExpression(QStringLiteral("CID TrueType +Identity-H +yes +(yes|no) +yes "))))
+            << line.toStdString();
+    }
+}
+
 class EveryExport : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryExport, needsNoDisplay) {
     const QTemporaryDir folder;
     const std::string& name = GetParam();
     const QString view = QString::fromStdString(name);
-    const QString scenario = writeScenario(folder, name == "drawn");
+    const QString scenario = writeScenario(folder, name == "drawn", name == "doctor");
     const auto run = [&](const QString& ending, const QStringList& more = {}) {
         return exportedFigure(scenario, view, folder.filePath(view + ending), more);
     };
@@ -112,9 +138,9 @@ TEST_P(EveryExport, needsNoDisplay) {
     EXPECT_GT(colorsIn(image), 8);
     // These two show measured times; charts_test.cpp and compare_test.cpp compare other figures of them.
     if (name != "charts" && name != "compare") expectGolden(picture, name);
-    if (name == "trace" || name == "slabs") return;
+    if (name == "slabs") return;
     // In English and dark, with the width of a column; for two views another scenario is used below.
-    if (name != "charts" && name != "compare" && name != "formula" && name != "footprint") {
+    if (name != "charts" && name != "compare" && name != "formula" && name != "footprint" && name != "trace") {
         expectGolden(exportedFigure(scenario, view, folder.filePath(view + QStringLiteral("-english.png")),
                                     darkColumn(), "C.UTF-8"),
                      name + "-english");
@@ -128,7 +154,7 @@ TEST_P(EveryExport, needsNoDisplay) {
     }
     const QByteArray pdf = contents(run(QStringLiteral(".pdf")));
     EXPECT_TRUE(pdf.startsWith("%PDF"));
-    EXPECT_TRUE(pdf.contains("/FontFile2")) << "text is text, in an embedded font";
+    expectTrueType(pdf, folder.filePath(view + QStringLiteral(".pdf")));
 }
 
 // What each kind of method samples: nodes, voxels and spheres, round cones and square ones; from outside and in a
@@ -377,17 +403,40 @@ TEST(Exports, theCommandChoosesWhatIsShown) {
     }
 }
 
-TEST(Exports, theTraceIsPixelsAlone) {
+// The width in millimetres, with their sign, or by the name of a journal's width.
+TEST(Exports, theWidthIsThatOfAJournal) {
+    const QTemporaryDir folder;
+    const QString scenario = writeScenario(folder, false);
+    for (const auto& [width, mm] : {std::pair("column", 84), std::pair("60mm", 60)}) {
+        const QString path = folder.filePath(QStringLiteral("figure.png"));
+        exportedFigure(
+            scenario, QStringLiteral("steps"), path,
+            {QStringLiteral("--width"), QString::fromLatin1(width), QStringLiteral("--dpi"), QStringLiteral("254")});
+        EXPECT_EQ(QImage(path).width(), 10 * mm) << width;
+    }
+    for (const char* const wrong : {"84cm", "5mm"}) {
+        QString complaint;
+        EXPECT_EQ(exportFigure({scenario, QStringLiteral("--export"), QStringLiteral("steps"), QStringLiteral("-o"),
+                                folder.filePath(QStringLiteral("no.svg")), QStringLiteral("--width"),
+                                QString::fromLatin1(wrong)},
+                               &complaint),
+                  2)
+            << wrong;
+        EXPECT_TRUE(complaint.contains(QStringLiteral("--width"))) << complaint.toStdString();
+    }
+}
+
+TEST(Exports, theSlabsArePixelsAlone) {
     const QTemporaryDir folder;
     const QString scenario = writeScenario(folder, false);
     QString complaint;
-    EXPECT_EQ(exportFigure({scenario, QStringLiteral("--export"), QStringLiteral("trace"), QStringLiteral("-o"),
-                            folder.filePath(QStringLiteral("trace.svg"))},
+    EXPECT_EQ(exportFigure({scenario, QStringLiteral("--export"), QStringLiteral("slabs"), QStringLiteral("-o"),
+                            folder.filePath(QStringLiteral("slabs.svg"))},
                            &complaint),
               2);
     EXPECT_EQ(complaint.count('\n'), 1) << complaint.toStdString();
     EXPECT_TRUE(complaint.contains(QStringLiteral("png"))) << complaint.toStdString();
-    EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("trace.svg"))));
+    EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("slabs.svg"))));
 }
 
 // Counts the pixels close to the colour.

@@ -95,6 +95,9 @@ class KeyboardTest : public WindowTest {
             {QStringLiteral("Shift+F5"), [step] { return step() == 0; }},
             {QStringLiteral("F10"), [this, step] { return step() > before_; }},
             {QStringLiteral("Shift+F10"), [this, step] { return step() < before_; }},
+            // The first watched value: where the ray continues.
+            {QStringLiteral("F8"), [this, step] { return step() > before_; }},
+            {QStringLiteral("Shift+F8"), [this, step] { return step() < before_; }},
             {QStringLiteral("F9"), [this] { return scenario().breakpoints.size() == 1; }},
             {QStringLiteral("]"), [this] { return speed() == 5; }},
             {QStringLiteral("["), [this] { return speed() == 1; }},

@@ -11,7 +11,9 @@
 #include "panes/profile/profile_state.h"
 #include "panes/pyramid/pyramid_state.h"
 #include "panes/rows/rows_state.h"
+#include "panes/shader/shader_state.h"
 #include "panes/trace/trace_state.h"
+#include "panes/watch/watch_state.h"
 #include "windows/pane_list.h"
 #include "workspace/range_json.h"
 
@@ -32,11 +34,13 @@ Scenario allOther() {
     Scenario scenario;
     setState(scenario, PyramidPane{"all", true, false, true});
     setState(scenario, ProfilePane{true, false, true});
+    setState(scenario, WatchPane{{"level", "z_out - value"}, 1});
     setState(scenario, DistancePane{"refined", "euclidean", "z", 3, 2, false, false});
     setState(scenario, FootprintPane{8, false});
     setState(scenario, RowsPane{{"direct", "subspan:error=0.25"}, 3840, true, false});
     setState(scenario, ChartsPane{"histograms", "p9999", false, true});
     setState(scenario, TracePane{"level", 2, true});
+    setState(scenario, ShaderPane{ShaderMeasure::Hits});
     setState(scenario, PointState{QueryPoint{-3.25, 4.5, 0.6}});
     return scenario;
 }

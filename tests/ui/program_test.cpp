@@ -95,7 +95,11 @@ TEST(Program, LessonsAreCheckedWithoutADisplay) {
     EXPECT_TRUE(ran.out.contains(QStringLiteral("wrong FAILS"))) << ran.out.toStdString();
     for (const char* const text :
          {"--lesson 3o1 --check", "--check", "--html -o x.html", "--lesson 301 --html", "--lesson 301 --html -o x.txt",
-          "--lesson 301 --check --html -o x.html", "--lesson 301 --export profile -o x.svg", "--lesson 301 a.png"}) {
+          "--lesson 301 --check --html -o x.html", "--lesson 301 --export profile -o x.svg", "--lesson 301 a.png",
+          "--sequence steps", "--export profile --sequence step -o x.png", "--export profile --frames 3 -o x.png",
+          "--export profile --sequence steps --frames 3 -o x.png", "--export skipped --sequence steps -o x.png",
+          "--export result --sequence orbit --frames 0 -o x.png",
+          "--export result --sequence sweep:nothing=1..2 -o x.png"}) {
         const Ran bad = run(text);
         EXPECT_EQ(bad.status, 2) << text;
         EXPECT_TRUE(oneLine(bad.err)) << text << ": " << bad.err.toStdString();

@@ -8,6 +8,7 @@
 #include "chart_laws.h"
 #include "measuring/bench/bench_rows.h"
 #include "painting/style.h"
+#include "panes/rows/row_flow.h"
 #include "panes/rows/rows_drawing.h"
 #include "relief/errors.h"
 
@@ -213,6 +214,54 @@ TEST(Rows, EveryVariantIsDrawnWithinThePlots) {
                     expectWordsInside(axes);
                 }
             }
+        }
+    }
+}
+
+// Where each pixel of the diagram gets its numbers from: this many pixels away; "c" is from the coefficients, "u" by
+// steps of u.
+std::string sourcesOf(const RowsData& data) {
+    std::string text;
+    for (const RowFlowPixel& pixel : rowFlow(data.row.curves[0])) {
+        const std::string from = pixel.from ? std::to_string(*pixel.from - pixel.pixel) : "c";
+        text += (text.empty() ? "" : " ") + from + (pixel.divides ? "" : "u");
+    }
+    return text;
+}
+
+TEST(Rows, TheDiagramSaysWhatAVariantComputes) {
+    const RowsPlace place = wallPlace(8, 25);
+    for (const auto& [variant, sources] :
+         std::map<std::string, std::string>{{"direct", "c c c c c c c c"},
+                                            {"row-constant", "c c c c c c c c"},
+                                            {"incremental:anchor=0", "c -1 -1 -1 -1 -1 -1 -1"},
+                                            {"incremental-shared:anchor=3", "c -1 -1 c -1 -1 c -1"},
+                                            {"streams:streams=2:anchor=0", "c c -2 -2 -2 -2 -2 -2"},
+                                            {"streams:streams=3:anchor=6", "c c c -3 -3 -3 c c"},
+                                            {"opposed:anchor=0", "c -1 -1 -1 1 1 1 c"},
+                                            {"affine", "c -1u -1u -1u -1u -1u -1u -1u"},
+                                            {"subspan:span=4", "c -1u -1u -1u c -1u -1u c"}}) {
+        EXPECT_EQ(sourcesOf(dataOf(place, {variant})), sources) << variant;
+    }
+    // Of a long row the beginning, or both ends.
+    EXPECT_EQ(sourcesOf(dataOf(wallPlace(3840, 25), {"opposed:anchor=0"})), "c -1 -1 -1 1 1 1 c");
+    EXPECT_EQ(rowFlow(dataOf(wallPlace(3840, 25), {"direct"}).row.curves[0]).back().pixel, 7);
+
+    // The numbers drawn are those that the variant computed, and nothing is wider than the page.
+    const RowsData data = dataOf(place, {"row-constant", "opposed:anchor=0"});
+    const Drawing drawing = rowFlowDrawing(data, 220);
+    for (const relief::RowCurve& curve : data.row.curves) {
+        for (const double u : curve.u) {
+            EXPECT_TRUE(std::any_of(drawing.items.begin(), drawing.items.end(), [&](const Item& item) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                return label != nullptr && labelText(*label, relief::Language::English) == relief::numberText(u, 3);
+            })) << u;
+        }
+    }
+    for (const Item& item : drawing.items) {
+        if (const auto* const box = std::get_if<Rectangle>(&item.primitive)) {
+            EXPECT_TRUE(drawing.bounds.contains({box->box.x0, box->box.y0}));
+            EXPECT_TRUE(drawing.bounds.contains({box->box.x1, box->box.y1}));
         }
     }
 }

@@ -264,7 +264,7 @@ QString LessonPane::answerHtml() const {
     }
     if (question->number && player_->number()) {
         html += QStringLiteral("<p>%1</p>")
-                    .arg(tr("It is %1.").arg(QString::fromStdString(relief::lessonValueText(*player_->number()))));
+                    .arg(tr("It is %1.").arg(QString::fromStdString(relief::expressionValueText(*player_->number()))));
     }
     if (question->kind == relief::LessonQuestion::Kind::Choose && !player_->right() && !player_->measuring()) {
         html += QStringLiteral("<p>%1</p>")
@@ -288,7 +288,7 @@ QString LessonPane::knobHtml() const {
         html += QStringLiteral("<tr><td><code>%1</code></td>").arg(plain(knob->watch[n].value.text()));
         for (const auto& [turn, values] : player_->turns()) {
             html += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(QString::fromStdString(relief::lessonValueText(values[n])));
+                        .arg(QString::fromStdString(relief::expressionValueText(values[n])));
         }
         html += QStringLiteral("</tr>");
     }

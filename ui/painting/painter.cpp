@@ -1,5 +1,6 @@
 #include "painting/painter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFont>
@@ -9,6 +10,7 @@
 
 #include "painting/cell_image.h"
 #include "painting/formula_text.h"
+#include "painting/tikz.h"
 
 namespace reliefui {
 
@@ -134,8 +136,8 @@ struct ItemPainter {
                 const Box box = seenOf(cells, i, j);
                 if (!textFits(text, box.width(), box.height())) continue;
                 painter.setPen(toColor(Style::textOn(colorOf(cells, i, j))));
-                painter.drawText(qrect(box), Qt::AlignCenter,
-                                 QString::fromStdString(cellValueText(cells, (*cells.values)(i, j), text)));
+                paintWords(painter, qrect(box), Qt::AlignCenter,
+                           QString::fromStdString(cellValueText(cells, (*cells.values)(i, j), text)));
             }
         }
     }
@@ -167,6 +169,12 @@ struct ItemPainter {
         if (line.points.size() < 2) return;
         std::vector<Point> points;
         for (const Point& p : line.points) points.push_back(map.toScreen(p));
+        // Of a line without length Qt writes a path without points, which is a fault in a PDF.
+        constexpr double kLength = 1e-3;  // pixels
+        const auto same = [&](const Point& p) {
+            return std::abs(p.x - points.front().x) < kLength && std::abs(p.y - points.front().y) < kLength;
+        };
+        if (std::all_of(points.begin(), points.end(), same)) return;
         // When zoomed in far, a line can be thousands of screens long. It is clipped first, because dashing its whole
         // length is slow.
         std::vector<double> before;
@@ -260,12 +268,14 @@ struct ItemPainter {
 class SetText {
   public:
     SetText(const Label& label, const Style& style, bool bold)
-        : pixels_(std::max(1, static_cast<int>(std::lround(style.textPixels(label.size))))), bold_(bold) {
-        const std::string text = labelText(label, style.language);
+        : text_(labelText(label, style.language)),
+          formula_(label.formula),
+          pixels_(std::max(1, static_cast<int>(std::lround(style.textPixels(label.size))))),
+          bold_(bold) {
         if (label.formula) {
-            runs_ = formulaRuns(text);
+            runs_ = formulaRuns(text_);
         } else {
-            runs_.push_back({text, 0});
+            runs_.push_back({text_, 0});
         }
     }
 
@@ -276,7 +286,12 @@ class SetText {
         for (const FormulaRun& run : runs_) width += advance(run);
         return width;
     }
-    void draw(QPainter& painter, const QRectF& box) const {
+    // side: of the box at which a text is set that is narrower than measured.
+    void draw(QPainter& painter, const QRectF& box, Qt::Alignment side) const {
+        if (auto* const tikz = dynamic_cast<TikzDevice*>(painter.device())) {
+            painter.setFont(fontOf(0));
+            return tikz->words(painter, box, side, QString::fromStdString(text_), formula_);
+        }
         if (runs_.size() == 1) {
             painter.setFont(fontOf(0));
             painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, QString::fromStdString(runs_.front().text));
@@ -304,10 +319,18 @@ class SetText {
         return QFontMetricsF(fontOf(run.level)).horizontalAdvance(QString::fromStdString(run.text));
     }
 
+    std::string text_;
+    bool formula_;
     std::vector<FormulaRun> runs_;
     int pixels_;
     bool bold_;
 };
+
+Qt::Alignment sideOf(Anchor anchor) {
+    if (anchor == Anchor::Right) return Qt::AlignRight;
+    const bool left = anchor == Anchor::TopLeft || anchor == Anchor::Left || anchor == Anchor::BottomLeft;
+    return left ? Qt::AlignLeft : Qt::AlignHCenter;
+}
 
 void paintLabel(QPainter& painter, const Item& item, const Label& label, const ViewMap& map, const Style& style,
                 LabelRoom& room, const Box& screen) {
@@ -330,7 +353,7 @@ void paintLabel(QPainter& painter, const Item& item, const Label& label, const V
         color = Style::textOn(color);
     }
     painter.setPen(toColor(color));
-    text.draw(painter, qrect(box));
+    text.draw(painter, qrect(box), label.plate ? Qt::AlignHCenter : sideOf(label.anchor));
 }
 
 }  // namespace

@@ -1,15 +1,22 @@
 #include "panes/figure.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <filesystem>
+#include <list>
+#include <string_view>
 
+#include <QBuffer>
 #include <QFile>
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
 #include "painting/painter.h"
+#include "painting/tikz.h"
+#include "panes/figure_formats.h"
+#include "panes/pdf_date.h"
 #include "relief/files.h"
 #include "relief/memory.h"
 
@@ -26,6 +33,12 @@ constexpr double kVectorDpi = 576;
 constexpr double kLeastDpi = 20;
 constexpr double kMostDpi = 2400;
 constexpr double kMostPixels = 30000;  // per side
+
+constexpr std::array<std::string_view, 3> kTexEndings{".tikz", ".tex", ".pgf"};
+
+bool isTex(const std::string& ending) {
+    return std::find(kTexEndings.begin(), kTexEndings.end(), ending) != kTexEndings.end();
+}
 
 std::string endingOf(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -68,7 +81,7 @@ struct Caption {
         painter.setPen(toColor(style.text()));
         // Letters may be slightly wider in the file than measured, so the box leaves some room.
         const QRectF words(room.x(), top + room.y(), width - 2 * room.x(), height);
-        painter.drawText(words, Qt::TextWordWrap, text);
+        paintWords(painter, words, Qt::TextWordWrap, text);
     }
 };
 
@@ -132,7 +145,9 @@ void writeSvg(const Figure& figure, const FigurePage& page, QIODevice& file, con
 }
 
 void writePdf(const Figure& figure, const FigurePage& page, QIODevice& file, const QSizeF& mm) {
-    QPdfWriter pdf(&file);
+    QBuffer written;  // because the date of the file is known to Qt alone
+    written.open(QIODevice::WriteOnly);
+    QPdfWriter pdf(&written);
     pdf.setResolution(static_cast<int>(kVectorDpi));
     pdf.setPageSize(QPageSize(mm, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
     pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -140,6 +155,50 @@ void writePdf(const Figure& figure, const FigurePage& page, QIODevice& file, con
     pdf.setCreator(QStringLiteral("Reliefscope"));
     QPainter painter(&pdf);
     paintPage(painter, figure, page, {pdf.width(), pdf.height()}, kVectorDpi / kPointsPerInch);
+    painter.end();
+    file.write(withSourceDate(written.data()));
+}
+
+// Writes the temporary file of `target`; `write` returns false if it fails. path: for messages.
+void fill(const relief::AtomicFile& target, const std::string& path, const relief::Work& work,
+          const std::function<bool(QIODevice&)>& write) {
+    FigureOutput file(target.temporaryPath(), work);
+    const bool done = file.open(QIODevice::WriteOnly) && write(file);
+    const bool written = file.finish();
+    work.throwIfStopped();
+    if (!done || !written || file.size() == 0) throw relief::WorkError(path, Message(MessageId::DiskFull));
+}
+
+// Beginning of the names of a figure's pictures: its file's name without characters that TeX does not read in names.
+std::string pictureStem(const std::string& path) {
+    std::string stem = std::filesystem::path(path).stem().string();
+    for (char& c : stem) {
+        if (std::string_view(" #$%&\\^_{}~\"'`,;=").find(c) != std::string_view::npos) c = '-';
+    }
+    return stem;
+}
+
+// Writes the picture files beside `path`, and the figure to the temporary file of `target`.
+void writeTikz(const Figure& figure, const FigurePage& page, const relief::AtomicFile& target, const std::string& path,
+               const QSize& size, const relief::Work& work) {
+    constexpr double kUnits = kVectorDpi / kPointsPerInch;
+    const std::filesystem::path file(path);
+    TikzDevice tikz(size, kUnits, pictureStem(path));
+    QPainter painter(&tikz);
+    paintPage(painter, figure, page, size, kUnits);
+    painter.end();
+    std::list<relief::AtomicFile> pictures;
+    for (const TikzDevice::Picture& picture : tikz.pictures()) {
+        const std::string name = (file.parent_path() / picture.name).string();
+        pictures.emplace_back(name);
+        fill(pictures.back(), name, work, [&](QIODevice& out) { return picture.image.save(&out, "PNG"); });
+    }
+    const std::string text = tikz.file(file.filename().string(), page.title);
+    fill(target, path, work, [&](QIODevice& out) {
+        const auto bytes = static_cast<qint64>(text.size());
+        return out.write(text.data(), bytes) == bytes;
+    });
+    for (relief::AtomicFile& picture : pictures) picture.commit();
 }
 
 }  // namespace
@@ -240,8 +299,8 @@ int FigurePage::picturePixels(double points) const {
 
 void checkPage(const FigurePage& page, const std::string& path, bool vectors) {
     const std::string ending = endingOf(path);
-    if (ending != ".png" && (!vectors || (ending != ".svg" && ending != ".pdf"))) {
-        const char* const known = vectors ? "svg, pdf, png" : "png";
+    if (ending != ".png" && (!vectors || (ending != ".svg" && ending != ".pdf" && !isTex(ending)))) {
+        const char* const known = vectors ? kVectorFormats : "png";
         throw InputError(path, Message(MessageId::FormatUnknown, {{"extension", ending}, {"known", known}}));
     }
     requireRange("--width", page.widthMm, kLeastFigureMm, kMostFigureMm);
@@ -290,23 +349,17 @@ void writeFigure(const Figure& requested, const FigurePage& page, const std::str
     const Figure& figure = prepared ? *prepared : requested;
     work.throwIfStopped();
     relief::AtomicFile target(path);
-    FigureOutput file(target.temporaryPath(), work);
     const std::string ending = endingOf(path);
-    bool done = file.open(QIODevice::WriteOnly);
-    if (ending == ".png") {
-        done = done && preparedImage(figure, page).save(&file, "PNG");
+    const QSizeF mm = ending == ".png" ? QSizeF() : pageSize(figure, page);
+    const QSize units = (mm / kMmPerInch * kVectorDpi).toSize();
+    if (isTex(ending)) {
+        writeTikz(figure, page, target, path, units, work);
     } else {
-        const QSizeF mm = pageSize(figure, page);
-        if (ending == ".svg") {
-            writeSvg(figure, page, file, (mm / kMmPerInch * kVectorDpi).toSize());
-        } else {
-            writePdf(figure, page, file, mm);
-        }
-    }
-    const bool written = file.finish();
-    work.throwIfStopped();
-    if (!done || !written || file.size() == 0) {
-        throw relief::WorkError(path, Message(MessageId::DiskFull));
+        fill(target, path, work, [&](QIODevice& file) {
+            if (ending == ".png") return preparedImage(figure, page).save(&file, "PNG");
+            ending == ".svg" ? writeSvg(figure, page, file, units) : writePdf(figure, page, file, mm);
+            return true;
+        });
     }
     target.commit();
 }

@@ -1,6 +1,9 @@
 #include "panes/figure_export.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -9,6 +12,7 @@
 #include <QSettings>
 #include <QSpinBox>
 
+#include "panes/figure_formats.h"
 #include "panes/figure_view.h"
 #include "panes/file_dialogs.h"
 
@@ -21,6 +25,22 @@ constexpr int kLeastWidth = 160;
 
 QString settingOf(const char* option) {
     return QStringLiteral("figures/") + QString::fromLatin1(option);
+}
+
+// List of the widths of journals, which sets the width and follows it.
+QComboBox* journalWidths(QDialog* dialog, QDoubleSpinBox* width) {
+    auto* const list = new QComboBox(dialog);
+    list->setObjectName(QStringLiteral("figure-journal"));
+    list->addItem(FigureView::tr("Another width"), 0.0);
+    list->addItem(FigureView::tr("Column of a journal (84 mm)"), kColumnMm);
+    list->addItem(FigureView::tr("Page of a journal (174 mm)"), kJournalPageMm);
+    const auto follow = [list, width] { list->setCurrentIndex(std::max(0, list->findData(width->value()))); };
+    QObject::connect(width, qOverload<double>(&QDoubleSpinBox::valueChanged), list, follow);
+    QObject::connect(list, qOverload<int>(&QComboBox::activated), width, [list, width](int index) {
+        if (index > 0) width->setValue(list->itemData(index).toDouble());
+    });
+    follow();
+    return list;
 }
 
 // Dialog for the export options. Updates `file`; returns false if the user cancelled.
@@ -36,6 +56,7 @@ bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFil
     width->setRange(kLeastFigureMm, kMostFigureMm);
     width->setValue(settings.value(settingOf("mm"), file.widthMm).toDouble());
     width->setToolTip(FigureView::tr("Width on paper; letters and lines have the same size at any width"));
+    form->addRow(FigureView::tr("For:"), journalWidths(&dialog, width));
     form->addRow(FigureView::tr("Width, mm:"), width);
     auto* const pixels = new QSpinBox(&dialog);
     pixels->setObjectName(QStringLiteral("figure-pixels"));
@@ -72,7 +93,8 @@ bool askFigureOptions(QWidget* parent, const QString& title, bool png, FigureFil
 
 std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, const QString& name, bool vectors) {
     const QString ending = vectors ? QStringLiteral(".svg") : QStringLiteral(".png");
-    const QString known = vectors ? QStringLiteral(" (*.svg *.pdf *.png)") : QStringLiteral(" (*.png)");
+    const QString known =
+        vectors ? QStringLiteral(" (*.svg *.pdf *.png *.tikz *.tex *.pgf)") : QStringLiteral(" (*.png)");
     FigureFile file;
     file.path = askSaveFile(parent, QStringLiteral("figures"), title, name + ending, FigureView::tr("Figures") + known);
     if (file.path.isEmpty()) return std::nullopt;

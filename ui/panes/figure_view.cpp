@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "panes/gl_release.h"
+#include "panes/space_figure.h"
 #include "workspace/change_name.h"
 #include "workspace/language.h"
 #include "workspace/pane_store.h"
@@ -20,6 +21,21 @@ namespace reliefui {
 namespace {
 
 constexpr int kCopiedWidth = 1600;  // in pixels
+
+// Figures rendered with VTK are drawn on the window's thread.
+bool isRendered(const Figure& figure) {
+    return dynamic_cast<const SpaceFigure*>(&figure) != nullptr;
+}
+bool isRendered(const Figure& figure, const QString& path) {
+    const bool pixels = !figure.vectors() || path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive);
+    return pixels && isRendered(figure);
+}
+
+void drawNow(const BackgroundTasks::Task& draw) {
+    const DrawingTime drawing("figure");
+    relief::Work work;
+    draw(work)();
+}
 
 }  // namespace
 
@@ -135,16 +151,17 @@ void FigureView::askFigure() {
 void FigureView::saveFigure(const FigureFile& file) {
     const auto shown = figure();
     if (!shown) return;
-    drawInBackground(*shown, [this, shown, page = page(), file, workspace = workspace_](relief::Work& work) {
+    const auto draw = [this, shown, page = page(), file, workspace = workspace_](relief::Work& work) {
         return saveFigureFile(
             *shown, page, file, workspace, [this, path = file.path] { Q_EMIT saved(path); }, work);
-    });
+    };
+    isRendered(*shown, file.path) ? drawNow(draw) : drawInBackground(*shown, draw);
 }
 
 void FigureView::copyPicture() {
     const auto shown = figure();
     if (!shown) return;
-    drawInBackground(*shown, [this, shown, page = page()](relief::Work& work) -> std::function<void()> {
+    const auto draw = [this, shown, page = page()](relief::Work& work) -> std::function<void()> {
         QImage picture;
         try {
             picture = figureImage(*shown, page, kCopiedWidth, work);
@@ -154,17 +171,12 @@ void FigureView::copyPicture() {
             return [this, problem = QString::fromUtf8(error.what())] { Q_EMIT workspace_->problem(problem); };
         }
         return [picture] { QApplication::clipboard()->setImage(picture); };
-    });
+    };
+    isRendered(*shown) ? drawNow(draw) : drawInBackground(*shown, draw);
 }
 
 // Runs `draw` on another thread; the function it returns is called on the window's thread if the pane still exists.
-// Figures rendered with VTK are drawn on the window's thread instead.
-void FigureView::drawInBackground(const Figure& figure, BackgroundTasks::Task draw) {
-    if (!figure.vectors()) {
-        const DrawingTime drawing("figure");
-        relief::Work work;
-        return draw(work)();
-    }
+void FigureView::drawInBackground(const Figure&, BackgroundTasks::Task draw) {
     ++saving_;
     workspace_->tasks().start(this, [this, draw = std::move(draw)](relief::Work& work) {
         return [this, finish = draw(work)] {

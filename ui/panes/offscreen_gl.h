@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "panes/egl_context.h"
+
 namespace reliefui {
 
 // The context is current during the object's lifetime; afterwards the previous one is restored. The constructor throws
@@ -18,9 +20,8 @@ class OffscreenGl {
 
   private:
     struct ByQt;
-    struct ByEgl;
     std::unique_ptr<ByQt> qt_;
-    std::unique_ptr<ByEgl> egl_;
+    std::unique_ptr<EglContext> egl_;
 };
 
 }  // namespace reliefui

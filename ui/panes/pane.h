@@ -30,6 +30,10 @@ struct FigureKind {
     // measures. Throws InputError. Empty for figures that do not show a snapshot ("pareto" shows a table of
     // measurements).
     std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const relief::Scenario&)> make;
+    // Of 3-D views: the same from a camera turned by this angle in degrees around the vertical, for an orbit, in which
+    // all angles have the same distance.
+    std::function<std::shared_ptr<const Figure>(std::shared_ptr<const Snapshot>, const relief::Scenario&, double turn)>
+        turned{};
 };
 
 struct PaneKind {

@@ -120,12 +120,14 @@ class PointMarks {
     void name(const char* text, Point from, Point to, Role role, const LevelTint& tint) {
         const auto runs = clippedTo({from, to}, view_.plot);
         if (runs.empty()) return;
+        const Point at = runs.front().front();
+        const bool atRim = at.x > view_.plot.x1 - 1;  // then left of it, where it is not cut off
         put(role,
-            Label{.at = runs.front().front(),
+            Label{.at = at,
                   .text = plainText(text),
-                  .anchor = Anchor::TopLeft,
+                  .anchor = atRim ? Anchor::Right : Anchor::TopLeft,
                   .size = 0.9,
-                  .offset = {4, 3},
+                  .offset = atRim ? Point{-4, 10} : Point{4, 3},
                   .plate = true},
             tint);
     }

@@ -10,6 +10,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "panes/offscreen_gl.h"
+#include "panes/turntable.h"
 
 namespace reliefui {
 
@@ -48,6 +49,19 @@ class Quiet {
 };
 
 }  // namespace
+
+void turnForOrbit(Turntable& camera, double degrees, const std::function<void()>& fit) {
+    constexpr int kAngles = 12;  // of the circle; between them the fitted distance hardly changes
+    Turntable farthest = camera;
+    for (int n = 0; n < kAngles; ++n) {
+        camera.rotate(2 * M_PI / kAngles);
+        fit();
+        farthest.keepBack(camera);
+    }
+    camera.rotate(degrees * M_PI / 180);
+    fit();
+    camera.keepBack(farthest);
+}
 
 QImage SpaceFigure::rendered(vtkGenericOpenGLRenderWindow& window, const QSize& pixels) {
     window.Render();

@@ -7,6 +7,12 @@ class vtkGenericOpenGLRenderWindow;
 
 namespace reliefui {
 
+class Turntable;
+
+// Turns the camera by this angle in degrees, and moves it back to where all is visible from every angle. fit: moves the
+// camera as close as the present angle allows.
+void turnForOrbit(Turntable& camera, double degrees, const std::function<void()>& fit);
+
 class SpaceFigure : public Figure {
   public:
     bool vectors() const override { return false; }

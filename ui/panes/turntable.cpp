@@ -89,9 +89,13 @@ void Turntable::apply(vtkCamera* camera) const {
     const Axes a = axes();
     camera->SetViewAngle(2 * halfView_ * 180 / M_PI);
     camera->SetFocalPoint(focus_.data());
-    camera->SetPosition(focus_[0] + distance_ * a.back[0], focus_[1] + distance_ * a.back[1],
-                        focus_[2] + distance_ * a.back[2]);
+    camera->SetPosition(eye().data());
     camera->SetViewUp(a.up.data());
+}
+
+Turntable::Place Turntable::eye() const {
+    const Axes a = axes();
+    return {focus_[0] + distance_ * a.back[0], focus_[1] + distance_ * a.back[1], focus_[2] + distance_ * a.back[2]};
 }
 
 double Turntable::viewHeight() const {

@@ -1,6 +1,7 @@
 // Camera of 3-D panes: orbits around a point with a fixed up direction. A drag rotates, the wheel zooms at the pointer.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -22,6 +23,10 @@ class Turntable {
     // Moves the camera as close as possible with all places visible in a view of this aspect (width / height), without
     // rotating it.
     void fit(const std::vector<Place>& places, double aspect);
+    // Turns the camera around the vertical through the focus, by an angle in radians.
+    void rotate(double angle) { azimuth_ += angle; }
+    // Moves the camera back until it is at least as far from its focus as the other one.
+    void keepBack(const Turntable& other) { distance_ = std::max(distance_, other.distance_); }
     void setFocus(const Place& focus) { focus_ = focus; }
 
     // dx, dy: movement of the pointer in pixels; height: of the view in pixels.
@@ -35,15 +40,16 @@ class Turntable {
     // Height of the view at the focus, in units of the scene.
     double viewHeight() const;
     Place right() const { return axes().right; }
-
-  private:
     struct Axes {
         Place right;
         Place up;
         Place back;  // direction towards the eye
     };
     Axes axes() const;
+    Place eye() const;
+    double halfView() const { return halfView_; }
 
+  private:
     double halfView_;
     Place focus_{0, 0, 0};
     double azimuth_ = 0;      // in radians; direction of the eye around the vertical axis

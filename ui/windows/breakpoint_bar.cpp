@@ -1,4 +1,7 @@
 #include "windows/breakpoint_bar.h"
+
+#include "panes/narrow_bar.h"
+#include "relief/errors.h"
 #include "workspace/change_name.h"
 #include "workspace/pause_log.h"
 
@@ -8,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -17,6 +21,8 @@ namespace {
 
 constexpr int kFarthestTexel = 1 << 30;
 constexpr double kHeightStep = 0.05;
+constexpr int kConditionLetters = 26;
+constexpr int kLongestChip = 44;  // letters
 
 }  // namespace
 
@@ -25,13 +31,19 @@ QString breakpointText(const relief::Breakpoint& breakpoint, relief::Language la
 }
 
 BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), row_(new QHBoxLayout(this)), kind_(new QComboBox(this)) {
+    : QWidget(parent), workspace_(workspace), kind_(new QComboBox(this)) {
+    auto* const all = new QHBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    auto* const bar = new NarrowBar(this);
+    all->addWidget(bar);
+    row_ = bar->row();
     row_->setContentsMargins(6, 0, 6, 2);
     row_->addWidget(new QLabel(tr("stop when"), this));
     kind_->setObjectName(QStringLiteral("breakpoint-kind"));
     kind_->setAccessibleName(tr("Where stepping stops"));
     kind_->setToolTip(tr("Playing and running stop at the first step that meets this condition"));
-    kind_->addItems({tr("level below"), tr("texel"), tr("ray below"), tr("overshoot"), tr("disagreement with exact")});
+    kind_->addItems({tr("level below"), tr("texel"), tr("ray below"), tr("overshoot"), tr("disagreement with exact"),
+                     tr("condition")});
     row_->addWidget(kind_);
     level_ =
         addNumber("breakpoint-level", tr("level "), tr("Level of the pyramid, 0 the finest"), 0, relief::kMostLevels);
@@ -44,6 +56,7 @@ BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
     height_->setRange(0, 1);
     height_->setSingleStep(kHeightStep);
     row_->addWidget(height_);
+    makeCondition();
     auto* const plus = new QToolButton(this);
     plus->setObjectName(QStringLiteral("breakpoint-add"));
     plus->setText(QStringLiteral("+"));
@@ -56,16 +69,32 @@ BreakpointBar::BreakpointBar(Workspace* workspace, QWidget* parent)
     const relief::Breakpoint standard;
     level_->setValue(standard.level);
     height_->setValue(standard.height);
-    connect(plus, &QToolButton::clicked, this, &BreakpointBar::add);
+    connect(plus, &QToolButton::clicked, this, qOverload<>(&BreakpointBar::add));
+    connect(condition_, &QLineEdit::returnPressed, this, qOverload<>(&BreakpointBar::add));
     connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &BreakpointBar::showFields);
     connect(workspace_, &Workspace::scenarioChanged, this, &BreakpointBar::refresh);
     connect(workspace_, &Workspace::notesChanged, this, &BreakpointBar::refresh);
+    connect(workspace_, &Workspace::snapshotChanged, this, &BreakpointBar::refresh);
     connect(workspace_, &Workspace::styleChanged, this, [this] {
         shown_.clear();
         refresh();
     });
     showFields();
     refresh();
+}
+
+void BreakpointBar::makeCondition() {
+    condition_ = new QLineEdit(this);
+    condition_->setObjectName(QStringLiteral("breakpoint-condition"));
+    condition_->setAccessibleName(tr("Condition over the columns of the steps"));
+    condition_->setToolTip(
+        tr("Condition over the columns of the steps and the pixel, such as "
+           "level == 3 && delta_lambda < 0.01 or pixel == 480,300; Enter adds it"));
+    condition_->setPlaceholderText(QStringLiteral("level == 3 && delta_lambda < 0.01"));
+    condition_->setMinimumWidth(fontMetrics().horizontalAdvance(QLatin1Char('x')) * kConditionLetters);
+    row_->addWidget(condition_);
+    ignore_ = addNumber("breakpoint-ignore", tr("ignore "), tr("How many times the ray meets it before it stops"), 0,
+                        relief::kMostIgnored);
 }
 
 QSpinBox* BreakpointBar::addNumber(const char* name, const QString& prefix, const QString& help, int low, int high) {
@@ -86,6 +115,7 @@ void BreakpointBar::showFields() {
     i_->setVisible(texel);
     j_->setVisible(texel);
     height_->setVisible(kind == relief::StopKind::RayBelow);
+    condition_->setVisible(kind == relief::StopKind::Condition);
     const auto snapshot = workspace_->snapshot();
     if (!texel || !snapshot || snapshot->trace.steps.empty()) return;
     // Default: the texel where the ray currently is, which is what users want most of the time.
@@ -109,12 +139,23 @@ relief::Breakpoint BreakpointBar::edited() const {
         breakpoint.j = j_->value();
     }
     if (breakpoint.kind == StopKind::RayBelow) breakpoint.height = height_->value();
+    if (breakpoint.kind == StopKind::Condition) breakpoint.condition = condition_->text().trimmed().toStdString();
+    breakpoint.ignore = ignore_->value();
     return breakpoint;
 }
 
 void BreakpointBar::add() {
+    add(edited());
+}
+
+void BreakpointBar::add(const relief::Breakpoint& added) {
+    try {
+        relief::checkBreakpoint(added, {});
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
+        return;
+    }
     std::vector<relief::Breakpoint> all = workspace_->scenario().breakpoints;
-    const relief::Breakpoint added = edited();
     if (std::find(all.begin(), all.end(), added) != all.end()) return;
     all.push_back(added);
     workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Add breakpoint"); }));
@@ -123,10 +164,11 @@ void BreakpointBar::add() {
 void BreakpointBar::toggleHere() {
     kind_->setCurrentIndex(static_cast<int>(relief::StopKind::Texel));
     showFields();
-    const relief::Breakpoint here = edited();
+    relief::Breakpoint here = edited();
+    here.ignore = 0;
     const std::vector<relief::Breakpoint>& all = workspace_->scenario().breakpoints;
     const auto found = std::find(all.begin(), all.end(), here);
-    if (found == all.end()) return add();
+    if (found == all.end()) return add(here);
     remove(static_cast<std::size_t>(found - all.begin()));
 }
 
@@ -142,9 +184,35 @@ void BreakpointBar::setOn(std::size_t number, bool on) {
     workspace_->setBreakpoints(std::move(all), changeName([] { return tr("Turn breakpoint on or off"); }));
 }
 
+BreakpointBar::Chip BreakpointBar::chipOf(const relief::Breakpoint& breakpoint) const {
+    const relief::Language language = workspace_->style().language;
+    // The filled or empty dot shows the state, so that colour is not the only cue.
+    Chip chip{breakpoint.on ? QStringLiteral("● ") : QStringLiteral("○ "), {}, breakpoint.on};
+    const QString title = breakpointText(breakpoint, language);
+    chip.text += title.size() > kLongestChip ? title.left(kLongestChip) + QStringLiteral("…") : title;
+    chip.help = title + QLatin1Char('\n');
+    const auto snapshot = workspace_->snapshot();
+    if (snapshot && !snapshot->trace.steps.empty()) {
+        const relief::BreakpointHits hits = relief::breakpointHits(breakpoint, snapshot->trace.stopped());
+        if (hits.fault) {
+            chip.text += QStringLiteral("  ⚠");
+            chip.help += QString::fromStdString(relief::sentence(*hits.fault, language)) + QLatin1Char('\n');
+        } else {
+            chip.text += QStringLiteral("  ×%1").arg(hits.steps.size() - hits.ignored);
+            chip.help += tr("On this ray: %n stop(s)", nullptr, static_cast<int>(hits.steps.size() - hits.ignored));
+            if (breakpoint.ignore > 0) chip.help += tr(", the first %1 ignored").arg(breakpoint.ignore);
+            chip.help += QLatin1Char('\n');
+        }
+    }
+    chip.help += breakpoint.on ? tr("Stops here; press to turn it off") : tr("Is off; press to turn it on");
+    return chip;
+}
+
 void BreakpointBar::refresh() {
     const PauseLog::Part part("breakpoints");
-    const std::vector<relief::Breakpoint>& now = workspace_->scenario().breakpoints;
+    const std::vector<relief::Breakpoint>& all = workspace_->scenario().breakpoints;
+    std::vector<Chip> now;
+    for (const relief::Breakpoint& breakpoint : all) now.push_back(chipOf(breakpoint));
     if (now == shown_ && chips_->layout() != nullptr) return;
     shown_ = now;
     // The call may come from a click on one of the old chips, so these are deleted later, after that event.
@@ -156,28 +224,29 @@ void BreakpointBar::refresh() {
     auto* const row = new QHBoxLayout(chips_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
-    for (std::size_t n = 0; n < now.size(); ++n) addChip(n, now[n]);
+    for (std::size_t n = 0; n < now.size(); ++n) {
+        addChip(n, now[n], breakpointText(all[n], workspace_->style().language));
+    }
     row->addStretch(1);
     chips_->show();
 }
 
-void BreakpointBar::addChip(std::size_t number, const relief::Breakpoint& breakpoint) {
-    const QString text = breakpointText(breakpoint, workspace_->style().language);
+void BreakpointBar::addChip(std::size_t number, const Chip& shown, const QString& name) {
     auto* const chip = new QToolButton(chips_);
     chip->setObjectName(QStringLiteral("breakpoint-%1").arg(number));
     chip->setCheckable(true);
-    chip->setChecked(breakpoint.on);
-    // The filled or empty dot shows the state, so that colour is not the only cue.
-    chip->setText((breakpoint.on ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
-    chip->setAccessibleName(text);
-    chip->setToolTip(breakpoint.on ? tr("Stops here; press to turn it off") : tr("Is off; press to turn it on"));
+    chip->setChecked(shown.on);
+    // Otherwise "&" underlines the letter behind it.
+    chip->setText(QString(shown.text).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    chip->setAccessibleName(name);
+    chip->setToolTip(shown.help);
     connect(chip, &QToolButton::toggled, this, [this, number](bool on) { setOn(number, on); });
     chips_->layout()->addWidget(chip);
     auto* const cross = new QToolButton(chips_);
     cross->setObjectName(QStringLiteral("breakpoint-remove-%1").arg(number));
     cross->setText(QStringLiteral("×"));
     cross->setAutoRaise(true);
-    cross->setAccessibleName(tr("Remove the breakpoint: %1").arg(text));
+    cross->setAccessibleName(tr("Remove the breakpoint: %1").arg(name));
     cross->setToolTip(cross->accessibleName());
     connect(cross, &QToolButton::clicked, this, [this, number] { remove(number); });
     chips_->layout()->addWidget(cross);

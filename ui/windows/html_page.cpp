@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measuring/lesson/lesson_text.h"
+#include "panes/trace/trace_state.h"
 #include "relief/files.h"
 #include "scenario/step_sentence.h"
 
@@ -21,9 +22,11 @@ namespace reliefui {
 
 namespace {
 
-constexpr double kPageMm = 105;         // width for which figures are drawn: text is as large as the page's
-constexpr std::size_t kMostSteps = 40;  // of a slider
+constexpr double kPageMm = 105;  // width for which figures are drawn: text is as large as the page's
 constexpr int kJpegQuality = 82;
+constexpr int kPictureWidth = 720;                // of frames and figures that are pictures, pixels
+constexpr std::size_t kMostVectorBytes = 150000;  // of one frame; larger ones, mostly pixels, become pictures
+constexpr int kStepMs = 900, kFrameMs = 120;      // time of a frame while playing
 
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -69,11 +72,12 @@ std::vector<std::string> groupsOf(const std::string& svg) {
     return groups;
 }
 
-std::string viewBoxOf(const std::string& svg) {
-    const std::size_t at = svg.find("viewBox=\"");
-    if (at == std::string::npos) return "0 0 1 1";
-    const std::size_t begin = at + 9;
-    return svg.substr(begin, svg.find('"', begin) - begin);
+std::string jpegData(const QImage& picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    picture.convertToFormat(QImage::Format_RGB32).save(&buffer, "JPEG", kJpegQuality);
+    return "data:image/jpeg;base64," + bytes.toBase64().toStdString();
 }
 
 std::string svgOf(const Figure& figure, const FigurePage& page, const QTemporaryDir& folder, relief::Work& work) {
@@ -108,27 +112,24 @@ std::vector<int> stepsOf(const Snapshot& snapshot, std::size_t most) {
     return steps;
 }
 
-// A figure at all of its steps, in one language.
+// All frames of a figure, in one language.
 struct Frames {
-    std::string viewBox;
-    std::vector<std::vector<int>> parts;  // per step
-};
+    int width = 1, height = 1;            // of the tallest
+    std::vector<std::vector<int>> parts;  // per frame
+    std::vector<std::string> words;       // below it
 
-Frames framesOf(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, const std::vector<int>& steps,
-                relief::Language language, HtmlParts& parts, relief::Work& work) {
-    const QTemporaryDir folder;
-    Frames frames;
-    for (const int step : steps) {
-        relief::Scenario scenario = snapshot->scenario;
-        scenario.step = step;
-        auto stepped = std::make_shared<Snapshot>(*snapshot);
-        stepped->scenario.step = step;
-        const std::string svg = svgOf(*kind.make(stepped, scenario), pageIn(language), folder, work);
-        if (frames.viewBox.empty()) frames.viewBox = viewBoxOf(svg);
-        frames.parts.push_back(parts.add(svg));
+    void fit(int w, int h) {
+        width = w;
+        height = std::max(height, h);
     }
-    return frames;
-}
+    void fit(const std::string& svg) {
+        static const std::regex kBox("viewBox=\"0 0 ([0-9]+) ([0-9]+)\"");
+        std::smatch sides;
+        const std::string head = svg.substr(0, svg.find("<g "));
+        if (std::regex_search(head, sides, kBox)) fit(std::stoi(sides[1]), std::stoi(sides[2]));
+    }
+};
+using FramesInBoth = std::map<relief::Language, Frames>;
 
 std::string sentenceOf(const Snapshot& snapshot, int step, relief::Language language) {
     const PixelTrace& trace = snapshot.trace;
@@ -137,15 +138,64 @@ std::string sentenceOf(const Snapshot& snapshot, int step, relief::Language lang
                             language);
 }
 
+Frames steppedFrames(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot,
+                     const std::vector<int>& steps, relief::Language language, HtmlParts& parts, relief::Work& work) {
+    const QTemporaryDir folder;
+    Frames frames;
+    for (const int step : steps) {
+        relief::Scenario scenario = snapshot->scenario;
+        scenario.step = step;
+        auto stepped = std::make_shared<Snapshot>(*snapshot);
+        stepped->scenario.step = step;
+        const std::string svg = svgOf(*kind.make(stepped, scenario), pageIn(language), folder, work);
+        frames.fit(svg);
+        frames.parts.push_back(parts.add(svg));
+        frames.words.push_back(sentenceOf(*snapshot, step, language));
+    }
+    return frames;
+}
+
 bool allEqual(const std::vector<std::vector<int>>& frames) {
     return std::adjacent_find(frames.begin(), frames.end(), std::not_equal_to<>()) == frames.end();
 }
 
-// The figures that show the chosen step. Others may take seconds to draw, and are drawn once.
-bool followsSteps(const FigureKind& kind) {
-    constexpr std::array<std::string_view, 8> kNames{"profile", "duel",  "distance",    "pyramid",
-                                                     "steps",   "slabs", "formula-ray", "formula"};
-    return std::find(kNames.begin(), kNames.end(), kind.name) != kNames.end();
+// How frames are shown. slider: its name for screen readers; ms: time of a frame while playing; pixels: the frames are
+// pictures, which keep their colours on a dark page.
+struct Showing {
+    const char* slider;
+    int ms;
+    bool pixels;
+};
+
+// Returns the <figure>. values: the text of the slider at each frame; shown: the frame without scripts.
+std::string framesHtml(const std::string& name, const FramesInBoth& frames, const std::vector<std::string>& values,
+                       std::size_t shown, const HtmlParts& parts, const Showing& how) {
+    const Frames& english = frames.at(relief::Language::English);
+    const Frames& ukrainian = frames.at(relief::Language::Ukrainian);
+    const bool moves = values.size() > 1 && !allEqual(english.parts);
+    nlohmann::json data{{"steps", values}, {"ms", how.ms}};
+    std::string html = "<figure class=\"steps\">\n";
+    for (const auto& [language, drawn] : frames) {
+        const std::string code = languageCode(language);
+        html += "<svg class=\"" + code + (how.pixels ? " pixels" : "") + "\" viewBox=\"0 0 " +
+                std::to_string(drawn.width) + " " + std::to_string(drawn.height) + "\" role=\"img\" aria-label=\"" +
+                relief::escapedHtml(name) + "\">";
+        for (const int part : drawn.parts[shown]) html += parts.part(part);
+        html += "</svg>\n";
+        data[code] = drawn.parts;
+        data["say-" + code] = drawn.words;
+    }
+    if (!moves) return html + "</figure>\n";
+    html +=
+        "<div class=\"slider\"><button type=\"button\" class=\"play\" aria-label=\"play\">▶</button>"
+        "<input type=\"range\" min=\"0\" max=\"" +
+        std::to_string(values.size() - 1) + "\" value=\"" + std::to_string(shown) + "\" aria-label=\"" + how.slider +
+        "\"><output>" + relief::escapedHtml(values[shown]) + "</output></div>\n<figcaption>" +
+        inBoth(relief::escapedHtml(english.words[shown]), relief::escapedHtml(ukrainian.words[shown])) +
+        "</figcaption>\n";
+    std::string json = data.dump();
+    replaceAll(json, "</", "<\\/");
+    return html + "<script type=\"application/json\" class=\"frames\">" + json + "</script>\n</figure>\n";
 }
 
 // Returns how many steps there is room for: two steps tell how many bytes a step has of its own.
@@ -155,23 +205,37 @@ std::size_t mostSteps(const FigureKind& kind, const std::shared_ptr<const Snapsh
     const int chosen = snapshot->scenario.step;
     installLanguage(relief::Language::English);
     const std::size_t before = parts.bytes();
-    const Frames one = framesOf(kind, snapshot, {chosen}, relief::Language::English, parts, work);
+    const Frames one = steppedFrames(kind, snapshot, {chosen}, relief::Language::English, parts, work);
     const std::size_t oneBytes = parts.bytes() - before;
-    const Frames other = framesOf(kind, snapshot, {chosen == last ? 0 : last}, relief::Language::English, parts, work);
+    const Frames other =
+        steppedFrames(kind, snapshot, {chosen == last ? 0 : last}, relief::Language::English, parts, work);
     if (one.parts == other.parts) return 1;
     const std::size_t each = std::max<std::size_t>(parts.bytes() - before - oneBytes, 1);
-    return std::min(kMostSteps, (kMostFigureBytes - std::min(kMostFigureBytes, oneBytes)) / (2 * each));
+    return std::min(kMostPageSteps, (kMostFigureBytes - std::min(kMostFigureBytes, oneBytes)) / (2 * each));
+}
+
+// Makes a figure and computes what the page needs.
+std::shared_ptr<const Figure> readyFigure(const FrameMaker& make, const FigurePage& page, relief::Work& work) {
+    auto figure = make();
+    auto prepared = figure->prepared(page, work);
+    return prepared ? prepared : figure;
 }
 
 // A figure that is pixels: as drawn for the chosen step.
 std::string pixelsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, relief::Work& work) {
-    constexpr int kWidth = 720;
     const auto figure = kind.make(snapshot, snapshot->scenario);
-    return "<figure>" + pictureHtml(figureImage(*figure, pageIn(relief::Language::English), kWidth, work), kind.name) +
+    return "<figure>" +
+           pictureHtml(figureImage(*figure, pageIn(relief::Language::English), kPictureWidth, work), kind.name) +
            "</figure>\n";
 }
 
 }  // namespace
+
+bool followsSteps(const FigureKind& kind) {
+    constexpr std::array<std::string_view, 9> kNames{"profile", "duel",  "distance",    "pyramid", "steps",
+                                                     "slabs",   "trace", "formula-ray", "formula"};
+    return std::find(kNames.begin(), kNames.end(), kind.name) != kNames.end();
+}
 
 const char* languageCode(relief::Language language) {
     return language == relief::Language::Ukrainian ? "uk" : "en";
@@ -195,15 +259,22 @@ std::string inBoth(const std::string& english, const std::string& ukrainian) {
 
 std::vector<int> HtmlParts::add(const std::string& svg) {
     std::vector<int> numbers;
-    for (std::string& group : groupsOf(svg)) {
-        const auto [found, isNew] = numbers_.try_emplace(group, static_cast<int>(parts_.size()));
-        if (isNew) {
-            bytes_ += group.size();
-            parts_.push_back(std::move(group));
-        }
-        numbers.push_back(found->second);
-    }
+    for (std::string& group : groupsOf(svg)) numbers.push_back(addPart(std::move(group)));
     return numbers;
+}
+
+int HtmlParts::add(const QImage& picture) {
+    return addPart("<image width=\"" + std::to_string(picture.width()) + "\" height=\"" +
+                   std::to_string(picture.height()) + "\" href=\"" + jpegData(picture) + "\"/>");
+}
+
+int HtmlParts::addPart(std::string part) {
+    const auto [found, isNew] = numbers_.try_emplace(part, static_cast<int>(parts_.size()));
+    if (isNew) {
+        bytes_ += part.size();
+        parts_.push_back(std::move(part));
+    }
+    return found->second;
 }
 
 std::string HtmlParts::script() const {
@@ -214,54 +285,60 @@ std::string HtmlParts::script() const {
 
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work) {
-    if (!kind.vectors) return pixelsFigure(kind, snapshot, work);
+    // The relief of the 3-D trace would be thousands of polygons for each step.
+    if (!kind.vectors || kind.name == TracePane::kName) return pixelsFigure(kind, snapshot, work);
     const std::size_t most = followsSteps(kind) ? mostSteps(kind, snapshot, parts, installLanguage, work) : 1;
     const std::vector<int> steps = stepsOf(*snapshot, most);
-    std::map<relief::Language, Frames> frames;
+    FramesInBoth frames;
     for (const relief::Language language : kPageLanguages) {
         installLanguage(language);
-        frames[language] = framesOf(kind, snapshot, steps, language, parts, work);
+        frames[language] = steppedFrames(kind, snapshot, steps, language, parts, work);
     }
     const auto chosen =
         static_cast<std::size_t>(std::find(steps.begin(), steps.end(), snapshot->scenario.step) - steps.begin());
-    const std::size_t shown = chosen < steps.size() ? chosen : steps.size() - 1;
-    const bool moves = steps.size() > 1 && !allEqual(frames[relief::Language::English].parts);
-    nlohmann::json data;
-    std::string html = "<figure class=\"steps\">\n";
-    for (const relief::Language language : kPageLanguages) {
-        const Frames& drawn = frames[language];
-        html += std::string("<svg class=\"") + languageCode(language) + "\" viewBox=\"" + drawn.viewBox +
-                "\" role=\"img\" aria-label=\"" + relief::escapedHtml(kind.name) + "\">";
-        for (const int part : drawn.parts[shown]) html += parts.part(part);
-        html += "</svg>\n";
-        if (!moves) continue;
-        data[languageCode(language)] = drawn.parts;
-        for (const int step : steps)
-            data[std::string("say-") + languageCode(language)].push_back(sentenceOf(*snapshot, step, language));
-    }
-    if (moves) {
-        for (const int step : steps) data["steps"].push_back(step + 1);
-        html += "<div class=\"slider\"><input type=\"range\" min=\"0\" max=\"" + std::to_string(steps.size() - 1) +
-                "\" value=\"" + std::to_string(shown) + "\" aria-label=\"step\"><output>" +
-                std::to_string(steps[shown] + 1) + "</output></div>\n<figcaption>" +
-                inBoth(relief::escapedHtml(sentenceOf(*snapshot, steps[shown], relief::Language::English)),
-                       relief::escapedHtml(sentenceOf(*snapshot, steps[shown], relief::Language::Ukrainian))) +
-                "</figcaption>\n";
-        std::string json = data.dump();
-        replaceAll(json, "</", "<\\/");
-        html += "<script type=\"application/json\" class=\"frames\">" + json + "</script>\n";
-    }
-    return html + "</figure>\n";
+    std::vector<std::string> values;
+    for (const int step : steps) values.push_back(std::to_string(step + 1));
+    return framesHtml(kind.name, frames, values, std::min(chosen, steps.size() - 1), parts, {"step", kStepMs, false});
+}
+
+std::string framesFigure(const FigureKind& kind, const FrameSource& source, HtmlParts& parts,
+                         const LanguageSetter& installLanguage, relief::Work& work) {
+    const QTemporaryDir folder;
+    FramesInBoth frames;
+    std::vector<std::string> values;
+    bool pixels = !kind.vectors;
+    source([&](const FrameMaker& make, const std::string& value, const std::string& changed) {
+        for (const relief::Language language : kPageLanguages) {
+            installLanguage(language);
+            Frames& drawn = frames[language];
+            FigurePage page = pageIn(language);
+            if (pixels) page.widthPixels = kPictureWidth;
+            auto figure = readyFigure(make, page, work);
+            const std::string svg = pixels ? std::string() : svgOf(*figure, page, folder, work);
+            if (frames.size() == 1 && drawn.parts.empty() && svg.size() > kMostVectorBytes) {
+                pixels = true;
+                page.widthPixels = kPictureWidth;
+                figure = readyFigure(make, page, work);
+            }
+            if (pixels) {
+                const QImage picture = figureImage(*figure, page, kPictureWidth, work);
+                drawn.fit(picture.width(), picture.height());
+                drawn.parts.push_back({parts.add(picture)});
+            } else {
+                drawn.fit(svg);
+                drawn.parts.push_back(parts.add(svg));
+            }
+            const std::string caption = figure->caption(language);
+            drawn.words.push_back(changed.empty() ? caption : changed + " · " + caption);
+        }
+        values.push_back(value);
+    });
+    return framesHtml(kind.name, frames, values, 0, parts, {"frame", kFrameMs, pixels});
 }
 
 std::string pictureHtml(const QImage& picture, const std::string& alt) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    picture.convertToFormat(QImage::Format_RGB32).save(&buffer, "JPEG", kJpegQuality);
     return "<img alt=\"" + relief::escapedHtml(alt) + "\" width=\"" + std::to_string(picture.width()) + "\" height=\"" +
-           std::to_string(picture.height()) + "\" src=\"data:image/jpeg;base64," + bytes.toBase64().toStdString() +
-           "\">";
+           std::to_string(picture.height()) + "\" src=\"" + jpegData(picture) + "\">";
 }
 
 std::string wholePage(const std::string& english, const std::string& ukrainian, const std::string& body,

@@ -162,7 +162,7 @@ class PageWriter {
         html += "</tr>\n";
         for (std::size_t n = 0; n < knob.watch.size(); ++n) {
             html += "<tr><td><code>" + escaped(knob.watch[n].value.text()) + "</code></td>";
-            for (const auto& turn : turns) html += "<td>" + relief::lessonValueText(turn[n]) + "</td>";
+            for (const auto& turn : turns) html += "<td>" + relief::expressionValueText(turn[n]) + "</td>";
             html += "</tr>\n";
         }
         return html + "</table></div>\n</div>\n";

@@ -22,6 +22,7 @@
 #include "windows/key_policy.h"
 #include "windows/message_bar.h"
 #include "windows/pane_title.h"
+#include "windows/share.h"
 #include "windows/status_line.h"
 #include "windows/time_pane.h"
 #include "windows/top_bar.h"
@@ -267,6 +268,7 @@ void MainWindow::cancel() {
     bool ran = workspace_->busy() || workspace_->tasks().busy();
     workspace_->cancel();
     for (FigureView* const view : findChildren<FigureView*>()) ran = view->cancel() || ran;
+    ran = cancelWriting(this) || ran;
     if (ran) return;
     if (workspace_->guessing()) return workspace_->setGuessing(false);
     if (filled_ != nullptr) return fill(filled_);

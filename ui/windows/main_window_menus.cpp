@@ -26,6 +26,7 @@
 #include "windows/home_view.h"
 #include "windows/layout_menu.h"
 #include "windows/main_window.h"
+#include "windows/moving_dialog.h"
 #include "windows/share.h"
 #include "windows/status_line.h"
 #include "windows/step_bar.h"
@@ -80,7 +81,7 @@ void MainWindow::makeFileMenu() {
                                  tr("Save pictures, view and settings, to open them again"));
     connect(save, &QAction::triggered, this, &MainWindow::askSaveScenario);
     auto* const other = addAction(menu, tr("Open another &tracer's steps…"), QKeySequence(QStringLiteral("Ctrl+T")),
-                                  tr("Open a file of rays and a file of the steps that another tracer took on them"));
+                                  tr("Open a file of rays and a file of the steps or hits of another tracer on them"));
     connect(other, &QAction::triggered, this, &MainWindow::askOtherTracer);
     auto* const picture = addAction(menu, tr("Save &picture…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")),
                                     tr("Save the picture of the result"));
@@ -96,6 +97,17 @@ void MainWindow::makeFileMenu() {
             if (pane.dock != active || pane.kind.figures.empty()) continue;
             askPanePage(this, workspace_, QString::fromStdString(pane.kind.figures.front().name));
         }
+    });
+    auto* const moving = addAction(menu, tr("&Moving picture…"), {},
+                                   tr("A pane at each step, from all sides, or while an option changes: as a page for "
+                                      "browsers or as numbered pictures"));
+    connect(moving, &QAction::triggered, this, [this] {
+        const QDockWidget* const active = activePane();
+        QString name = QStringLiteral("result");
+        for (const Pane& pane : panes_) {
+            if (pane.dock == active && active != nullptr && !result_->hasFocus()) name = pane.kind.name;
+        }
+        askMovingPicture(this, workspace_, name);
     });
     menu->addSeparator();
     auto* const quit = addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
@@ -207,6 +219,10 @@ void MainWindow::makeRayMenu() {
         tr("Go to the next step that meets a breakpoint condition"), &StepBar::run);
     add(tr("Run bac&k to a breakpoint"), QKeySequence(QStringLiteral("Shift+F5")),
         tr("Go back to the previous breakpoint"), &StepBar::runBack);
+    add(tr("Run to the next &change"), QKeySequence(Qt::Key_F8),
+        tr("Go to the next step at which the chosen value of the pane Watch changes"), &StepBar::runToChange);
+    add(tr("Run back to a c&hange"), QKeySequence(QStringLiteral("Shift+F8")),
+        tr("Go back to the step before the watched value became what it is"), &StepBar::runBackToChange);
     connect(addAction(menu, tr("&Stop at this texel"), QKeySequence(Qt::Key_F9),
                       tr("Set a breakpoint at the texel of the chosen step, or remove it")),
             &QAction::triggered, time_->breakpoints(), &BreakpointBar::toggleHere);
@@ -331,6 +347,7 @@ void MainWindow::showShortcuts() {
         {QStringLiteral("[   ]"), tr("play slower, faster")},
         {QStringLiteral("F10   Shift+F10"), tr("step over a level, and back")},
         {QStringLiteral("F5   Shift+F5"), tr("run to the next breakpoint, and back")},
+        {QStringLiteral("F8   Shift+F8"), tr("run to the next change of the watched value, and back")},
         {QStringLiteral("F9"), tr("set a breakpoint at this texel")},
         {QStringLiteral("Shift+E   Shift+S   Shift+O   Shift+D"),
          tr("next pixel: largest error, most steps, overshoot, disagreement")},

@@ -142,7 +142,8 @@ void MainWindow::askOtherTracer() {
     const QString rays =
         askOpenFile(this, kind, tr("Rays of another tracer: s0,t0,a,b in texels"), tr("Rays (*.csv);;All files (*)"));
     if (rays.isEmpty()) return;
-    const QString steps = askOpenFile(this, kind, tr("Its steps on them"), tr("Steps (*.csv *.json);;All files (*)"));
+    const QString steps =
+        askOpenFile(this, kind, tr("Its steps or hits on them"), tr("Steps or hits (*.csv *.json);;All files (*)"));
     if (!steps.isEmpty()) time_->other()->open(rays, steps);
 }
 

@@ -5,6 +5,7 @@
 #include "panes/charts/charts_pane.h"
 #include "panes/compare/compare_pane.h"
 #include "panes/distance/distance_pane.h"
+#include "panes/doctor/doctor_pane.h"
 #include "panes/drawn/drawn_pane.h"
 #include "panes/duel/duel_pane.h"
 #include "panes/footprint/footprint_pane.h"
@@ -13,8 +14,11 @@
 #include "panes/pyramid/pyramid_pane.h"
 #include "panes/result/result_pane.h"
 #include "panes/rows/rows_pane.h"
+#include "panes/shader/shader_pane.h"
 #include "panes/skipped/skipped_pane.h"
 #include "panes/trace/trace_pane.h"
+#include "panes/watch/watch_pane.h"
+#include "panes/why/why_pane.h"
 #include "relief/errors.h"
 #include "windows/scene_panel.h"
 #include "windows/time_pane.h"
@@ -39,6 +43,10 @@ std::vector<PaneKind> paneList() {
         duelPane(),       //
         skippedPane(),    //
         formulaPane(),    //
+        watchPane(),      //
+        whyPane(),        //
+        shaderPane(),     //
+        doctorPane(),     //
     };
 }
 

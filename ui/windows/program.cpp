@@ -56,9 +56,15 @@ void grab(MainWindow& window, const QString& path) {
     QApplication::exit(done ? 0 : 1);
 }
 
+// Qt writes the fonts of a PDF in the order of a hash table, which is random unless this is set.
+void fixOrderInFiles() {
+    qSetGlobalQHashSeed(0);
+}
+
 }  // namespace
 
 void prepareWindows() {
+    fixOrderInFiles();
     // VTK draws through GLX, so X11 is required, even in a session that offers Wayland.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
     createRuntimeFolder();
@@ -72,6 +78,7 @@ void prepareWindows() {
 }
 
 void prepareFigures() {
+    fixOrderInFiles();
     qputenv("QT_QPA_PLATFORM", "offscreen");
     createRuntimeFolder();
 }

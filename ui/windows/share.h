@@ -1,5 +1,5 @@
-// Pages for browsers, from the window: another process of this program writes them, because their texts are in both
-// languages and the window's in one.
+// Pages for browsers and moving pictures, from the window: another process of this program writes them, because the
+// texts of pages are in both languages and the window's in one, and because it may take long.
 #pragma once
 
 #include <QString>
@@ -12,8 +12,15 @@ namespace reliefui {
 
 class Workspace;
 
-// Starts `reliefscope WHAT --html -o FILE`, and reports its end through the workspace. The process deletes itself then.
-QProcess* writePage(QWidget* window, Workspace* workspace, const QStringList& what, const QString& file);
+// Starts `reliefscope WHAT -o FILE`, and reports its end through the workspace. The process deletes itself then.
+QProcess* startWriting(QWidget* window, Workspace* workspace, const QStringList& what, const QString& file);
+// Ends all such processes of the window. Returns whether there were any.
+bool cancelWriting(QWidget* window);
+// Writes the pane's figure of the open scenario; how: further arguments.
+void writePane(QWidget* window, Workspace* workspace, const QString& figure, const QStringList& how,
+               const QString& file);
+// Asks for the file of a page; empty if the user cancelled. name: proposed, without ending.
+QString askPageFile(QWidget* window, const QString& name);
 // Asks for a file, and writes the pane's figure of the open scenario, with a slider over the steps.
 void askPanePage(QWidget* window, Workspace* workspace, const QString& figure);
 // Asks for a file, and writes the lesson in this folder.

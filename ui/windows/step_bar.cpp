@@ -13,7 +13,10 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "panes/watch/watch_state.h"
+#include "relief/errors.h"
 #include "windows/breakpoint_bar.h"
+#include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -154,10 +157,37 @@ void StepBar::runBack() {
 // Goes to the next breakpoint, or to the end of the ray if there is none.
 void StepBar::runTo(bool forward) {
     if (count() == 0) return;
-    const auto stop = relief::nextStop(workspace_->scenario().breakpoints, workspace_->snapshot()->trace.stopped(),
-                                       static_cast<std::size_t>(step()), forward);
+    goTo(relief::nextStop(workspace_->scenario().breakpoints, workspace_->snapshot()->trace.stopped(),
+                          static_cast<std::size_t>(step()), forward),
+         forward);
+}
+
+void StepBar::goTo(const std::optional<std::size_t>& step, bool forward) {
     const int end = forward ? count() - 1 : 0;
-    workspace_->chooseStep(stop ? static_cast<int>(*stop) : end);
+    workspace_->chooseStep(step ? static_cast<int>(*step) : end);
+}
+
+void StepBar::runToChange() {
+    runToChange(true);
+}
+
+void StepBar::runBackToChange() {
+    runToChange(false);
+}
+
+void StepBar::runToChange(bool forward) {
+    if (count() == 0) return;
+    const std::string value = stateOf<WatchPane>(workspace_->scenario()).chosenValue();
+    if (value.empty()) {
+        Q_EMIT workspace_->problem(tr("No value is watched: choose one in the pane Watch"));
+        return;
+    }
+    try {
+        const relief::WatchedValues watched = relief::watchedValues(value, workspace_->snapshot()->trace.columns());
+        goTo(watched.nextChange(static_cast<std::size_t>(step()), forward), forward);
+    } catch (const relief::InputError& error) {
+        Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
+    }
 }
 
 // The enabled breakpoints that match the chosen step.

@@ -29,6 +29,10 @@ class StepBar : public QWidget {
     // Runs to the next or previous breakpoint; to the end of the ray if there is none.
     void run();
     void runBack();
+    // Runs to the next or previous step at which the chosen watched value changes; to the end of the ray if there is
+    // none.
+    void runToChange();
+    void runBackToChange();
     // Plays until the end of the ray or a breakpoint.
     void togglePlay();
     // Changes the speed to the next higher or lower preset, in steps per second.
@@ -44,6 +48,8 @@ class StepBar : public QWidget {
     void advance();
     int levelStep(bool forward) const;
     void runTo(bool forward);
+    void runToChange(bool forward);
+    void goTo(const std::optional<std::size_t>& step, bool forward);
     QString stopsHere() const;
 
     Workspace* workspace_;

@@ -7,6 +7,7 @@ namespace reliefui {
 std::shared_ptr<Snapshot> withoutAnswer(const Snapshot& snapshot) {
     auto hidden = makeFreedInBackground<Snapshot>(snapshot);
     hidden->trace.steps.clear();
+    hidden->trace.further.clear();
     hidden->trace.hit = relief::Hit::none(relief::Outcome::Unset);
     hidden->trace.judgement = {};
     hidden->trace.hidden = true;

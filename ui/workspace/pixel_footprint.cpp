@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "filtering/filter_block.h"
-#include "relief/addressing.h"
 #include "rendering/lighting.h"
+#include "rendering/point_texels.h"
 #include "rendering/supersample.h"
 
 namespace reliefui {
@@ -17,7 +17,8 @@ using relief::FootprintKind;
 using relief::FootprintTexel;
 using relief::LevelAxis;
 
-// Limit for individual texels: a footprint at the horizon contains millions if the filter always uses level 0.
+// Limit for individual texels: a footprint at the horizon contains millions if
+// the filter always uses level 0.
 constexpr std::int64_t kMostListed = 200000;
 // In texels of the level; larger circles are not drawn.
 constexpr double kLargestCircle = 1e6;
@@ -27,78 +28,31 @@ bool finite(const relief::Jacobian& j) {
     return most < kLargestCircle;  // also false for NaN
 }
 
-// Centre of the periodic copy of texel i that is nearest to x.
-double unwrapped(const LevelAxis& axis, int i, double x) {
-    const double centre = axis.centre(i);
-    if (axis.address != relief::Address::Repeat) return centre;
-    return centre + std::round((x - centre) / axis.extent) * axis.extent;
-}
-
-// Adds the texels of a bilinear sample at `place` on level l, whose axes are given; u, v are in texels of level `base`.
-void addBilinear(std::vector<FootprintTexel>& texels, const LevelAxis& across, const LevelAxis& down, glm::dvec2 place,
-                 int l, int base, const relief::Color& weight) {
-    const relief::BilinearSupport x = across.support(place.x);
-    const relief::BilinearSupport y = down.support(place.y);
-    for (const bool lower : {false, true}) {
-        for (const bool right : {false, true}) {
-            const float share = (right ? x.share : 1 - x.share) * (lower ? y.share : 1 - y.share);
-            if (!(share > 0)) continue;
-            FootprintTexel texel;
-            texel.i = right ? x.second : x.first;
-            texel.j = lower ? y.second : y.first;
-            texel.level = l;
-            texel.u = std::ldexp(unwrapped(across, texel.i, place.x), l - base);
-            texel.v = std::ldexp(unwrapped(down, texel.j, place.y), l - base);
-            texel.weight = share * weight;
-            texels.push_back(texel);
-        }
-    }
-}
-
 LevelAxis axisOf(int size, int level, const relief::FrameRequest& request) {
     return LevelAxis::of(size, level, request.field.address());
 }
 
-// Adds the texels of a point sample, for filters that do not log their texels. weight: of the whole sample.
-void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture,
-              const relief::Jacobian& j, glm::dvec2 place, const relief::Color& weight = relief::Color(1)) {
-    std::vector<FootprintTexel>& texels = out.log.texels;
-    const auto bilinear = [&](int l, double part) {
-        addBilinear(texels, axisOf(picture.width(), l, request), axisOf(picture.height(), l, request),
-                    {std::ldexp(place.x, -l), std::ldexp(place.y, -l)}, l, out.level(),
-                    static_cast<float>(part) * weight);
-    };
-    // Without a colour picture, the colour is a height of the relief, sampled like its surface.
-    const bool nearest =
-        request.color ? out.filter.name == "nearest" : request.field.surface() == relief::Surface::Columns;
-    if (nearest && !relief::findFilter(out.filter.name).footprint) {
-        const auto at = [&](double x, int size) {
-            return relief::addressIndex(static_cast<std::int64_t>(std::floor(x)), size, request.field.address());
-        };
-        texels.push_back({at(place.x, picture.width()), at(place.y, picture.height()), 0, std::floor(place.x) + 0.5,
-                          std::floor(place.y) + 0.5, weight});
-    } else if (out.filter.name == "trilinear") {
-        // The same choice of level as in the filter.
-        const double side = std::max(std::hypot(j.ux, j.vx), std::hypot(j.uy, j.vy));
-        const double level = side > 1 ? std::log2(side) : 0;
-        const double share = level - out.level();
-        const bool both =
-            share > 0 && share < 1 &&
-            axisOf(picture.width(), out.level(), request).size + axisOf(picture.height(), out.level(), request).size >
-                2;
-        bilinear(out.level(), both ? 1 - share : 1);
-        if (both) bilinear(out.level() + 1, share);
-    } else {
-        bilinear(0, 1);
-    }
+relief::SampledTexture textureOf(const relief::FrameRequest& request, const relief::ColorImage& picture) {
+    return {picture.width(), picture.height(), request.field.address()};
 }
 
-// Moves each sample to the centre of its texel, in the periodic copy that was sampled, and merges samples of the same
-// texel into one with the sum of their weights, separately for visible and hidden ones. The result is ordered by rows.
+// Adds the texels of a point sample, for filters that do not log their texels.
+// weight: of the whole sample.
+void addPoint(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture,
+              const relief::Jacobian& j, glm::dvec2 place, const relief::Color& weight = relief::Color(1)) {
+    relief::addPointTexels(out.log.texels, request, textureOf(request, picture), out.filter.name, out.level(), j, place,
+                           weight);
+}
+
+// Moves each sample to the centre of its texel, in the periodic copy that was
+// sampled, and merges samples of the same texel into one with the sum of their
+// weights, separately for visible and hidden ones. The result is ordered by
+// rows.
 void joinTexels(PixelFootprint& out, const relief::FrameRequest& request, const relief::ColorImage& picture) {
     std::vector<FootprintTexel>& texels = out.log.texels;
     const auto snapped = [](const LevelAxis& axis, int i, double x) {
-        if (axis.address == relief::Address::Repeat || (x >= 0 && x <= axis.extent)) return unwrapped(axis, i, x);
+        if (axis.address == relief::Address::Repeat || (x >= 0 && x <= axis.extent))
+            return relief::unwrappedCentre(axis, i, x);
         // With other address modes the outermost texel continues beyond the border.
         return axis.centre(i) + std::round(x - axis.centre(i));
     };
@@ -238,7 +192,8 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
         out->log.footprint.centre = {out->across.extent / 2, out->down.extent / 2};
         out->log.texels.push_back({0, 0, f.level, f.centre.x, f.centre.y, relief::Color(1)});
     } else if (f.kind == FootprintKind::Top) {
-        // The filter logs around a placeholder centre, because this footprint has none; moved to the hit.
+        // The filter logs around a placeholder centre, because this footprint has
+        // none; moved to the hit.
         const glm::dvec2 shift = place * shrink - f.centre;
         for (FootprintTexel& texel : out->log.texels) texel.u += shift.x, texel.v += shift.y;
         out->log.footprint.centre = place * shrink;
@@ -254,8 +209,8 @@ std::shared_ptr<const PixelFootprint> pixelFootprint(const relief::Frame& frame,
     if (f.kind == FootprintKind::Top) out->bounded = false;
     if (out->log.allHidden) {
         // Everything is hidden: the filter samples the colour at the hit instead.
-        addBilinear(out->log.texels, axisOf(colors.width(), 0, request), axisOf(colors.height(), 0, request),
-                    f.centre * std::ldexp(1.0, f.level), 0, f.level, relief::Color(1));
+        relief::addBilinearTexels(out->log.texels, textureOf(request, colors), f.centre * std::ldexp(1.0, f.level), 0,
+                                  f.level, relief::Color(1));
     }
     joinTexels(*out, request, colors);
     sumWeights(*out);

@@ -15,17 +15,13 @@ void take(PixelTrace& out, relief::LoggedRay ray) {
     out.reads = ray.reads;
     out.exact = ray.exact;
     out.judgement = ray.judgement;
+    out.further = std::move(ray.further);
 }
 
 }  // namespace
 
 std::shared_ptr<const OtherFiles> readOtherFiles(const relief::OtherTracer& other) {
-    relief::RayFiles files = relief::readRayFiles(other);
-    auto out = std::make_shared<OtherFiles>();
-    out->from = other;
-    out->rays = std::move(files.rays);
-    out->log = std::move(files.log);
-    return out;
+    return std::make_shared<OtherFiles>(OtherFiles{relief::readRayFiles(other), other});
 }
 
 RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest& request, const relief::Tracer& tracer,
@@ -34,13 +30,15 @@ RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest&
     PixelTrace own;
     if (scenario.pixel) own.pixel = *scenario.pixel;
     if (files != nullptr) {
-        relief::LoggedRay logged = relief::rayOfFiles(scenario.other, files->rays, files->log, request.field);
+        relief::LoggedRay logged = relief::rayOfFiles(scenario.other, *files, request.field);
         relief::judgeAgainstExact(logged, scenario.other.steps, request.field, maps, work);
         auto other = std::make_shared<PixelTrace>();
         take(*other, std::move(logged));
         other->pixel = own.pixel;
         other->fromFile = true;
+        other->number = static_cast<std::size_t>(scenario.other.ray);
         own.ray = other->ray;
+        own.number = other->number;
         out.other = other;
         out.otherRays = files->rays.size();
         if (scenario.other.shown) {

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "measuring/compare/duel.h"
+#include "measuring/compare/logged_ray.h"
 #include "relief/tracers.h"
 #include "scenario/scenario.h"
 
@@ -24,19 +25,26 @@ struct PixelTrace {
     bool hidden = false;          // the user is guessing: hit and steps were removed
     relief::Hit exact;            // exact hit of the same ray
     relief::Judgement judgement;  // of the steps, compared with `exact`
+    // The columns of another program's steps that are none of ours.
+    std::vector<relief::FurtherColumn> further;
+    std::optional<std::size_t> number;  // of a ray from files, also if the method traced it
 
-    // The data against which breakpoints are checked.
+    // The steps by columns; keeps references.
+    relief::StepColumns columns() const {
+        if (number) return {steps, &further, {}, *number};
+        return {steps, &further, std::array{pixel.x, pixel.y}};
+    }
+    // The data against which breakpoints are checked; keeps references.
     relief::StoppedRay stopped() const {
         const bool departs = judgement.kind != relief::Departure::None;
-        return {&steps, judgement.overshoot, departs ? std::optional<std::size_t>(judgement.step) : std::nullopt};
+        return {&steps, judgement.overshoot, departs ? std::optional<std::size_t>(judgement.step) : std::nullopt,
+                columns()};
     }
 };
 
-// Contents of the two files of another program's tracer.
-struct OtherFiles {
-    relief::OtherTracer from;  // the files' paths; its members for the ray and `shown` are unused
-    relief::RayBlock rays;
-    relief::StepLog log;
+// Contents of the two files of another program's tracer, and their paths; the other members of `from` are unused.
+struct OtherFiles : relief::RayFiles {
+    relief::OtherTracer from;
 };
 // Throws InputError that names file and line.
 std::shared_ptr<const OtherFiles> readOtherFiles(const relief::OtherTracer& other);

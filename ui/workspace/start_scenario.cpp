@@ -25,6 +25,17 @@ std::string firstOf(const fs::path& folder, const std::string& stem) {
     return {};
 }
 
+// A folder of the window's files: next to that of the shipped pictures if installed, or in the source tree; empty if
+// not found.
+std::string besidePictures(const std::string& datasets, const char* name) {
+    const fs::path above = fs::path(datasets).parent_path();
+    for (const fs::path& place : {above / name, above / "ui" / name}) {
+        std::error_code error;
+        if (!datasets.empty() && fs::is_directory(place, error)) return place.string();
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string datasetsFolder(const std::string& programFolder) {
@@ -41,12 +52,11 @@ std::string datasetsFolder(const std::string& programFolder) {
 }
 
 std::string lessonsFolder(const std::string& datasets) {
-    const fs::path above = fs::path(datasets).parent_path();
-    for (const fs::path& place : {above / "lessons", above / "ui" / "lessons"}) {
-        std::error_code error;
-        if (!datasets.empty() && fs::is_directory(place, error)) return place.string();
-    }
-    return {};
+    return besidePictures(datasets, "lessons");
+}
+
+std::string paperFiguresFolder(const std::string& datasets) {
+    return besidePictures(datasets, "paper_figures");
 }
 
 relief::Pictures picturesIn(const std::string& folder) {

@@ -12,6 +12,8 @@ namespace reliefui {
 std::string datasetsFolder(const std::string& programFolder);
 // Folder of the shipped lessons, which is next to that of the pictures; empty if not found.
 std::string lessonsFolder(const std::string& datasets);
+// The same for the figures of the papers.
+std::string paperFiguresFolder(const std::string& datasets);
 
 // Uses procedural bricks if the shipped pictures are missing.
 relief::Scenario startScenario(const std::string& datasets);

@@ -28,14 +28,19 @@ ColorImage errorPicture(int width, int height, const std::vector<PixelChoice>& p
     return picture;
 }
 
+PixelChoice entryTexel(const HeightField& field, const ViewRay& ray) {
+    const auto place = [&](double at, int size) {
+        return addressIndex(static_cast<std::int64_t>(std::floor(std::fmod(at, size))), size, field.address());
+    };
+    return {place(ray.s0, field.width()), place(ray.t0, field.height())};
+}
+
 ColorImage errorPicture(const HeightField& field, const RayBlock& rays, const std::vector<float>& errors) {
     ColorImage picture(field.width(), field.height());
     FloatImage largest(field.width(), field.height(), -1);
     for (std::size_t r = 0; r < errors.size(); ++r) {
-        const auto place = [&](double at, int size) {
-            return addressIndex(static_cast<std::int64_t>(std::floor(std::fmod(at, size))), size, field.address());
-        };
-        float& most = largest(place(rays.s0[r], field.width()), place(rays.t0[r], field.height()));
+        const PixelChoice at = entryTexel(field, rays[r]);
+        float& most = largest(at.x, at.y);
         most = std::max(most, errors[r]);
     }
     for (int j = 0; j < field.height(); ++j) {

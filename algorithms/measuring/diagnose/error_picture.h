@@ -17,6 +17,8 @@ Color errorColor(double texels);
 // Returns the picture of a view of width x height pixels. pixels: that of each ray. Pixels without a ray are black.
 ColorImage errorPicture(int width, int height, const std::vector<PixelChoice>& pixels,
                         const std::vector<float>& errors);
+// Returns the texel at which a ray enters.
+PixelChoice entryTexel(const HeightField& field, const ViewRay& ray);
 // Returns the map, dark, with the largest error of the rays that enter at each texel.
 ColorImage errorPicture(const HeightField& field, const RayBlock& rays, const std::vector<float>& errors);
 

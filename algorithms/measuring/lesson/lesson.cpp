@@ -18,9 +18,9 @@ constexpr const char* kEnglishText = "text.en.md";
 constexpr const char* kUkrainianText = "text.uk.md";
 constexpr std::array<std::string_view, 3> kTrends{"falls", "rises", "same"};
 constexpr std::array<std::string_view, 3> kStepWords{"last", "departure", "overshoot"};
-constexpr std::array<std::string_view, 13> kPanes{"result",   "profile",   "duel",   "compare", "pyramid",
-                                                  "distance", "footprint", "rows",   "steps",   "trace",
-                                                  "formula",  "charts",    "skipped"};
+constexpr std::array<std::string_view, 15> kPanes{"result",   "profile",   "duel",    "compare", "pyramid",
+                                                  "distance", "footprint", "rows",    "steps",   "trace",
+                                                  "formula",  "charts",    "skipped", "watch",   "why"};
 constexpr int kMostChoices = 9;
 constexpr std::size_t kMostTurns = 12;
 
@@ -160,22 +160,6 @@ LessonPage pageOf(JsonReader reader, Json& scenario) {
     return page;
 }
 
-// Resolves paths that begin with "datasets/" and are not in the lesson's folder.
-void resolveShipped(Json& scenario, const std::string& folder, const std::string& datasets) {
-    constexpr std::string_view kPrefix = "datasets/";
-    const auto resolve = [&](const char* object, const char* key) {
-        if (!scenario.contains(object) || !scenario[object].is_object() || !scenario[object].contains(key)) return;
-        Json& value = scenario[object][key];
-        if (!value.is_string()) return;
-        const std::string path = value.get<std::string>();
-        std::error_code none;
-        if (!path.starts_with(kPrefix) || fs::exists(fs::path(folder) / path, none)) return;
-        value = (fs::path(datasets) / path.substr(kPrefix.size())).string();
-    };
-    for (const char* key : {"height", "color", "normal"}) resolve("pictures", key);
-    for (const char* key : {"rays", "steps"}) resolve("other-tracer", key);
-}
-
 // Throws InputError if the words do not fit the pages.
 void checkWords(const Lesson& lesson, const LessonText& text, const std::string& file) {
     const auto fail = [&](const Message& why) { throw InputError(file, why); };
@@ -236,6 +220,21 @@ Scenario parsedScenario(const Json& json, const std::string& file, std::size_t l
 }
 
 }  // namespace
+
+void resolveShipped(Json& scenario, const std::string& folder, const std::string& datasets) {
+    constexpr std::string_view kPrefix = "datasets/";
+    const auto resolve = [&](const char* object, const char* key) {
+        if (!scenario.contains(object) || !scenario[object].is_object() || !scenario[object].contains(key)) return;
+        Json& value = scenario[object][key];
+        if (!value.is_string()) return;
+        const std::string path = value.get<std::string>();
+        std::error_code none;
+        if (!path.starts_with(kPrefix) || fs::exists(fs::path(folder) / path, none)) return;
+        value = (fs::path(datasets) / path.substr(kPrefix.size())).string();
+    };
+    for (const char* key : {"height", "color", "normal"}) resolve("pictures", key);
+    for (const char* key : {"rays", "steps"}) resolve("other-tracer", key);
+}
 
 std::string knobValueText(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "measuring/lesson/expression.h"
 #include "measuring/lesson/lesson_text.h"
+#include "scenario/expression.h"
 #include "scenario/json_reader.h"
 #include "scenario/scenario.h"
 
@@ -72,6 +72,10 @@ struct Lesson {
     // Returns the scenario of `place` - a page, or a variant of `from` - or std::nullopt if there is none.
     std::optional<Scenario> scenarioAt(const std::string& place, const Scenario& from) const;
 };
+
+// Resolves a scenario's paths that begin with "datasets/", the folder of the shipped pictures, unless there are such
+// files in `folder`, that of the file with the scenario.
+void resolveShipped(Json& scenario, const std::string& folder, const std::string& datasets);
 
 // Reads the lesson in the folder. datasets: folder of the shipped pictures. Throws InputError for a missing file,
 // unknown keys, wrong values, expressions that are none, and words that do not fit the pages.

@@ -60,12 +60,12 @@ class Check {
             case LessonQuestion::Kind::Number: {
                 const double number = question.number->number(source);
                 if (!std::isfinite(number)) {
-                    fault(Message(MessageId::LessonNoNumber, {{"value", lessonValueText(number)}}));
+                    fault(Message(MessageId::LessonNoNumber, {{"value", expressionValueText(number)}}));
                 }
                 break;
             }
             case LessonQuestion::Kind::Hit:
-                if (source({"exact.outcome", {}, {}}) != LessonValue(std::string("hit")))
+                if (source({"exact.outcome", {}, {}}) != ExpressionValue(std::string("hit")))
                     fault(Message(MessageId::LessonNoHit));
                 break;
         }
@@ -83,8 +83,8 @@ class Check {
                                                                  : after == before;
                 if (holds) continue;
                 fault(Message(MessageId::LessonTrendFails, {{"value", watch.value.text()},
-                                                            {"before", lessonValueText(before)},
-                                                            {"after", lessonValueText(after)},
+                                                            {"before", expressionValueText(before)},
+                                                            {"after", expressionValueText(after)},
                                                             {"turn", page_->knob->values[turn].dump()}}));
             }
         }
@@ -93,7 +93,7 @@ class Check {
         for (const ValueSlot& slot : valueSlots(words)) {
             guarded([&] {
                 ++report.values;
-                if (filledValue(slot, source) == lessonValueText(std::nan(""))) {
+                if (filledValue(slot, source) == expressionValueText(std::nan(""))) {
                     fault(Message(MessageId::LessonNoNumber, {{"value", slot.expression}}));
                 }
             });
@@ -129,7 +129,7 @@ Scenario shownScenario(const Lesson& lesson, std::size_t page, SceneCache& scene
 }
 
 std::string filledValue(const ValueSlot& slot, const QuantitySource& source) {
-    return lessonValueText(Expression(slot.expression).value(source), slot.format);
+    return expressionValueText(Expression(slot.expression).value(source), slot.format);
 }
 
 std::size_t rightChoice(const LessonQuestion& question, const QuantitySource& source) {
@@ -155,7 +155,7 @@ std::vector<std::vector<double>> turnedValues(const Lesson& lesson, std::size_t 
             const double value = watch.value.number(source);
             if (std::isnan(value)) {
                 throw InputError(watch.value.text(),
-                                 Message(MessageId::LessonNoNumber, {{"value", lessonValueText(value)}}));
+                                 Message(MessageId::LessonNoNumber, {{"value", expressionValueText(value)}}));
             }
             values.push_back(value);
         }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measuring/lesson/expression.h"
+#include "scenario/expression.h"
 
 namespace relief {
 

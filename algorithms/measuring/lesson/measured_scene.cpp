@@ -72,7 +72,7 @@ const LoggedRay& MeasuredScene::ray(Work& work) {
     std::string name = scenario_.method.name;
     if (scenario_.other && scenario_.other.shown) {
         const RayFiles files = readRayFiles(scenario_.other);
-        out = rayOfFiles(scenario_.other, files.rays, files.log, field(work));
+        out = rayOfFiles(scenario_.other, files, field(work));
         name = scenario_.other.steps;
     } else {
         requirePixel(scenario_);

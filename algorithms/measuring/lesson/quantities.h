@@ -10,7 +10,8 @@
 namespace relief {
 
 struct Quantity {
-    using Measure = LessonValue (*)(const QuantityName& name, const Scenario& scenario, SceneCache& scenes, Work& work);
+    using Measure = ExpressionValue (*)(const QuantityName& name, const Scenario& scenario, SceneCache& scenes,
+                                        Work& work);
 
     std::string_view name;  // a name that ends in "." stands for all names that begin so
     std::size_t least = 0;  // number of arguments

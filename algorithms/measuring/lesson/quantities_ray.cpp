@@ -43,7 +43,7 @@ double elevationOf(const Query& query) {
     return std::atan2(query.scene().field(query.work).slabTexels(), std::hypot(ray.a, ray.b)) * 180 / std::numbers::pi;
 }
 
-LessonValue pixelNumber(const Query& query) {
+ExpressionValue pixelNumber(const Query& query) {
     const std::string name = query.name.name.substr(std::string_view("pixel.").size());
     std::string known;
     for (const NamedNumber& number : namedNumbers(query.scene().coefficients(query.work))) {

@@ -9,7 +9,7 @@ namespace relief {
 namespace {
 
 // The method's own options and defaults.
-LessonValue optionValue(const Query& query) {
+ExpressionValue optionValue(const Query& query) {
     const std::string name = query.text(0);
     std::string known;
     for (const ChoiceOption& option : choiceOptions(query.scenario.method)) {

@@ -57,7 +57,7 @@ struct Query {
 template <auto Function>
 inline constexpr Quantity::Measure measured =
     [](const QuantityName& name, const Scenario& scenario, SceneCache& scenes, Work& work) {
-        return LessonValue(Function(Query{name, scenario, scenes, work}));
+        return ExpressionValue(Function(Query{name, scenario, scenes, work}));
     };
 
 template <std::integral T>

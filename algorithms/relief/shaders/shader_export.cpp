@@ -125,6 +125,12 @@ bool readsCones(const std::string& tracer) {
     });
 }
 
+double shaderShadowBias(const MethodChoice& method) {
+    if (method.name != "layers") return kShadowBias;
+    // The hit lies up to one layer behind the surface, which must not shadow it.
+    return std::max(kShadowBias, 1 / parseNumber(checkedValue(method, findTracer(method.name), "layers"), "layers"));
+}
+
 namespace {
 
 // The shader below its opening comment, the command that makes it, and the options that only its map has.
@@ -143,11 +149,7 @@ Export exported(const ShaderChoice& choice, const ShaderText& shader, const Meth
         if (setConstant(text, upperCase(option.name), constantOf(option, value))) continue;
         ofMap += (ofMap.empty() ? "" : ", ") + option.name + "=" + value;
     }
-    // The hit of layers lies up to one layer behind the surface, which must not shadow it.
-    if (shader.tracer == "layers") {
-        const double layers = parseNumber(checkedValue(choice.method, method, "layers"), "layers");
-        setConstant(text, "SHADOW_BIAS", numberText(std::max(kShadowBias, 1 / layers)));
-    }
+    setConstant(text, "SHADOW_BIAS", numberText(shaderShadowBias(choice.method)));
     const auto set = [&](const char* constant, const char* option, std::size_t index, std::string_view name) {
         if (setConstant(text, constant, std::to_string(index))) command += std::string(option) + std::string(name);
     };

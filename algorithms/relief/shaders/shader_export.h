@@ -41,6 +41,9 @@ std::string shaderText(const ShaderChoice& choice, const std::string& made);
 // Throws as shaderText().
 std::string shaderCommand(const ShaderChoice& choice);
 
+// The depth by which a blocker must lie above the point that it shadows, in the shader of the method.
+double shaderShadowBias(const MethodChoice& method);
+
 // The line at which the shader's functions end and its inputs, outputs and main() begin: a test or another pass may put
 // its own in their place.
 inline constexpr std::string_view kShaderPixelPart = "// --- The pixel";

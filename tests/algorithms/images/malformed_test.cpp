@@ -184,8 +184,8 @@ TEST(Malformed, PixelBombs) {
     EXPECT_EQ(refusal(folder.with("bomb.hdr", hdr)), "300000 x 300000" + limit);
     // Within the limit, but not in so small a file.
     const std::string tiny = png(16000, 16000, 8, 0, "x");
-    EXPECT_EQ(refusal(folder.with("tiny.png", tiny)),
-              "is damaged: " + std::to_string(tiny.size()) + " bytes cannot hold the 16000 x 16000 pixels that it states");
+    EXPECT_EQ(refusal(folder.with("tiny.png", tiny)), "is damaged: " + std::to_string(tiny.size()) +
+                                                          " bytes cannot hold the 16000 x 16000 pixels that it states");
     // The exact size as the limit, one pixel less, and a limit of zero.
     const std::string small = noisy(folder / "small.png", 20, 30);
     Work work(1);

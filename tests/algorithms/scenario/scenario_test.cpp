@@ -31,7 +31,10 @@ Scenario unusual() {
     s.height = 123;
     s.pixel = PixelChoice{320, 7};
     s.step = 5;
-    s.breakpoints = {{StopKind::Texel, 3, -1, 7}, {StopKind::RayBelow, 2, 0, 0, 1.0 / 3, false}, {StopKind::Overshoot}};
+    s.breakpoints = {{StopKind::Texel, 3, -1, 7},
+                     {StopKind::RayBelow, 2, 0, 0, 1.0 / 3, false},
+                     {StopKind::Overshoot},
+                     {StopKind::Condition, 2, 0, 0, 0.5, true, 3, "level == 3 && pixel == 4,-5"}};
     Bookmark bookmark{"шпиль", {5, 6}, {}, 9};
     bookmark.camera.azimuth = 0.1;
     s.bookmarks = {bookmark, {"", {0, 0}, {}, 0}};

@@ -3,6 +3,7 @@
 
 #include "algorithms/relief/fields.h"
 #include "scenario/ray_files.h"
+#include "scenario/step_columns.h"
 
 namespace relief::test {
 namespace {
@@ -173,6 +174,32 @@ TEST(StepFiles, FaultsNameTheLine) {
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(), "s.csv: ray 0, step 1: level 0 of a picture of 8 x 8 has no texel (8,2)");
     }
+}
+
+// Columns that are none of ours are kept with their steps, whatever the order of rays and columns.
+TEST(StepFiles, FurtherColumnsAreKept) {
+    const auto row = [](int ray, int number) {
+        return std::to_string(ray) + "," + std::to_string(number) + ",search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,test,0.2,";
+    };
+    const std::string text = std::string(kStepColumns) + ",mine,kind,two words\n" + row(1, 1) + "0.25,point,x\n" +
+                             row(1, 2) + ",point,y\n" + row(0, 1) + "3,point,\n";
+    std::vector<FurtherColumn> further;
+    EXPECT_EQ(parseSteps(text, "s.csv", 2, &further).steps.size(), 3U);
+    const std::vector<FurtherColumn> kept{{"mine", {"3", "0.25", ""}}, {"two words", {"", "x", "y"}}};
+    EXPECT_EQ(further, kept);
+    const auto object = [](int ray, int number, const char* more) {
+        return "{\"ray\": " + std::to_string(ray) + ", \"number\": " + std::to_string(number) +
+               ", \"lambda_in\": 0, \"lambda_out\": 0.5, \"value\": 0, \"decision\": \"test\", \"lambda_after\": 0.5" +
+               more + "}";
+    };
+    const std::string objects = "[" + object(1, 1, ", \"mine\": 0.25, \"two words\": \"x\"") + "," +
+                                object(1, 2, ", \"two words\": \"y\"") + "," + object(0, 1, ", \"mine\": 3") + "]";
+    parseSteps(objects, "s.json", 2, &further);
+    EXPECT_EQ(further, kept);
+    EXPECT_EQ(columnNumbers(further[1]), std::nullopt);
+    ASSERT_TRUE(columnNumbers(further[0]));
+    EXPECT_EQ((*columnNumbers(further[0]))[1], 0.25);
+    EXPECT_TRUE(std::isnan((*columnNumbers(further[0]))[2]));
 }
 
 }  // namespace

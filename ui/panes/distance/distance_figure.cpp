@@ -1,5 +1,6 @@
 #include "panes/distance/distance_figure.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "painting/painter.h"
@@ -44,7 +45,7 @@ void checkSlice(const Snapshot& snapshot, int slice, const std::string& what, re
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                              const DistanceOptions& options, const std::optional<QueryPoint>& point) {
-    return computedFigure([snapshot, step, options, point](const FigurePage&, relief::Work& work) {
+    return computedFigure([snapshot, step, options, point](const FigurePage& page, relief::Work& work) {
         const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
         DistanceSource source = distanceSource(*snapshot, maps);
         source.point = pointOf(*snapshot, point, work);
@@ -58,7 +59,14 @@ std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> sna
             const DistancePicture picture = distancePicture(source, options, step, width, height, style.language);
             return std::vector{picture.drawing, distanceMarks(source, picture.frame, step)};
         };
-        return chartFigure({legend, layers}, figureCaption(snapshot, step));
+        ChartMaker maker{legend, layers};
+        if (!options.nearRay) {
+            // A whole slice is as wide as the page, unless it is higher than wide.
+            const Box window = distanceFrame(source, options, step, 1, 1).window;
+            const double slice = std::min(window.height() / std::max(window.width(), 1e-9), 1.0);
+            maker.leastRoom = std::max(maker.leastRoom, slice / page.taller());
+        }
+        return chartFigure(std::move(maker), figureCaption(snapshot, step));
     });
 }
 

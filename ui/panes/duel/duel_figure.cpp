@@ -27,7 +27,7 @@ std::shared_ptr<const Figure> duelFigure(std::shared_ptr<const Snapshot> snapsho
         const auto& moments = duel->steps.moments;
         const std::vector<std::size_t> now =
             moments.empty() ? std::vector<std::size_t>{} : moments[std::min(moment, moments.size() - 1)];
-        return std::vector{profileRelief(source.profile, shown, frame), profileAxes(source.profile, frame, false),
+        return std::vector{profileRelief(source.profile, shown, frame), profileAxes(source.profile, frame, 0),
                            duelMarks(source, frame, now)};
     };
     return chartFigure({legend, layers, kFigureAspect, 0.5}, figureCaption(snapshot, {}, methods));

@@ -261,7 +261,7 @@ void DuelView::redraw() {
     frame_.visible = home ? frame_.whole : canvas_->visible();
     frame_.zoom = home ? 1 : canvas_->zoom();
     relief_ = std::make_shared<const Drawing>(profileRelief(source_.profile, options_, frame_));
-    axes_ = std::make_shared<const Drawing>(profileAxes(source_.profile, frame_, false));
+    axes_ = std::make_shared<const Drawing>(profileAxes(source_.profile, frame_, 0));
     redrawMarks();
 }
 

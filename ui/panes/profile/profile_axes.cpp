@@ -9,7 +9,7 @@ namespace reliefui {
 using relief::Message;
 using relief::MessageId;
 
-Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, bool stepNamed) {
+Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, double reserved) {
     Drawing drawing;
     drawing.bounds = frame.whole;
     const Box seen = frame.seen();
@@ -18,15 +18,15 @@ Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, bool
     // The axes stay visible when the plot is zoomed beyond the pane.
     const Box all = frame.visible;
     const double x = std::max(frame.plot.x0, all.x0 + chart::kLeft * unit);
-    const double y = std::min(frame.plot.y1, all.y1 - chart::bottomOf(frame.whole.height()) * unit);
+    const double y = std::min(frame.plot.y1, all.y1 - (chart::bottomOf(frame.whole.height()) + frame.tracks) * unit);
     for (const Box& edge : {Box{all.x0, all.y0, x, all.y1}, Box{all.x0, y, all.x1, all.y1}}) {
         drawing.add({}, Role::Background, Rectangle{edge, true, 0, 0}, Emphasis::Strong);
     }
-    const chart::Axes axes(drawing, {x, seen.y0, seen.x1, y}, all, unit);
+    const Box room{all.x0, all.y0, all.x1, all.y1 - frame.tracks * unit};
+    const chart::Axes axes(drawing, {x, seen.y0, seen.x1, y}, room, unit);
     axes.sides();
-    constexpr double kStepTitle = 110;  // width of "step 8: λ 0.61 → 0.61" at the right
     axes.corner(Message(MessageId::DrawHeightAxis, {{"texels", relief::numberText(source.field->slabTexels(), 3)}}),
-                stepNamed ? kStepTitle : 0);
+                reserved);
     const double low = std::max(frame.low, frame.heightAt(y));
     const double high = std::min(1.0, frame.heightAt(seen.y0));
     axes.left({low, high, frame.yAt(low), frame.yAt(high)});

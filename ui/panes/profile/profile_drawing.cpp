@@ -156,7 +156,8 @@ ProfileFrame profileFrame(const ProfileSource& source, const ProfileOptions& opt
     constexpr double kLeastSide = 8;
     ProfileFrame frame;
     frame.whole = frame.visible = {0, 0, width, height};
-    frame.plot = chart::plotIn(frame.whole, {.top = 16, .right = 14, .bottom = chart::bottomOf(height)});
+    frame.tracks = tracksHeight(source, height);
+    frame.plot = chart::plotIn(frame.whole, {.top = 16, .right = 14, .bottom = chart::bottomOf(height) + frame.tracks});
     frame.run = runOf(source.ray);
     frame.vertical = frame.run < kVerticalRun;
     frame.lambdaEnd = shownLambda(source);

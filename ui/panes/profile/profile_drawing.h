@@ -16,6 +16,7 @@
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/ray.h"
 #include "relief/step_log.h"
+#include "scenario/step_columns.h"
 
 namespace reliefui {
 
@@ -29,6 +30,8 @@ struct ProfileSource {
     relief::Hit exact;  // first hit of the ray; Unset: not known
     const std::vector<relief::Step>* steps = nullptr;
     std::shared_ptr<const PointQuery> point;  // point whose distances are shown; null: none
+    // Columns of another program's steps, shown as tracks below the profile; may be null.
+    const std::vector<relief::FurtherColumn>* further = nullptr;
 
     // Returns true if all steps examine the surface at points of the ray, not cells or a map.
     bool atPoints() const;
@@ -64,6 +67,7 @@ struct ProfileFrame {
     Box whole;
     Box visible;
     double zoom = 1;
+    double tracks = 0;  // height of the tracks below the axis, in points
 
     double xAt(double lambda) const { return plot.x0 + lambda / lambdaEnd * plot.width(); }
     double yAt(double height) const { return plot.y1 - (height - low) / (high - low) * plot.height(); }
@@ -91,8 +95,16 @@ void addGuess(Drawing& drawing, const ProfileSource& source, const ProfileOption
 // Distance of a guess from the answer along the ray, in texels, at least the difference in depth; infinite without a
 // hit.
 double guessError(const ProfileSource& source, double guess);
-// Numbers and units, at the edges of the visible part. stepNamed: leaves room above the plot for the step's name.
-Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, bool stepNamed = true);
+// Adds a graph of each further column that has numbers, below the axis: over the part of the ray that the step is
+// about, with the column's name and its value at the current step. Part of profileMarks().
+void addTracks(Drawing& drawing, const ProfileSource& source, const ProfileFrame& frame, int step);
+// Height of the tracks in a room of this height, in points; 0 if there are none.
+double tracksHeight(const ProfileSource& source, double height);
+// Width of the step's name above the plot's right end, "step 8: λ 0.61 → 0.61", in points.
+inline constexpr double kStepTitle = 110;
+// Numbers and units, at the edges of the visible part. reserved: width, in points, that the title of the left axis
+// leaves free at the right.
+Drawing profileAxes(const ProfileSource& source, const ProfileFrame& frame, double reserved = kStepTitle);
 // Legend of what occurs, at most `width` points wide. brief: one entry for all levels and none for the decisions, which
 // are named in the table of steps.
 Drawing profileLegend(const ProfileSource& source, const ProfileOptions& options, double width,

@@ -15,6 +15,7 @@ ProfileSource profileSource(const Snapshot& s) {
     source.hit = s.trace.hit;
     if (!s.trace.hidden) source.exact = s.trace.exact;
     source.steps = &s.trace.steps;
+    source.further = &s.trace.further;
     return source;
 }
 
@@ -35,7 +36,9 @@ std::shared_ptr<const Figure> profileFigure(std::shared_ptr<const Snapshot> snap
         };
         const auto layers = [snapshot, source, options, step](double width, double height, const Style&) {
             const ProfileFrame frame = profileFrame(source, options, width, height);
-            return std::vector{profileRelief(source, options, frame), profileAxes(source, frame),
+            // The step's name ends at the plot's right side, the title's room at the page's.
+            const double reserved = kStepTitle + frame.whole.x1 - frame.plot.x1;
+            return std::vector{profileRelief(source, options, frame), profileAxes(source, frame, reserved),
                                profileMarks(source, options, frame, step)};
         };
         return chartFigure({legend, layers}, figureCaption(snapshot, step));

@@ -322,15 +322,20 @@ class Marks {
         const Message words = std::isfinite(off)
                                   ? Message(MessageId::DrawExactOff, {{"texels", relief::numberText(off, kDigits)}})
                                   : Message(MessageId::DrawExact);
-        // Left of the ring if it would be cut off at the right.
-        const double width = kPlatePad + chart::widthOf(words) * kNumberSize / chart::kTextSize;
-        const bool left = points(at).x + kExactHalf + 3 + width > rim();
+        // Left of the ring if it would be cut off at the right, above it if on both sides.
+        const double width = kExactHalf + 3 + kPlatePad + chart::widthOf(words) * kNumberSize / chart::kTextSize;
+        const bool right = points(at).x + width <= rim();
+        const bool left = points(at).x - width >= points(frame_.visible).x0;
         drawing_.add({}, Role::Label,
                      Label{.at = at,
                            .text = words,
-                           .anchor = left ? Anchor::Right : Anchor::Left,
+                           .anchor = right  ? Anchor::Left
+                                     : left ? Anchor::Right
+                                            : Anchor::Bottom,
                            .size = kNumberSize,
-                           .offset = {left ? -kExactHalf - 3 : kExactHalf + 3, 0},
+                           .offset = right  ? Point{kExactHalf + 3, 0}
+                                     : left ? Point{-kExactHalf - 3, 0}
+                                            : Point{0, -kExactHalf - 3},
                            .plate = true,
                            .yields = true},
                      Emphasis::Strong);
@@ -416,6 +421,7 @@ Drawing profileMarks(const ProfileSource& source, const ProfileOptions& options,
     if (source.point != nullptr) {
         if (const auto plane = pointPlane(*source.point, source, frame)) addPointMarks(marks, *source.point, *plane);
     }
+    addTracks(marks, source, frame, step);
     return marks;
 }
 

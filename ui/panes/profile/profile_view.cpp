@@ -231,7 +231,14 @@ void ProfileView::readOut(const QPointF& widget) {
     text += tr(" · ray %1 · texel (%2, %3)").arg(number(at.rayHeight, 3)).arg(at.i).arg(at.j);
     ItemId id = canvas_->itemAt(widget);
     const int step = id.kind == ItemKind::Step ? static_cast<int>(id.i) : at.step;
-    if (step >= 0) text += tr(" · step %1").arg(step + 1);
+    if (step >= 0) {
+        text += tr(" · step %1").arg(step + 1);
+        // Columns of another program's file, as they stand there.
+        for (const relief::FurtherColumn& column : shown_->trace.further) {
+            const std::string& cell = column.cells[static_cast<std::size_t>(step)];
+            if (!cell.empty()) text += QString::fromStdString(" · " + column.name + " " + cell);
+        }
+    }
     setReadout(text);
 }
 

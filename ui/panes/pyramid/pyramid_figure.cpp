@@ -63,6 +63,7 @@ struct SlabsFigure : SpaceFigure {
     int step = 0;
     PyramidOptions options;
     std::optional<Turntable> camera;
+    std::optional<double> turn;
 
     double aspect(const FigurePage& page) const override { return 0.5 * page.taller(); }
     std::string caption(relief::Language language) const override { return figureCaption(snapshot, step)(language); }
@@ -77,7 +78,9 @@ struct SlabsFigure : SpaceFigure {
         scene.lookFromHome();
         if (camera) scene.camera = *camera;
         // Keeps the camera's direction and moves it as close as the picture allows.
-        scene.showAll(pixels.width(), pixels.height());
+        const auto fit = [&] { scene.showAll(pixels.width(), pixels.height()); };
+        fit();
+        if (turn) turnForOrbit(scene.camera, *turn, fit);
         scene.place();
         const QImage image = rendered(window, pixels);
         scene.takeFrom(&window);
@@ -100,13 +103,15 @@ std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snap
 }
 
 std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, int step,
-                                          const PyramidOptions& options, const std::optional<Turntable>& camera) {
+                                          const PyramidOptions& options, const std::optional<Turntable>& camera,
+                                          std::optional<double> turn) {
     auto figure = std::make_shared<SlabsFigure>();
     figure->snapshot = std::move(snapshot);
     figure->step = step;
     figure->options = options;
     figure->options.slender = true;
     figure->camera = camera;
+    figure->turn = turn;
     return figure;
 }
 

@@ -13,8 +13,9 @@ namespace reliefui {
 std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, int step,
                                             const PyramidOptions& options);
 // camera: view of the slabs; std::nullopt: the initial view. Rendered with OpenGL; throws WorkError if it is not
-// available.
+// available. turn: of an orbit, in degrees.
 std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, int step,
-                                          const PyramidOptions& options, const std::optional<Turntable>& camera);
+                                          const PyramidOptions& options, const std::optional<Turntable>& camera,
+                                          std::optional<double> turn = {});
 
 }  // namespace reliefui

@@ -24,13 +24,18 @@ PaneKind pyramidPane() {
     kind.help = PyramidView::tr("The levels of the pyramid and the texels that the ray visited");
     kind.place = DockPlace::LowerRight;
     kind.make = makePane<PyramidView>;
+    const auto slabs = [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now, std::optional<double> turn) {
+        return slabsFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now), {}, turn);
+    };
     kind.figures = {{"pyramid", true,
                      [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
                          return pyramidFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now));
                      }},
-                    {"slabs", false, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
-                         return slabsFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now), {});
-                     }}};
+                    {"slabs", false,
+                     [slabs](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return slabs(std::move(s), now, {});
+                     },
+                     slabs}};
     kind.states = {readerOf<PyramidPane>()};
     return kind;
 }

@@ -29,16 +29,19 @@ RowsPane paneOf(const RowsOptions& options) {
     return {options.methods, options.pixels, options.inDouble, options.logarithmic};
 }
 
+RowsData rowsOf(const Snapshot& snapshot, const RowsOptions& options, const char* figure) {
+    using relief::MessageId;
+    const std::optional<RowsPlace> place = rowsPlace(snapshot);
+    if (!place)
+        throw EmptyFigure(figure, snapshot.scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
+    const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
+    if (methods.empty()) throw EmptyFigure(figure, MessageId::DrawRowNoVariant);
+    return rowsData(widened(*place, options.pixels), methods, options.inDouble);
+}
+
 std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapshot, const RowsOptions& options,
                                          const RowsRange& range) {
-    using relief::MessageId;
-    const std::optional<RowsPlace> place = rowsPlace(*snapshot);
-    if (!place)
-        throw EmptyFigure("rows", snapshot->scenario.pixel ? MessageId::ExportNoRelief : MessageId::ExportNoPixel);
-    const std::vector<relief::RowMethod> methods = rowMethods(options, "--variants");
-    if (methods.empty()) throw EmptyFigure("rows", MessageId::DrawRowNoVariant);
-    const auto data =
-        std::make_shared<const RowsData>(rowsData(widened(*place, options.pixels), methods, options.inDouble));
+    const auto data = std::make_shared<const RowsData>(rowsOf(*snapshot, options, "rows"));
     const auto legend = [data](double width, relief::Language language) { return rowsLegend(*data, width, language); };
     const auto layers = [data, options, range](double width, double height, const Style&) {
         const RowsFrame frame = rowsFrame(*data, options, range, width, height);

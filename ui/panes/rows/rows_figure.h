@@ -15,6 +15,9 @@ std::optional<RowsPlace> rowsPlace(const Snapshot& snapshot);
 RowsOptions rowsOptions(const RowsPane& pane);
 RowsPane paneOf(const RowsOptions& options);
 
+// Computes the row for a figure of this name. Throws InputError if no pixel of the relief is chosen, or no variant.
+RowsData rowsOf(const Snapshot& snapshot, const RowsOptions& options, const char* figure);
+
 std::shared_ptr<const Figure> rowsFigure(std::shared_ptr<const Snapshot> snapshot, const RowsOptions& options,
                                          const RowsRange& range);
 

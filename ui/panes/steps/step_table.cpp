@@ -88,7 +88,12 @@ int StepModel::rowCount(const QModelIndex& parent) const {
 }
 
 int StepModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : Columns;
+    const int further = snapshot_ ? static_cast<int>(snapshot_->trace.further.size()) : 0;
+    return parent.isValid() ? 0 : Columns + further;
+}
+
+const relief::FurtherColumn* StepModel::further(int column) const {
+    return column < Columns ? nullptr : &snapshot_->trace.further[static_cast<std::size_t>(column - Columns)];
 }
 
 QString StepModel::text(const relief::Step& step, int row, int column) const {
@@ -143,6 +148,15 @@ double StepModel::sortKey(const relief::Step& step, int row, int column) const {
 
 QVariant StepModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
+    if (const relief::FurtherColumn* const column = further(index.column())) {
+        const QString cell = QString::fromStdString(column->cells[static_cast<std::size_t>(index.row())]);
+        if (role == Qt::DisplayRole) return cell;
+        if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+        if (role != kSortRole) return {};
+        bool isNumber = false;
+        const double number = cell.toDouble(&isNumber);
+        return isNumber ? QVariant(number) : QVariant(cell);
+    }
     const relief::Step& step = snapshot_->trace.steps[static_cast<std::size_t>(index.row())];
     if (role == Qt::DisplayRole) return text(step, index.row(), index.column());
     if (role == kSortRole) return sortKey(step, index.row(), index.column());
@@ -155,6 +169,10 @@ QVariant StepModel::data(const QModelIndex& index, int role) const {
 
 QVariant StepModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
+    if (const relief::FurtherColumn* const column = further(section)) {
+        if (role == Qt::DisplayRole) return QString::fromStdString(column->name);
+        return role == Qt::ToolTipRole ? QVariant(tr("column of the other program's file")) : QVariant();
+    }
     const QString titles[Columns] = {
         tr("#"),     tr("level"),    tr("texel"),  tr("λ in → out"), tr("ray height in → out"),
         tr("value"), tr("decision"), tr("λ after")};
@@ -245,6 +263,7 @@ void StepTable::shareColumns() {
     const QFontMetrics metrics(table_->font());
     const int letter = metrics.horizontalAdvance(QLatin1Char('0'));
     const int shorter = workspace_->style().projector ? 1 : 0;  // one digit less per number
+    constexpr int kFurtherLetters = 8;
     const int letters[StepModel::Columns] = {4,           4,  12,         15 - 2 * shorter, 15 - 2 * shorter,
                                              7 - shorter, 12, 7 - shorter};
     int widths[StepModel::Columns] = {};
@@ -253,6 +272,12 @@ void StepTable::shareColumns() {
         const QString title = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
         widths[c] = std::max(letters[c] * letter, metrics.horizontalAdvance(title)) + 2 * letter;
         all += widths[c];
+    }
+    for (int c = StepModel::Columns; c < model_->columnCount(); ++c) {
+        const QString title = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+        const int width = std::max(kFurtherLetters * letter, metrics.horizontalAdvance(title)) + 2 * letter;
+        table_->setColumnWidth(c, width);
+        all += width;
     }
     const int room = table_->viewport()->width();
     bool shown[StepModel::Columns];
@@ -307,7 +332,7 @@ void StepTable::copyRows() {
     QString text;
     for (const QModelIndex& row : rows) {
         QStringList cells;
-        for (int c = 0; c < StepModel::Columns; ++c) {
+        for (int c = 0; c < model_->columnCount(); ++c) {
             cells << sorted_->data(sorted_->index(row.row(), c), Qt::DisplayRole).toString();
         }
         text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');

@@ -13,7 +13,8 @@ namespace reliefui {
 
 class StepSentence;
 
-// A row per step; reads the snapshot without copying. Numbers are formatted independently of the locale.
+// A row per step; reads the snapshot without copying. Numbers are formatted independently of the locale. The columns of
+// another program's file that are none of ours follow the others.
 class StepModel : public QAbstractTableModel {
     Q_OBJECT
   public:
@@ -34,6 +35,8 @@ class StepModel : public QAbstractTableModel {
     double sortKey(const relief::Step& step, int row, int column) const;
     QString text(const relief::Step& step, int row, int column) const;
     QString text(double value) const;
+    // The further column there; null if it is one of ours.
+    const relief::FurtherColumn* further(int column) const;
 
     std::shared_ptr<const Snapshot> snapshot_;
     Style style_;

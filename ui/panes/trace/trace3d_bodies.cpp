@@ -15,143 +15,101 @@ namespace reliefui {
 
 namespace {
 
-constexpr std::size_t kMostOutlines = 40;
 constexpr int kAround = 72;  // points of a circle
-constexpr double kOpacity = 0.3;
-constexpr double kFaint = 0.45;
 
-class Bodies {
-  public:
-    Bodies(const TraceScene& scene, const Snapshot& snapshot, const Style& style, double radius)
-        : scene_(scene),
-          slab_(std::max(snapshot.request->field.slabTexels(), 1e-9)),
-          ray_(snapshot.trace.ray),
-          run_(std::hypot(ray_.a, ray_.b)),
-          direction_(run_ > 0 ? Point{ray_.a / run_, ray_.b / run_} : Point{1, 0}),
-          style_(style),
-          tube_(radius) {}
-
-    // Sets the colour of the following bodies to that of this step.
-    void take(const Snapshot& snapshot, const relief::Step& step) {
-        color_ = style_.color(bodyRole(step, snapshot.trace.ray, snapshot.trace.exact));
+// Adds tubes along polylines.
+void addTubes(Tubes& tubes, const std::vector<std::vector<Place>>& lines, double radius, Rgba color) {
+    for (const auto& line : lines) {
+        for (std::size_t k = 1; k < line.size(); ++k) tubes.add(line[k - 1], line[k], radius, color);
     }
+}
 
-    vtkSmartPointer<vtkActor> filled(const StepBody& body) const {
-        auto actor = actorOf(body.kind == StepBody::Kind::Sphere ? ball(body) : cone(body));
-        paintIn(actor, color_);
-        shadeWeakly(actor);
-        actor->GetProperty()->SetOpacity(kOpacity);
-        return actor;
+vtkSmartPointer<vtkPolyData> ball(const BodyShape& shape) {
+    auto source = vtkSmartPointer<vtkSphereSource>::New();
+    source->SetRadius(shape.body().radius);
+    source->SetThetaResolution(kAround);
+    source->SetPhiResolution(kAround / 2);
+    source->Update();
+    vtkSmartPointer<vtkPolyData> data = source->GetOutput();
+    const Place at = shape.center();
+    vtkPoints* const points = data->GetPoints();
+    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k) {
+        double p[3];
+        points->GetPoint(k, p);
+        points->SetPoint(k, at[0] + p[0], at[1] + p[1], at[2] + p[2] * shape.stretch());
     }
+    return data;
+}
 
-    // Sphere: a horizontal circle and one in the plane of the ray. Cone: its rim and two sides.
-    void outline(Tubes& tubes, const StepBody& body, double width) const {
-        if (body.kind == StepBody::Kind::Sphere) {
-            ring(
-                tubes, [&](double angle) { return onSphere(body, std::cos(angle), std::sin(angle), 0); }, width);
-            ring(
-                tubes,
-                [&](double angle) {
-                    const double c = std::cos(angle);
-                    return onSphere(body, c * direction_.x, c * direction_.y, std::sin(angle));
-                },
-                width);
-            return;
-        }
-        const double reach = reachOf(body);
-        Place before = onCone(body, reach, body.from);
-        for (int n = 1; n <= kAround; ++n) {
-            const Place next = onCone(body, reach, body.from + (body.to - body.from) * n / kAround);
-            tubes.add(before, next, width * tube_, color_);
-            before = next;
-        }
-        const double ahead = std::atan2(direction_.y, direction_.x);
-        const double first = body.whole() ? ahead : body.from;
-        const double second = body.whole() ? ahead + std::numbers::pi : body.to;
-        for (const double angle : {first, second}) {
-            tubes.add(onCone(body, 0, angle), onCone(body, reach, angle), width * tube_, color_);
-        }
+vtkSmartPointer<vtkPolyData> cone(const BodyShape& shape) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    points->InsertNextPoint(shape.onCone(0, 0).data());
+    for (int n = 0; n <= kAround; ++n) points->InsertNextPoint(shape.onRim(n).data());
+    for (vtkIdType n = 1; n <= kAround; ++n) {
+        const vtkIdType triangle[3] = {0, n, n + 1};
+        cells->InsertNextCell(3, triangle);
     }
-
-  private:
-    double stretch() const { return scene_.scale / slab_; }
-
-    Place onSphere(const StepBody& body, double x, double y, double z) const {
-        const Place at = scene_.onRay(body.lambda);
-        return {at[0] + body.radius * x, at[1] - body.radius * y, at[2] + body.radius * z * stretch()};
-    }
-    template <class At>
-    void ring(Tubes& tubes, const At& at, double width) const {
-        Place before = at(0);
-        for (int n = 1; n <= kAround; ++n) {
-            const Place next = at(2 * std::numbers::pi * n / kAround);
-            tubes.add(before, next, width * tube_, color_);
-            before = next;
-        }
-    }
-
-    // Radius up to which the cone is drawn: where it reaches the top of the slab, or somewhat farther than the ray
-    // travels in it.
-    double reachOf(const StepBody& body) const {
-        constexpr double kFarther = 1.4;
-        constexpr double kLeast = 1.5;  // in texels
-        const double away = body.away(ray_.a, ray_.b);
-        const double way = (1 - body.lambda - body.apex) / (1 + body.slope * away) * away;
-        const double far = std::max(kFarther * way, kLeast);
-        return body.slope > 0 ? std::min(far, (1 - body.apex) / body.slope) : far;
-    }
-    Place onCone(const StepBody& body, double reach, double azimuth) const {
-        const Place over = scene_.onRay(body.lambda);
-        const double x = std::cos(azimuth), y = std::sin(azimuth), far = reach / body.away(x, y);
-        return {over[0] + far * x, over[1] - far * y, (body.apex + body.slope * reach) * scene_.scale};
-    }
-
-    vtkSmartPointer<vtkPolyData> ball(const StepBody& body) const {
-        auto source = vtkSmartPointer<vtkSphereSource>::New();
-        source->SetRadius(body.radius);
-        source->SetThetaResolution(kAround);
-        source->SetPhiResolution(kAround / 2);
-        source->Update();
-        vtkSmartPointer<vtkPolyData> data = source->GetOutput();
-        const Place at = scene_.onRay(body.lambda);
-        vtkPoints* const points = data->GetPoints();
-        for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k) {
-            double p[3];
-            points->GetPoint(k, p);
-            points->SetPoint(k, at[0] + p[0], at[1] + p[1], at[2] + p[2] * stretch());
-        }
-        return data;
-    }
-
-    vtkSmartPointer<vtkPolyData> cone(const StepBody& body) const {
-        auto points = vtkSmartPointer<vtkPoints>::New();
-        auto cells = vtkSmartPointer<vtkCellArray>::New();
-        points->InsertNextPoint(onCone(body, 0, 0).data());
-        const double reach = reachOf(body);
-        for (int n = 0; n <= kAround; ++n) {
-            points->InsertNextPoint(onCone(body, reach, body.from + (body.to - body.from) * n / kAround).data());
-        }
-        for (vtkIdType n = 1; n <= kAround; ++n) {
-            const vtkIdType triangle[3] = {0, n, n + 1};
-            cells->InsertNextCell(3, triangle);
-        }
-        auto data = vtkSmartPointer<vtkPolyData>::New();
-        data->SetPoints(points);
-        data->SetPolys(cells);
-        return data;
-    }
-
-    const TraceScene& scene_;
-    double slab_;
-    relief::ViewRay ray_;
-    double run_;  // of the ray, in texels per unit of lambda
-    Point direction_;
-    const Style& style_;
-    Rgba color_;
-    double tube_;
-};
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    return data;
+}
 
 }  // namespace
+
+BodyShape::BodyShape(const TraceScene& scene, const Snapshot& snapshot, const StepBody& body)
+    : scene_(scene),
+      body_(body),
+      stretch_(scene.scale / std::max(snapshot.request->field.slabTexels(), 1e-9)),
+      ray_(snapshot.trace.ray) {}
+
+Place BodyShape::onSphere(double x, double y, double z) const {
+    const Place at = center();
+    return {at[0] + body_.radius * x, at[1] - body_.radius * y, at[2] + body_.radius * z * stretch_};
+}
+
+// Up to where the cone reaches the top of the slab, or somewhat farther than the ray travels in it.
+double BodyShape::reach() const {
+    constexpr double kFarther = 1.4;
+    constexpr double kLeast = 1.5;  // in texels
+    const double away = body_.away(ray_.a, ray_.b);
+    const double way = (1 - body_.lambda - body_.apex) / (1 + body_.slope * away) * away;
+    const double far = std::max(kFarther * way, kLeast);
+    return body_.slope > 0 ? std::min(far, (1 - body_.apex) / body_.slope) : far;
+}
+
+Place BodyShape::onCone(double reach, double azimuth) const {
+    const Place over = center();
+    const double x = std::cos(azimuth), y = std::sin(azimuth), far = reach / body_.away(x, y);
+    return {over[0] + far * x, over[1] - far * y, (body_.apex + body_.slope * reach) * scene_.scale};
+}
+
+Place BodyShape::onRim(int n) const {
+    return onCone(reach(), body_.from + (body_.to - body_.from) * n / kAround);
+}
+
+std::vector<std::vector<Place>> BodyShape::outline() const {
+    std::vector<std::vector<Place>> lines(body_.kind == StepBody::Kind::Sphere ? 2 : 3);
+    const double run = std::hypot(ray_.a, ray_.b);
+    const Point direction = run > 0 ? Point{ray_.a / run, ray_.b / run} : Point{1, 0};
+    if (body_.kind == StepBody::Kind::Sphere) {
+        for (int n = 0; n <= kAround; ++n) {
+            const double angle = 2 * std::numbers::pi * n / kAround;
+            const double c = std::cos(angle), s = std::sin(angle);
+            lines[0].push_back(onSphere(c, s, 0));
+            lines[1].push_back(onSphere(c * direction.x, c * direction.y, s));
+        }
+        return lines;
+    }
+    for (int n = 0; n <= kAround; ++n) lines[0].push_back(onRim(n));
+    const double ahead = std::atan2(direction.y, direction.x);
+    const double first = body_.whole() ? ahead : body_.from;
+    const double second = body_.whole() ? ahead + std::numbers::pi : body_.to;
+    lines[1] = {onCone(0, first), onCone(reach(), first)};
+    lines[2] = {onCone(0, second), onCone(reach(), second)};
+    return lines;
+}
 
 Place aboveBody(const TraceScene& scene, const Snapshot& snapshot, const StepBody& body) {
     Place at = scene.onRay(body.lambda);
@@ -166,27 +124,33 @@ std::vector<vtkSmartPointer<vtkActor>> bodyMarks(const TraceScene& scene, const 
     std::vector<vtkSmartPointer<vtkActor>> marks;
     const std::vector<relief::Step>& steps = snapshot.trace.steps;
     if (chosen >= steps.size()) return marks;
-    Bodies bodies(scene, snapshot, style, radius);
+    const auto colorOf = [&](const relief::Step& step) {
+        return style.color(bodyRole(step, snapshot.trace.ray, snapshot.trace.exact));
+    };
     Tubes earlier;
-    for (std::size_t k = chosen > kMostOutlines ? chosen - kMostOutlines : 0; k < chosen; ++k) {
+    for (std::size_t k = firstOutline(chosen); k < chosen; ++k) {
         const StepBody body = stepBody(steps[k]);
         if (!body) continue;
-        bodies.take(snapshot, steps[k]);
-        bodies.outline(earlier, body, 0.22);
+        addTubes(earlier, BodyShape(scene, snapshot, body).outline(), kEarlierOutline * radius, colorOf(steps[k]));
     }
     auto faint = actorOf(earlier.take());
     shadeWeakly(faint);
-    faint->GetProperty()->SetOpacity(kFaint);
+    faint->GetProperty()->SetOpacity(kEarlierOpacity);
     marks.push_back(faint);
     const StepBody body = stepBody(steps[chosen]);
     if (!body) return marks;
-    bodies.take(snapshot, steps[chosen]);
+    const BodyShape shape(scene, snapshot, body);
+    const Rgba color = colorOf(steps[chosen]);
     Tubes strong;
-    bodies.outline(strong, body, 0.6);
+    addTubes(strong, shape.outline(), kOutline * radius, color);
     auto edge = actorOf(strong.take());
     shadeWeakly(edge);
     marks.push_back(edge);
-    marks.push_back(bodies.filled(body));
+    auto filled = actorOf(body.kind == StepBody::Kind::Sphere ? ball(shape) : cone(shape));
+    paintIn(filled, color);
+    shadeWeakly(filled);
+    filled->GetProperty()->SetOpacity(kBodyOpacity);
+    marks.push_back(filled);
     return marks;
 }
 

@@ -23,7 +23,6 @@ namespace {
 constexpr double kRadius = 0.0035;  // of the ray, relative to the scene's diagonal
 constexpr double kSleeve = 2.1;     // relative to the ray's radius
 constexpr double kChosen = 3.2;
-constexpr double kLater = 0.45;  // opacity of steps after the chosen one
 
 }  // namespace
 
@@ -45,26 +44,22 @@ vtkSmartPointer<vtkActor> TraceMarks::line(vtkSmartPointer<vtkPolyData> data, Ro
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::ray() const {
-    // relative to the scene's diagonal; long enough to be visible if the hit is just below the top
-    constexpr double kAbove = 0.14;
-    const double speed = std::hypot(scene_.path.run.x, scene_.path.run.y, scene_.scale);
-    const double before = -kAbove * scene_.diagonal() / speed;
     Tubes tubes;
-    tubes.add(scene_.onRay(before), scene_.onRay(scene_.end), radius_, style_.color(Role::Ray));
+    tubes.add(scene_.rayTop(), scene_.onRay(scene_.end), radius_, style_.color(Role::Ray));
     auto actor = actorOf(tubes.take());
     shadeWeakly(actor);
     return actor;
 }
 
-vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>& steps, std::size_t chosen,
-                                                bool later) const {
+std::vector<TraceMarks::Sleeve> TraceMarks::sleeves(const std::vector<relief::Step>& steps, std::size_t chosen,
+                                                    bool later) const {
     constexpr std::size_t kMost = 400;
     constexpr double kGap = 0.04;  // between two sleeves, so that the ray is visible
     // Sleeves of successive refinements enclose each other.
     constexpr int kMostNested = 5;
     constexpr double kWiden = 0.3;
     int nested = 0;
-    Tubes tubes;
+    std::vector<Sleeve> sleeves;
     const std::size_t first = later ? chosen + 1 : (chosen > kMost ? chosen - kMost : 0);
     const std::size_t last = std::min(steps.size(), later ? chosen + kMost : chosen + 1);
     for (std::size_t k = first; k < last; ++k) {
@@ -77,19 +72,31 @@ vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>&
         const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
         const Place from = scene_.onRay(std::min(step.lambdaIn, scene_.end));
         const Place to = scene_.onRay(step.decision == relief::Decision::Refine ? out : std::min(out, scene_.end));
-        tubes.add(between(from, to, kGap), between(from, to, 1 - kGap), (kSleeve + kWiden * nested) * radius_,
-                  paint_.color(step, style_));
+        sleeves.push_back({between(from, to, kGap), between(from, to, 1 - kGap), (kSleeve + kWiden * nested) * radius_,
+                           paint_.color(step, style_)});
     }
+    return sleeves;
+}
+
+TraceMarks::Sleeve TraceMarks::sleeve(const relief::Step& step) const {
+    const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
+    return {scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, paint_.color(step, style_)};
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::stretches(const std::vector<relief::Step>& steps, std::size_t chosen,
+                                                bool later) const {
+    Tubes tubes;
+    for (const Sleeve& s : sleeves(steps, chosen, later)) tubes.add(s.from, s.to, s.radius, s.color);
     auto actor = actorOf(tubes.take());
     shadeWeakly(actor);
-    if (later) actor->GetProperty()->SetOpacity(kLater);
+    if (later) actor->GetProperty()->SetOpacity(kLaterOpacity);
     return actor;
 }
 
 vtkSmartPointer<vtkActor> TraceMarks::stretch(const relief::Step& step) const {
-    const double out = std::min(step.decision == relief::Decision::Hit ? step.lambdaAfter : step.lambdaOut, 1.0);
     Tubes tubes;
-    tubes.add(scene_.onRay(step.lambdaIn), scene_.onRay(out), kChosen * radius_, paint_.color(step, style_));
+    const Sleeve s = sleeve(step);
+    tubes.add(s.from, s.to, s.radius, s.color);
     auto actor = actorOf(tubes.take());
     shadeWeakly(actor);
     return actor;
@@ -113,7 +120,7 @@ vtkSmartPointer<vtkActor> TraceMarks::curtain() const {
     data->SetPolys(cells);
     auto actor = actorOf(data);
     actor->GetProperty()->SetLighting(false);
-    actor->GetProperty()->SetOpacity(0.16);
+    actor->GetProperty()->SetOpacity(kCurtainOpacity);
     paintIn(actor, style_.color(Role::Ray));
     return actor;
 }
@@ -150,60 +157,75 @@ TraceMarks::Prism TraceMarks::prism(const relief::Step& step, const relief::MaxP
     return {sides, scene_.bottom, z(height), paint_.color(step, style_)};
 }
 
-vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
+std::vector<std::array<Place, 4>> TraceMarks::faces(const Prism& prism) const {
     // A face coplanar with the cut side of the block would flicker.
     constexpr double kOutside = 0.0015;
     const Box inside = prism.sides.cut(scene_.patch);
+    if (inside.width() <= 0 || inside.height() <= 0) return {};
     const Box b = inside.grown(kOutside * scene_.diagonal());
+    std::array<Place, 8> corners;
+    std::size_t n = 0;
+    for (const double z : {prism.low, prism.high}) {
+        corners[n++] = {b.x0, -b.y0, z};
+        corners[n++] = {b.x1, -b.y0, z};
+        corners[n++] = {b.x1, -b.y1, z};
+        corners[n++] = {b.x0, -b.y1, z};
+    }
+    constexpr std::size_t kFaces[5][4] = {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    std::vector<std::array<Place, 4>> faces;
+    for (const auto& f : kFaces) faces.push_back({corners[f[0]], corners[f[1]], corners[f[2]], corners[f[3]]});
+    return faces;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::box(const Prism& prism) const {
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    if (inside.width() > 0 && inside.height() > 0) {
-        for (const double z : {prism.low, prism.high}) {
-            points->InsertNextPoint(b.x0, -b.y0, z);
-            points->InsertNextPoint(b.x1, -b.y0, z);
-            points->InsertNextPoint(b.x1, -b.y1, z);
-            points->InsertNextPoint(b.x0, -b.y1, z);
-        }
-        constexpr vtkIdType kFaces[5][4] = {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-        for (const auto& face : kFaces) cells->InsertNextCell(4, face);
+    for (const auto& face : faces(prism)) {
+        vtkIdType quad[4];
+        for (std::size_t k = 0; k < 4; ++k) quad[k] = points->InsertNextPoint(face[k].data());
+        cells->InsertNextCell(4, quad);
     }
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);
     data->SetPolys(cells);
     auto actor = actorOf(data);
     actor->GetProperty()->SetLighting(false);
-    actor->GetProperty()->SetOpacity(0.26);
+    actor->GetProperty()->SetOpacity(kPrismOpacity);
     paintIn(actor, prism.color);
     return actor;
 }
 
-vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
+std::vector<std::array<Place, 2>> TraceMarks::edges(const Prism& prism) const {
     const Box& whole = prism.sides;
     const Box b = whole.cut(scene_.patch);
-    Tubes tubes;
-    if (b.width() > 0 && b.height() > 0) {
-        const Rgba color = prism.color;
-        // Sides at the end of the patch are not borders of the texel.
-        const bool left = b.x0 == whole.x0;
-        const bool right = b.x1 == whole.x1;
-        const bool far = b.y0 == whole.y0;
-        const bool near = b.y1 == whole.y1;
-        const double low = prism.low;
-        const double high = prism.high;
-        const auto edge = [&](bool there, const Place& from, const Place& to) {
-            if (there) tubes.add(from, to, 0.7 * radius_, color);
-        };
-        for (const double z : {low, high}) {
-            edge(far, {b.x0, -b.y0, z}, {b.x1, -b.y0, z});
-            edge(near, {b.x0, -b.y1, z}, {b.x1, -b.y1, z});
-            edge(left, {b.x0, -b.y0, z}, {b.x0, -b.y1, z});
-            edge(right, {b.x1, -b.y0, z}, {b.x1, -b.y1, z});
-        }
-        edge(left && far, {b.x0, -b.y0, low}, {b.x0, -b.y0, high});
-        edge(right && far, {b.x1, -b.y0, low}, {b.x1, -b.y0, high});
-        edge(left && near, {b.x0, -b.y1, low}, {b.x0, -b.y1, high});
-        edge(right && near, {b.x1, -b.y1, low}, {b.x1, -b.y1, high});
+    if (b.width() <= 0 || b.height() <= 0) return {};
+    std::vector<std::array<Place, 2>> edges;
+    // Sides at the end of the patch are not borders of the texel.
+    const bool left = b.x0 == whole.x0;
+    const bool right = b.x1 == whole.x1;
+    const bool far = b.y0 == whole.y0;
+    const bool near = b.y1 == whole.y1;
+    const double low = prism.low;
+    const double high = prism.high;
+    const auto edge = [&](bool there, const Place& from, const Place& to) {
+        if (there) edges.push_back({from, to});
+    };
+    for (const double z : {low, high}) {
+        edge(far, {b.x0, -b.y0, z}, {b.x1, -b.y0, z});
+        edge(near, {b.x0, -b.y1, z}, {b.x1, -b.y1, z});
+        edge(left, {b.x0, -b.y0, z}, {b.x0, -b.y1, z});
+        edge(right, {b.x1, -b.y0, z}, {b.x1, -b.y1, z});
     }
+    edge(left && far, {b.x0, -b.y0, low}, {b.x0, -b.y0, high});
+    edge(right && far, {b.x1, -b.y0, low}, {b.x1, -b.y0, high});
+    edge(left && near, {b.x0, -b.y1, low}, {b.x0, -b.y1, high});
+    edge(right && near, {b.x1, -b.y1, low}, {b.x1, -b.y1, high});
+    return edges;
+}
+
+vtkSmartPointer<vtkActor> TraceMarks::boxEdges(const Prism& prism) const {
+    Tubes tubes;
+    for (const auto& [from, to] : edges(prism)) tubes.add(from, to, kEdge * radius_, prism.color);
     auto actor = actorOf(tubes.take());
     shadeWeakly(actor);
     return actor;
@@ -216,7 +238,8 @@ std::vector<vtkSmartPointer<vtkActor>> TraceMarks::hitRing(vtkCamera* camera, do
         Rgba color;
         double nearer;
     };
-    constexpr Disk kDisks[2] = {{0, 4.6, {255, 255, 255, 255}, -40000}, {2.1, 3.6, {0, 0, 0, 255}, -60000}};
+    constexpr Disk kDisks[2] = {{0, kHitDisk, {255, 255, 255, 255}, -40000},
+                                {kHitInner, kHitOuter, {0, 0, 0, 255}, -60000}};
     std::vector<vtkSmartPointer<vtkActor>> ring;
     const Place at = scene_.onRay(lambda);
     for (const Disk& disk : kDisks) {

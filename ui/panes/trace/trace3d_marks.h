@@ -2,6 +2,7 @@
 // and labels.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,15 @@ class vtkTextActor;
 
 namespace reliefui {
 
+// Opacities, and radii relative to that of the ray.
+inline constexpr double kLaterOpacity = 0.45;  // steps after the chosen one
+inline constexpr double kCurtainOpacity = 0.16;
+inline constexpr double kPrismOpacity = 0.26;
+inline constexpr double kEdge = 0.7;     // edges of a box
+inline constexpr double kHitDisk = 4.6;  // the white disk of a hit, and its ring
+inline constexpr double kHitInner = 2.1;
+inline constexpr double kHitOuter = 3.6;
+
 class TraceMarks {
   public:
     TraceMarks(const TraceScene& scene, const relief::HeightField& field, const Style& style,
@@ -25,10 +35,17 @@ class TraceMarks {
 
     vtkSmartPointer<vtkActor> line(vtkSmartPointer<vtkPolyData> data, Role role, double width) const;
     vtkSmartPointer<vtkActor> ray() const;  // a tube from slightly above the slab to the ray's end
+    struct Sleeve {
+        Place from, to;
+        double radius;
+        Rgba color;
+    };
     // Sleeves around the ray for the steps up to the chosen one, or (later) for those after it, faintly; limited to the
     // steps around the chosen one in very long logs.
+    std::vector<Sleeve> sleeves(const std::vector<relief::Step>& steps, std::size_t chosen, bool later) const;
     vtkSmartPointer<vtkActor> stretches(const std::vector<relief::Step>& steps, std::size_t chosen, bool later) const;
-    vtkSmartPointer<vtkActor> stretch(const relief::Step& step) const;  // sleeve of the chosen step, thicker
+    Sleeve sleeve(const relief::Step& step) const;  // of the chosen step, thicker
+    vtkSmartPointer<vtkActor> stretch(const relief::Step& step) const;
     // curtain(): the vertical surface between the ray and the relief below. shadow(): the ray's vertical projection
     // onto the relief.
     vtkSmartPointer<vtkActor> curtain() const;
@@ -42,6 +59,8 @@ class TraceMarks {
         Rgba color;
     };
     Prism prism(const relief::Step& step, const relief::MaxPyramidMap& maxima) const;
+    std::vector<std::array<Place, 4>> faces(const Prism& prism) const;
+    std::vector<std::array<Place, 2>> edges(const Prism& prism) const;
     vtkSmartPointer<vtkActor> box(const Prism& prism) const;
     vtkSmartPointer<vtkActor> boxEdges(const Prism& prism) const;
     // A ring that faces the viewer and is drawn in front of the surface it lies on.

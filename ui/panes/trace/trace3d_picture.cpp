@@ -39,10 +39,10 @@ void addLight(vtkRenderer* renderer) {
     renderer->AddLight(light);
 }
 
-constexpr double kLegendMargin = 6;  // in points
+}  // namespace
 
-// The step's number and the value it read.
-QString stepWords(const relief::Step& step, const StepBody& body, std::size_t number) {
+QString stepWords(const relief::Step& step, std::size_t number) {
+    const StepBody body = stepBody(step);
     const QString value = QString::fromStdString(relief::fixedText(step.value, 3));
     constexpr double kNone = 0.005;  // in texels
     if (body.kind == StepBody::Kind::Sphere && body.radius < kNone) return QString::number(number + 1);
@@ -65,14 +65,15 @@ QString stepWords(const relief::Step& step, const StepBody& body, std::size_t nu
     return ends ? QString::number(number + 1) : Trace3dView::tr("%1: surface at %2").arg(number + 1).arg(value);
 }
 
-}  // namespace
-
 TracePicture::TracePicture()
     : renderer_(vtkSmartPointer<vtkRenderer>::New()),
       legendRenderer_(vtkSmartPointer<vtkRenderer>::New()),
       legendActor_(vtkSmartPointer<vtkActor2D>::New()),
       legend_(vtkSmartPointer<vtkImageData>::New()) {
     renderer_->UseFXAAOn();
+    // VTK 9.1 tests other translucent surfaces against the depths of a picture that is shifted by the legend's height,
+    // so that they shine through the relief.
+    renderer_->SetUseDepthPeeling(true);
     renderer_->SetAutomaticLightCreation(false);
     addLight(renderer_);
     const vtkNew<vtkImageMapper> mapper;
@@ -128,22 +129,10 @@ void TracePicture::addRelief() {
     renderer_->AddActor2D(topLabel_);
 }
 
-// Placed at the leftmost corner in the current view, clear of the ray and its labels.
 void TracePicture::placeTopLabel() {
     if (!scene_ || topLabel_ == nullptr) return;
-    const Place right = camera.right();
-    const Box& p = scene_->patch;
-    double least = 0;
-    bool first = true;
-    for (const double s : {p.x0, p.x1}) {
-        for (const double t : {p.y0, p.y1}) {
-            const double along = s * right[0] - t * right[1];
-            if (!first && along >= least) continue;
-            first = false;
-            least = along;
-            topLabel_->GetPositionCoordinate()->SetValue(s, -t, scene_->scale);
-        }
-    }
+    Place at = scene_->topLabelPlace(camera);
+    topLabel_->GetPositionCoordinate()->SetValue(at.data());
 }
 
 void TracePicture::addRay() {
@@ -206,7 +195,7 @@ void TracePicture::paintLegend(const Drawing& drawing, int height) {
     page.fill(toColor(style_.background()));
     QPainter painter(&page);
     const Box all{0, 0, static_cast<double>(page.width()), static_cast<double>(height)};
-    reliefui::paint(painter, drawing, {unit, kLegendMargin * unit, kLegendMargin * unit / 2}, style_, all);
+    reliefui::paint(painter, drawing, {unit, kTraceLegendMargin * unit, kTraceLegendMargin * unit / 2}, style_, all);
     painter.end();
     legend_->SetDimensions(page.width(), height, 1);
     legend_->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -219,15 +208,14 @@ void TracePicture::paintLegend(const Drawing& drawing, int height) {
 
 // Places the legend below the relief; it is left out if it would take too much.
 void TracePicture::layLegend() {
-    constexpr double kMost = 0.3;  // as a share of the height
     relief_ = 1;
     if (scene_ && !size_.isEmpty()) {
         const double unit = style_.pixelsPerPoint();
         const PixelTrace& trace = shown_->trace;
         const Drawing drawing = traceLegend(trace.steps, trace.ray, trace.hit, trace.exact, paint(),
-                                            size_.width() / unit - 2 * kLegendMargin, style_.language);
-        const auto high = static_cast<int>(std::ceil((drawing.bounds.height() + kLegendMargin) * unit));
-        if (high < kMost * size_.height()) {
+                                            size_.width() / unit - 2 * kTraceLegendMargin, style_.language);
+        const auto high = static_cast<int>(std::ceil((drawing.bounds.height() + kTraceLegendMargin) * unit));
+        if (high < kMostTraceLegend * size_.height()) {
             relief_ = 1 - static_cast<double>(high) / size_.height();
             paintLegend(drawing, high);
         }
@@ -275,7 +263,7 @@ void TracePicture::addStep(const relief::Step& step, std::size_t number) {
         stepProps_.push_back(mark);
     }
     const StepBody body = stepBody(step);
-    const QString words = stepWords(step, body, number);
+    const QString words = stepWords(step, number);
     for (const auto& mark : sampleMarks(*scene_, shown_->trace.steps, number, paint(), style, marks.radius())) {
         stepProps_.push_back(mark);
     }
@@ -301,32 +289,15 @@ void TracePicture::follow(int step) {
     camera.setFocus(scene_->onRay(std::min(steps[at].lambdaAfter, scene_->end)));
 }
 
-// Keeps the viewing direction, and chooses the distance so that the ray and the patch around it are visible. The
-// visible depth below the hit is limited to a third of the ray's descent.
 void TracePicture::showAll(double room) {
     if (!scene_) return;
-    const Box& p = scene_->patch;
-    double low = scene_->bottom;
-    const relief::Hit& hit = shown_->trace.hit;
-    if (hit.outcome == relief::Outcome::Hit) low = std::max(low, scene_->scale * (1 - hit.lambda * 4 / 3));
-    std::vector<Place> places;
-    for (const double z : {low, scene_->scale}) {
-        for (const double s : {p.x0, p.x1}) {
-            for (const double t : {p.y0, p.y1}) places.push_back({s, -t, z});
-        }
-    }
     const double aspect = size_.isEmpty() ? 1 : size_.width() / (relief_ * size_.height());
-    camera.fit(places, room * aspect);
+    scene_->fit(camera, room * aspect);
 }
 
 void TracePicture::fit(double room) {
     if (!scene_) return;
-    const double length = std::hypot(scene_->path.run.x, scene_->path.run.y);
-    // Perpendicular to the ray and slightly from behind, so that the ray runs from left to right.
-    constexpr double kBehind = 0.45;
-    const double dx = length > 0 ? scene_->path.run.x / length : 1;
-    const double dy = length > 0 ? -scene_->path.run.y / length : 0;
-    camera.lookAlong(-dy + kBehind * dx, dx + kBehind * dy);
+    scene_->faceRay(camera);
     showAll(room);
 }
 

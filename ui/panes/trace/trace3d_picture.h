@@ -22,6 +22,11 @@ class vtkTextActor;
 
 namespace reliefui {
 
+// Label of a step: its number and the value it read.
+QString stepWords(const relief::Step& step, std::size_t number);
+inline constexpr double kTraceLegendMargin = 6;  // in points
+inline constexpr double kMostTraceLegend = 0.3;  // of the height; a higher legend is left out
+
 class TracePicture {
   public:
     TracePicture();

@@ -33,13 +33,6 @@ bool readsHeight(Decision decision) {
            decision == Decision::Test;
 }
 
-std::vector<Place> corners(const TraceScene& scene, double lambda) {
-    const double z = (1 - lambda) * scene.scale;
-    // Slightly outside the cut sides of the block, which would otherwise hide part of the rim.
-    const Box p = scene.patch.grown(kOutside * scene.diagonal());
-    return {{p.x0, -p.y0, z}, {p.x1, -p.y0, z}, {p.x1, -p.y1, z}, {p.x0, -p.y1, z}};
-}
-
 vtkSmartPointer<vtkActor> sheets(const TraceScene& scene, const std::vector<double>& lambdas, Rgba color,
                                  double opacity) {
     auto points = vtkSmartPointer<vtkPoints>::New();
@@ -47,7 +40,7 @@ vtkSmartPointer<vtkActor> sheets(const TraceScene& scene, const std::vector<doub
     for (const double lambda : lambdas) {
         vtkIdType quad[4];
         int k = 0;
-        for (const Place& corner : corners(scene, lambda)) quad[k++] = points->InsertNextPoint(corner.data());
+        for (const Place& corner : sheetCorners(scene, lambda)) quad[k++] = points->InsertNextPoint(corner.data());
         cells->InsertNextCell(4, quad);
     }
     auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -64,7 +57,7 @@ vtkSmartPointer<vtkActor> sheets(const TraceScene& scene, const std::vector<doub
 vtkSmartPointer<vtkActor> rims(const TraceScene& scene, const std::vector<double>& lambdas, Rgba color, double radius) {
     Tubes tubes;
     for (const double lambda : lambdas) {
-        const std::vector<Place> rim = corners(scene, lambda);
+        const std::vector<Place> rim = sheetCorners(scene, lambda);
         for (std::size_t k = 0; k < rim.size(); ++k) tubes.add(rim[k], rim[(k + 1) % rim.size()], radius, color);
     }
     auto actor = actorOf(tubes.take());
@@ -72,15 +65,14 @@ vtkSmartPointer<vtkActor> rims(const TraceScene& scene, const std::vector<double
     return actor;
 }
 
-// Adds a line from the ray to the height read below it.
-void addStem(Tubes& tubes, const TraceScene& scene, double lambda, double height, double radius, Rgba color) {
-    const Place onRay = scene.onRay(lambda);
-    const Place read{onRay[0], onRay[1], std::max(scene.bottom, height * scene.scale)};
-    tubes.add(onRay, read, 0.35 * radius, color);
-    tubes.ball(read, 1.5 * radius, color);
-}
-
 }  // namespace
+
+std::vector<Place> sheetCorners(const TraceScene& scene, double lambda) {
+    const double z = (1 - lambda) * scene.scale;
+    // Slightly outside the cut sides of the block, which would otherwise hide part of the rim.
+    const Box p = scene.patch.grown(kOutside * scene.diagonal());
+    return {{p.x0, -p.y0, z}, {p.x1, -p.y0, z}, {p.x1, -p.y1, z}, {p.x0, -p.y1, z}};
+}
 
 double readAt(const std::vector<relief::Step>& steps, std::size_t index) {
     const relief::Step& step = steps[index];
@@ -104,39 +96,54 @@ std::vector<double> sheetLambdas(const std::vector<relief::Step>& steps, std::si
     return lambdas;
 }
 
-std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, const std::vector<relief::Step>& steps,
-                                                   std::size_t chosen, const StepPaint& paint, const Style& style,
-                                                   double radius) {
+SampleShapes sampleShapes(const TraceScene& scene, const std::vector<relief::Step>& steps, std::size_t chosen,
+                          const StepPaint& paint, const Style& style, double radius) {
     constexpr std::size_t kMostStems = 200;
-    std::vector<vtkSmartPointer<vtkActor>> marks;
+    SampleShapes shapes;
     // Steps that use a map are drawn as spheres or cones instead.
     const bool trusts = std::any_of(steps.begin(), steps.end(), [](const relief::Step& s) { return s.trustsMap(); });
-    if (trusts || std::none_of(steps.begin(), steps.end(), isPoint)) return marks;
-    std::vector<double> lambdas = sheetLambdas(steps, chosen);
+    if (trusts || std::none_of(steps.begin(), steps.end(), isPoint)) return shapes;
+    shapes.sheets = sheetLambdas(steps, chosen);
     // Sheets below the bottom of the block are not visible.
-    std::erase_if(lambdas, [&](double lambda) { return (1 - lambda) * scene.scale < scene.bottom; });
-    const Rgba advanced = style.color(Role::Advanced);
-    marks.push_back(sheets(scene, lambdas, advanced, 0.05));
-    marks.push_back(rims(scene, lambdas, advanced, 0.25 * radius));
+    std::erase_if(shapes.sheets, [&](double lambda) { return (1 - lambda) * scene.scale < scene.bottom; });
     const relief::Step& step = steps[chosen];
-    const Rgba color = paint.color(step, style);
-    if (isLayer(steps, chosen)) {
-        marks.push_back(sheets(scene, {step.lambdaOut}, color, 0.22));
-        marks.push_back(rims(scene, {step.lambdaOut}, color, 0.6 * radius));
-    }
-    Tubes stems;
+    shapes.color = paint.color(step, style);
+    if (isLayer(steps, chosen)) shapes.chosen = step.lambdaOut;
     const std::size_t first = chosen > kMostStems ? chosen - kMostStems : 0;
     for (std::size_t k = first; k <= chosen; ++k) {
         if (!isPoint(steps[k]) || !readsHeight(steps[k].decision)) continue;
-        const double wide = (k == chosen ? 2.0 : 1.0) * radius;
-        addStem(stems, scene, readAt(steps, k), steps[k].value, wide, paint.color(steps[k], style));
+        const Place onRay = scene.onRay(readAt(steps, k));
+        const Place read{onRay[0], onRay[1], std::max(scene.bottom, steps[k].value * scene.scale)};
+        shapes.stems.push_back({onRay, read, (k == chosen ? 2.0 : 1.0) * radius, paint.color(steps[k], style)});
     }
     const bool shifted = isPoint(step) && step.decision == Decision::Hit && readAt(steps, chosen) < step.lambdaAfter;
     if (shifted && chosen > 0 && steps[chosen - 1].decision == Decision::Start) {
         const Place entry = scene.onRay(readAt(steps, chosen));
-        stems.arrow({entry[0], entry[1], step.value * scene.scale}, scene.onRay(step.lambdaAfter), 1.2 * radius,
-                    style.color(Role::Advanced));
+        const Place from{entry[0], entry[1], step.value * scene.scale};
+        shapes.shift = {from, scene.onRay(step.lambdaAfter), kShift * radius, style.color(Role::Advanced)};
     }
+    return shapes;
+}
+
+std::vector<vtkSmartPointer<vtkActor>> sampleMarks(const TraceScene& scene, const std::vector<relief::Step>& steps,
+                                                   std::size_t chosen, const StepPaint& paint, const Style& style,
+                                                   double radius) {
+    std::vector<vtkSmartPointer<vtkActor>> marks;
+    const SampleShapes shapes = sampleShapes(scene, steps, chosen, paint, style, radius);
+    if (shapes.empty()) return marks;
+    const Rgba advanced = style.color(Role::Advanced);
+    marks.push_back(sheets(scene, shapes.sheets, advanced, kSheetOpacity));
+    marks.push_back(rims(scene, shapes.sheets, advanced, kRim * radius));
+    if (shapes.chosen) {
+        marks.push_back(sheets(scene, {*shapes.chosen}, shapes.color, kChosenSheetOpacity));
+        marks.push_back(rims(scene, {*shapes.chosen}, shapes.color, kChosenRim * radius));
+    }
+    Tubes stems;
+    for (const SampleShapes::Stem& stem : shapes.stems) {
+        stems.add(stem.from, stem.to, kStem * stem.radius, stem.color);
+        stems.ball(stem.to, kStemBall * stem.radius, stem.color);
+    }
+    if (shapes.shift) stems.arrow(shapes.shift->from, shapes.shift->to, shapes.shift->radius, shapes.shift->color);
     auto actor = actorOf(stems.take());
     shadeWeakly(actor);
     marks.push_back(actor);

@@ -19,8 +19,6 @@ namespace {
 // Margin of the patch around the ray, relative to the ray's extent, with a minimum in texels.
 constexpr double kMarginShare = 0.35;
 constexpr double kMarginTexels = 8;
-// Small patches are sampled between texels as well, because a bilinear patch is not two triangles.
-constexpr int kFine = 4;
 
 vtkSmartPointer<vtkUnsignedCharArray> colorArray() {
     auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -42,6 +40,15 @@ vtkSmartPointer<vtkPolyData> lineThrough(const std::vector<Place>& places, bool 
     data->SetPoints(points);
     data->SetLines(lines);
     return data;
+}
+
+std::vector<double> sampleLines(double low, double high, int fine, int stride, bool middles) {
+    std::vector<double> at{low};
+    const double step = static_cast<double>(stride) / fine;
+    const double first = middles && step == 1 ? low + 0.5 : low + step;
+    for (int k = 0; first + k * step < high; ++k) at.push_back(first + k * step);
+    at.push_back(high);
+    return at;
 }
 
 TraceScene::TraceScene(const Snapshot& snapshot, double exaggeration)
@@ -109,6 +116,53 @@ Place TraceScene::underRay(double lambda) const {
     return {p.x, -p.y, underRayAt(lambda)};
 }
 
+Place TraceScene::rayTop() const {
+    // relative to the scene's diagonal; long enough to be visible if the hit is just below the top
+    constexpr double kAbove = 0.14;
+    return onRay(-kAbove * diagonal() / std::hypot(path.run.x, path.run.y, scale));
+}
+
+// Keeps the viewing direction, and chooses the distance so that the ray and the patch around it are visible. The
+// visible depth below the hit is limited to a third of the ray's descent.
+void TraceScene::fit(Turntable& camera, double aspect) const {
+    double low = bottom;
+    const relief::Hit& hit = snapshot_.trace.hit;
+    if (hit.outcome == relief::Outcome::Hit) low = std::max(low, scale * (1 - hit.lambda * 4 / 3));
+    std::vector<Place> places;
+    for (const double z : {low, scale}) {
+        for (const double s : {patch.x0, patch.x1}) {
+            for (const double t : {patch.y0, patch.y1}) places.push_back({s, -t, z});
+        }
+    }
+    camera.fit(places, aspect);
+}
+
+// Perpendicular to the ray and slightly from behind, so that the ray runs from left to right.
+void TraceScene::faceRay(Turntable& camera) const {
+    constexpr double kBehind = 0.45;
+    const double length = std::hypot(path.run.x, path.run.y);
+    const double dx = length > 0 ? path.run.x / length : 1;
+    const double dy = length > 0 ? -path.run.y / length : 0;
+    camera.lookAlong(-dy + kBehind * dx, dx + kBehind * dy);
+}
+
+Place TraceScene::topLabelPlace(const Turntable& camera) const {
+    const Place right = camera.right();
+    Place leftmost{};
+    double least = 0;
+    bool first = true;
+    for (const double s : {patch.x0, patch.x1}) {
+        for (const double t : {patch.y0, patch.y1}) {
+            const double along = s * right[0] - t * right[1];
+            if (!first && along >= least) continue;
+            first = false;
+            least = along;
+            leftmost = {s, -t, scale};
+        }
+    }
+    return leftmost;
+}
+
 void TraceScene::color(double s, double t, double height, unsigned char out[3]) const {
     relief::Color c(static_cast<float>(0.12 + 0.5 * height));
     if (snapshot_.assets.color) {
@@ -128,19 +182,21 @@ vtkSmartPointer<vtkPolyData> TraceScene::relief() const {
 
 vtkSmartPointer<vtkPolyData> TraceScene::surface() const {
     const double longer = std::max(patch.width(), patch.height());
-    const int fine = std::clamp(static_cast<int>(kPatchSamples / longer), 1, kFine);
-    const double step = longer > kPatchSamples ? std::ceil(longer / kPatchSamples) : 1.0 / fine;
-    const int columns = std::max(1, static_cast<int>(std::ceil(patch.width() / step)));
-    const int rows = std::max(1, static_cast<int>(std::ceil(patch.height() / step)));
+    int fine = kFinestSamples;
+    while (fine > 1 && longer * fine > kPatchSamples) fine /= 2;
+    const int stride = std::max(1, static_cast<int>(std::ceil(longer / kPatchSamples)));
+    const double step = static_cast<double>(stride) / fine;
+    const std::vector<double> across = sampleLines(patch.x0, patch.x1, fine, stride, true);
+    const std::vector<double> along = sampleLines(patch.y0, patch.y1, fine, stride, true);
+    const int columns = static_cast<int>(across.size()) - 1;
+    const int rows = static_cast<int>(along.size()) - 1;
     auto points = vtkSmartPointer<vtkPoints>::New();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     auto colors = colorArray();
     auto normals = vtkSmartPointer<vtkFloatArray>::New();
     normals->SetNumberOfComponents(3);
-    for (int j = 0; j <= rows; ++j) {
-        for (int i = 0; i <= columns; ++i) {
-            const double s = std::min(patch.x0 + i * step, patch.x1);
-            const double t = std::min(patch.y0 + j * step, patch.y1);
+    for (const double t : along) {
+        for (const double s : across) {
             const double height = field_.at(s, t);
             points->InsertNextPoint(s, -t, height * scale);
             // On a decimated patch, the slope is that between the samples.

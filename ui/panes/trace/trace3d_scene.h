@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include "panes/ray_geometry.h"
+#include "panes/turntable.h"
 #include "workspace/snapshot.h"
 
 namespace reliefui {
@@ -33,6 +34,17 @@ class TraceScene {
     // Position on the ray; position on the relief below it.
     Place onRay(double lambda) const;
     Place underRay(double lambda) const;
+    // Where the drawn ray begins, somewhat above the slab.
+    Place rayTop() const;
+    const relief::HeightField& field() const { return field_; }
+    double heightAt(double s, double t) const { return field_.at(s, t) * scale; }  // Z
+    // sRGB colour of the relief. height: 0 to 1, used without a picture of colours.
+    void color(double s, double t, double height, unsigned char out[3]) const;
+    // The camera's room for the whole patch, see Turntable::fit(); faceRay() turns it to the side of the ray.
+    void fit(Turntable& camera, double aspect) const;
+    void faceRay(Turntable& camera) const;
+    // Corner of the slab's top that is leftmost in the view, where its label is clear of the ray and its labels.
+    Place topLabelPlace(const Turntable& camera) const;
 
     vtkSmartPointer<vtkPolyData> relief() const;  // coloured points (bilinear) or cells (columns)
     vtkSmartPointer<vtkPolyData> skirt() const;   // the cut sides of the block
@@ -41,14 +53,19 @@ class TraceScene {
   private:
     double foot() const;
     double underRayAt(double lambda) const;
-    double heightAt(double s, double t) const { return field_.at(s, t) * scale; }
     vtkSmartPointer<vtkPolyData> surface() const;
     vtkSmartPointer<vtkPolyData> boxes() const;
-    void color(double s, double t, double height, unsigned char out[3]) const;
 
     const Snapshot& snapshot_;
     const relief::HeightField& field_;
 };
+
+// Samples per texel and side of small patches: a bilinear surface is curved between its heights. A power of two, so
+// that half of it is whole, and the heights, at the middles of texels, are among the samples.
+inline constexpr int kFinestSamples = 4;
+// Positions of the samples along a side of the patch, with both ends: `fine` per texel, or one in `stride` texels.
+// middles: if one per texel, then at its middle.
+std::vector<double> sampleLines(double low, double high, int fine, int stride, bool middles);
 
 // Polyline through the places; closed: returns to the first.
 vtkSmartPointer<vtkPolyData> lineThrough(const std::vector<Place>& places, bool closed);

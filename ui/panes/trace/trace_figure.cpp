@@ -7,6 +7,7 @@
 #include "panes/figure_caption.h"
 #include "panes/space_figure.h"
 #include "panes/trace/trace3d_picture.h"
+#include "panes/trace/trace_vectors.h"
 
 namespace reliefui {
 
@@ -17,6 +18,10 @@ struct TraceFigure : SpaceFigure {
     int step = 0;
     TraceOptions options;
 
+    bool vectors() const override { return true; }
+    void paint(QPainter& painter, const Box& page, const Style& style) const override {
+        paintTraceVectors(painter, page, style, *snapshot, step, options);
+    }
     double aspect(const FigurePage& page) const override { return std::min(1.0, 0.75 * page.taller()); }
     std::string caption(relief::Language language) const override { return figureCaption(snapshot, step)(language); }
     QImage draw(vtkGenericOpenGLRenderWindow& window, const Style& style, const QSize& pixels) const override {
@@ -29,8 +34,8 @@ struct TraceFigure : SpaceFigure {
         if (options.camera) {
             picture.camera = *options.camera;
         } else {
-            constexpr double kRoom = 0.78;  // share of the width; leaves room for labels at the sides
-            picture.fit(kRoom);
+            picture.fit(kTraceRoom);
+            if (options.turn) turnForOrbit(picture.camera, *options.turn, [&] { picture.showAll(kTraceRoom); });
         }
         picture.place();
         const QImage image = rendered(window, pixels);

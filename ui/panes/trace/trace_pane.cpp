@@ -14,10 +14,15 @@ PaneKind tracePane() {
     kind.help = Trace3dView::tr("The ray through the relief, in space");
     kind.place = DockPlace::UpperRight;
     kind.make = makePane<Trace3dView>;
-    kind.figures = {{"trace", false, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
-                         const auto pane = stateOf<TracePane>(now);
-                         return traceFigure(std::move(s), now.step, {pane.heights, stepColors(pane.colors), {}});
-                     }}};
+    const auto figure = [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now, std::optional<double> turn) {
+        const auto pane = stateOf<TracePane>(now);
+        return traceFigure(std::move(s), now.step, {pane.heights, stepColors(pane.colors), {}, turn});
+    };
+    kind.figures = {{"trace", true,
+                     [figure](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return figure(std::move(s), now, {});
+                     },
+                     figure}};
     kind.states = {readerOf<TracePane>()};
     return kind;
 }

@@ -19,7 +19,7 @@ class Quantities : public testing::Test {
         scenario_.height = 48;
         scenario_.pixel = PixelChoice{32, 30};
     }
-    LessonValue measured(const std::string& expression) {
+    ExpressionValue measured(const std::string& expression) {
         return Expression(expression).value(lessonSource(lesson_, scenario_, scenes_, work_));
     }
     double number(const std::string& expression) { return std::get<double>(measured(expression)); }

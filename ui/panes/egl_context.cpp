@@ -1,0 +1,72 @@
+#include "panes/egl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <cstdlib>
+#include <vector>
+
+namespace reliefui {
+
+// The display stays initialised: other contexts of the process may use the same one, and eglTerminate() would end them.
+struct EglContext::Handles {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+};
+
+namespace {
+
+EGLContext contextOf(EGLDisplay display, int major, int minor) {
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLint attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    eglChooseConfig(display, attributes, &config, 1, &count);
+    const EGLint version[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           major,   EGL_CONTEXT_MINOR_VERSION, minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLContext context =
+        eglCreateContext(display, count > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+    if (context == EGL_NO_CONTEXT) return EGL_NO_CONTEXT;
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) return context;
+    eglDestroyContext(display, context);
+    return EGL_NO_CONTEXT;
+}
+
+}  // namespace
+
+EglContext::EglContext(std::unique_ptr<Handles> handles) : handles_(std::move(handles)) {}
+
+std::unique_ptr<EglContext> EglContext::make(int major, int minor, EglPlace place, EglProblem& problem) {
+    problem = EglProblem::NoEgl;
+    std::vector<EGLenum> platforms{EGL_PLATFORM_SURFACELESS_MESA};
+    const char* const screen = std::getenv("DISPLAY");
+    if (place == EglPlace::Screen && screen != nullptr && *screen != '\0') {
+        platforms.insert(platforms.begin(), EGL_PLATFORM_X11_KHR);
+    }
+    for (const EGLenum platform : platforms) {
+        auto handles = std::make_unique<Handles>();
+        handles->display = eglGetPlatformDisplay(platform, EGL_DEFAULT_DISPLAY, nullptr);
+        if (handles->display == EGL_NO_DISPLAY) continue;
+        if (eglInitialize(handles->display, nullptr, nullptr) == EGL_FALSE) continue;
+        problem = EglProblem::NoVersion;
+        handles->context = contextOf(handles->display, major, minor);
+        if (handles->context != EGL_NO_CONTEXT) return std::unique_ptr<EglContext>(new EglContext(std::move(handles)));
+    }
+    return nullptr;
+}
+
+EglContext::~EglContext() {
+    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(handles_->display, handles_->context);
+}
+
+bool EglContext::makeCurrent() const {
+    return eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context) == EGL_TRUE;
+}
+
+void* EglContext::function(const char* name) {
+    return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
+
+}  // namespace reliefui

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "panes/pane.h"
+
+namespace reliefui {
+
+PaneKind shaderPane();
+
+}  // namespace reliefui
