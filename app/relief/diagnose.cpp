@@ -33,7 +33,9 @@ TracerRecord recordOf(const DiagnoseOptions& options, const HeightField& field) 
         throw InputError("", Message(MessageId::NeedsEither, {{"other", "--hits"}, {"another", "--steps"}}));
     }
     if (options.steps) {
-        RayFiles files{std::move(record.rays), parseSteps(readTextFile(*options.steps), *options.steps, rays)};
+        RayFiles files;
+        files.rays = std::move(record.rays);
+        files.log = parseSteps(readTextFile(*options.steps), *options.steps, rays);
         record = tracerRecord(std::move(files), field, *options.steps);
     }
     if (!options.hits) return record;
