@@ -137,7 +137,7 @@ double excess(const ShaderAdviceOptions& options, const ShaderForm& form) {
 ShaderAdviceOptions::ShaderAdviceOptions(HeightField heights)
     : field(std::move(heights)), seconds(kPictureTimes * adviceSeconds(field)) {}
 
-std::int64_t ShaderTexture::bytes() const {
+std::int64_t AdvisedTexture::bytes() const {
     const std::int64_t channels = format.starts_with("RG") ? 2 : 1;
     const std::int64_t each = format.ends_with("16") ? 2 : 1;
     std::int64_t texels = 0;
@@ -150,7 +150,7 @@ std::int64_t ShaderTexture::bytes() const {
 
 std::int64_t ShaderForm::bytes() const {
     std::int64_t all = 0;
-    for (const ShaderTexture& one : textures) all += one.bytes();
+    for (const AdvisedTexture& one : textures) all += one.bytes();
     return all;
 }
 

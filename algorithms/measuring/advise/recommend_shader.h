@@ -51,7 +51,7 @@ enum class ShaderMap : std::uint8_t {
 enum class FetchKind : std::uint8_t { Bilinear, HeightAndCone, Volume, Texels };
 std::string_view fetchKindName(FetchKind kind);
 
-struct ShaderTexture {
+struct AdvisedTexture {
     std::string format;  // "R16": channels and bits, unsigned normalised
     MessageId holds{};   // in words
     int width = 0, height = 0, depth = 1, levels = 1;
@@ -67,7 +67,7 @@ struct ShaderForm {
     int bits = 16;  // of each channel
     FetchKind fetchKind = FetchKind::Bilinear;
     Guarantee guarantee{};
-    std::vector<ShaderTexture> textures;
+    std::vector<AdvisedTexture> textures;
     Verdict verdict = Verdict::Kept;
     // The largest numbers per ray. bounded: no ray at all takes more, because the shader's loop ends there; otherwise
     // they are the largest over the measured rays.

@@ -15,7 +15,7 @@ std::string number(double value) {
     return std::isnan(value) ? "-" : readable(value, kDigits);
 }
 
-std::string sizeText(const ShaderTexture& texture) {
+std::string sizeText(const AdvisedTexture& texture) {
     std::string text = std::to_string(texture.width) + " x " + std::to_string(texture.height);
     return texture.depth > 1 ? text + " x " + std::to_string(texture.depth) : text;
 }
@@ -23,7 +23,7 @@ std::string sizeText(const ShaderTexture& texture) {
 // "R16, RG16".
 std::string formatsText(const ShaderForm& form) {
     std::vector<std::string> formats;
-    for (const ShaderTexture& one : form.textures) formats.push_back(one.format);
+    for (const AdvisedTexture& one : form.textures) formats.push_back(one.format);
     return commaList(formats);
 }
 
@@ -69,7 +69,7 @@ class ShaderSentences {
     void technique() {
         const ShaderForm& best = advice_.best();
         say(MessageId::ShaderAdviceTechnique, {{"method", methodText(best.method)}});
-        for (const ShaderTexture& one : best.textures) {
+        for (const AdvisedTexture& one : best.textures) {
             say(MessageId::ShaderAdviceTexture, {{"format", one.format},
                                                  {"size", sizeText(one)},
                                                  {"levels", one.levels},
@@ -130,7 +130,7 @@ using Json = nlohmann::ordered_json;
 
 Json formJson(const ShaderForm& form) {
     Json textures = Json::array();
-    for (const ShaderTexture& one : form.textures) {
+    for (const AdvisedTexture& one : form.textures) {
         textures.push_back({{"format", one.format},
                             {"holds", sentence(Message(one.holds))},
                             {"width", one.width},

@@ -47,7 +47,7 @@ const Technique& techniqueOf(const std::string& tracer) {
                          [&](const Technique& one) { return one.tracer == tracer; });
 }
 
-ShaderTexture texture(int channels, int bits, MessageId holds, int width, int height, int depth = 1, int levels = 1) {
+AdvisedTexture texture(int channels, int bits, MessageId holds, int width, int height, int depth = 1, int levels = 1) {
     return {(channels == 1 ? "R" : "RG") + std::to_string(bits), holds, width, height, depth, levels};
 }
 
@@ -62,7 +62,7 @@ DistanceParameters distanceParameters(const ShaderForm& form) {
     return parameters;
 }
 
-std::vector<ShaderTexture> texturesOf(const ShaderForm& form, const HeightField& field) {
+std::vector<AdvisedTexture> texturesOf(const ShaderForm& form, const HeightField& field) {
     const int w = field.width(), h = field.height(), bits = form.bits;
     switch (form.map) {
         case ShaderMap::Heights:
