@@ -122,7 +122,7 @@ TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
             bindMaps(*gl_, choice, store.field, {}, work_);
             gl_->setTexture(1, texture(map.levels[0], true), Address::Repeat);
             const auto [numbers, rounded] = shaderRays(randomRays(7, field_, 1000, 10));
-            const std::vector<float> answers = gl_->compute(computeText(shaderText(choice, "test")), numbers);
+            const std::vector<float> answers = gl_->compute(rayPassText(shaderText(choice, "test")), numbers);
             HitBlock hits;
             NullSink sink;
             makeTracer(form.method, store.field, *store.maps, work_)->trace(rounded, hits, sink, work_);
