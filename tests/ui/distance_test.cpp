@@ -237,6 +237,8 @@ TEST_F(DistanceTest, EveryMapOfEveryAddressingIsShown) {
         openPane(scenario);
         for (const std::string& kind : relief::mapKinds()) {
             if (kind == "refined" && address == relief::Address::Clamp) continue;
+            // Serve the bilinear surface only.
+            if (kind.ends_with("-robust") && scenario.surface == relief::Surface::Columns) continue;
             for (const SliceAxis axis : {SliceAxis::X, SliceAxis::Y, SliceAxis::Z}) {
                 for (const bool near : {true, false}) {
                     DistanceOptions options;

@@ -85,6 +85,7 @@ const std::set<QString>& allowedWords() {
                  "Alt Ctrl Down End Enter Esc Home Page Shift Tab Up "
                  "English "  // in the menu of languages, each in its own
                  "certify export rays "
+                 "delta level pixel value "                            // columns of steps, in conditions
                  "choose hit knob lesson method number options "       // keys of lessons
                  "apex sqrt ratio HLSL glslangValidator spirv cross "  // of maps for engines and shaders
                  "outcome unknown sRGB textureGrad textureLod "        // of files, of other programs
