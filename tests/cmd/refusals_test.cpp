@@ -93,8 +93,9 @@ TEST_P(RefusalTest, MoreMemoryThanThereIs) {
     small.addressSpace = std::int64_t{2} << 30U;
     const std::string height = makeRelief("hills", "hills.png", {"--size", "16"});
     const std::string wide = makeRelief("hills", "wide.png", {"--size", "1024"});
-    // There is no data after the header, so the file is refused before it is read.
-    const std::string huge = write("huge.pgm", "P5\n32000 32000\n255\n");
+    // Most of the data is missing, so the file is refused before it is read; a shorter one could not hold the picture
+    // in any format.
+    const std::string huge = write("huge.pgm", "P5\n32000 32000\n255\n" + std::string(40'000, '\0'));
     const std::string many = "1024000000";
     const std::vector<std::string> parts{"GB of memory are needed", "GB are free"};
     const auto before = files();
