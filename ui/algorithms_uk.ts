@@ -946,5 +946,13 @@
         <source>Steps to the edge of relaxed cones that no texel behind which the surface falls stands in; then bisects the last step.</source>
         <translation>Розширені конуси, у яких немає жодного текселя, за яким поверхня спадає; останній крок ділять навпіл.</translation>
     </message>
+    <message>
+        <source>map cone-robust</source>
+        <translation>карта конусів: cone-robust</translation>
+    </message>
+    <message>
+        <source>map relaxed-cone-robust</source>
+        <translation>карта конусів: relaxed-cone-robust</translation>
+    </message>
 </context>
 </TS>

@@ -161,6 +161,30 @@
         <source>trace 3-D: step</source>
         <translation>трасування 3D: крок</translation>
     </message>
+    <message>
+        <source>doctor</source>
+        <translation>діагностика</translation>
+    </message>
+    <message>
+        <source>doctor: drawing</source>
+        <translation>діагностика: рисунок</translation>
+    </message>
+    <message>
+        <source>shader</source>
+        <translation>шейдер</translation>
+    </message>
+    <message>
+        <source>shader: drawing</source>
+        <translation>шейдер: рисунок</translation>
+    </message>
+    <message>
+        <source>watch</source>
+        <translation>стеження</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>чому такий колір</translation>
+    </message>
 </context>
 <context>
     <name>reliefui::BookmarkDialog</name>
@@ -903,7 +927,7 @@
     </message>
     <message>
         <source>cancel (%1%)</source>
-        <translation>зупинити (%1 %)</translation>
+        <translation>зупинити (%1&#xa0;%)</translation>
     </message>
 </context>
 <context>
@@ -3680,7 +3704,7 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     </message>
     <message>
         <source>cancel (%1%)</source>
-        <translation>зупинити (%1 %)</translation>
+        <translation>зупинити (%1&#xa0;%)</translation>
     </message>
 </context>
 <context>

@@ -66,6 +66,12 @@ constexpr const char* kParts[] = {
     QT_TRANSLATE_NOOP("parts", "trace 3-D"),
     QT_TRANSLATE_NOOP("parts", "trace 3-D: scene"),
     QT_TRANSLATE_NOOP("parts", "trace 3-D: step"),
+    QT_TRANSLATE_NOOP("parts", "doctor"),
+    QT_TRANSLATE_NOOP("parts", "doctor: drawing"),
+    QT_TRANSLATE_NOOP("parts", "shader"),
+    QT_TRANSLATE_NOOP("parts", "shader: drawing"),
+    QT_TRANSLATE_NOOP("parts", "watch"),
+    QT_TRANSLATE_NOOP("parts", "why"),
 };
 
 // Translates the names of parts; names of classes and events are Qt's own and stay.
