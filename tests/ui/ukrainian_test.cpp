@@ -85,6 +85,9 @@ const std::set<QString>& allowedWords() {
                  "Alt Ctrl Down End Enter Esc Home Page Shift Tab Up "
                  "English "  // in the menu of languages, each in its own
                  "certify export rays "
+                 "EGL Debian libegl1 libgl1 mesa dri "                 // of the graphics driver
+                 "hlsl FILE png orbit sweep profile "                  // values of options, of files
+                 "worst shift fetches verdict build time "             // columns of the advice for shaders
                  "delta level pixel value "                            // columns of steps, in conditions
                  "choose hit knob lesson method number options "       // keys of lessons
                  "apex sqrt ratio HLSL glslangValidator spirv cross "  // of maps for engines and shaders
