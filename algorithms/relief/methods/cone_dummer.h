@@ -29,18 +29,11 @@ class ConeDummerTracer : public ConeMarch {
         int iterations = 32;
         std::string precision = "float";
 
-        static std::vector<OptionField<Options>> fields() {
-            return {
-                {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "largest number of steps"},
-                 &Options::iterations},
-                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
-                 &Options::precision}};
-        }
+        static std::vector<OptionField<Options>> fields() { return coneFields<Options>(); }
     };
     static ConeDummerTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        ConeParameters parameters;
-        parameters.precision = parsePrecision(options.precision);
-        return {field, relief::coneMap(ConeKind::Dummer, parameters, field, cache, work), options.iterations, 0};
+        return {field, relief::coneMap(ConeKind::Dummer, coneParameters(options), field, cache, work),
+                options.iterations, 0};
     }
 
     using ConeMarch::ConeMarch;

@@ -1,5 +1,6 @@
-// What both published cone tracers share: a number of steps to the edge of the interpolated cone, as in their shaders.
-// Dummer 2006; Policarpo & Oliveira 2007. Not safe under interpolation. SIMD: simd/texel_cone_lanes-inl.h.
+// What the cone tracers of shaders share: a number of steps to the edge of the interpolated cone. Dummer 2006;
+// Policarpo & Oliveira 2007. Whether a step is safe depends on the map: most cones are not, once they are interpolated.
+// SIMD: simd/texel_cone_lanes-inl.h.
 #pragma once
 
 #include "relief/maps/cone_map.h"
@@ -8,6 +9,53 @@
 #include "relief/sampled_surface.h"
 
 namespace relief {
+
+// Describes the fields of those of these members that the struct of options has.
+template <class Options>
+std::vector<OptionField<Options>> coneFields() {
+    std::vector<OptionField<Options>> fields{
+        {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "largest number of steps"},
+         &Options::iterations}};
+    if constexpr (requires(Options o) { o.bisections; }) {
+        fields.push_back(
+            {{"bisections", OptionKind::Integer, "halvings", 0, 60, 1, {}, "number of bisections of the last step"},
+             &Options::bisections});
+        fields.push_back({{"radius",
+                           OptionKind::Integer,
+                           "texels",
+                           1,
+                           1024,
+                           1,
+                           {},
+                           "search radius for the obstacles that limit a cone"},
+                          &Options::radius});
+    }
+    if constexpr (requires(Options o) { o.directions; }) {
+        fields.push_back({{"directions",
+                           OptionKind::Integer,
+                           "azimuths",
+                           4,
+                           256,
+                           1,
+                           {},
+                           "number of azimuths along which cones are measured"},
+                          &Options::directions});
+    }
+    fields.push_back(
+        {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
+         &Options::precision});
+    return fields;
+}
+
+// The parameters of the map that the options describe.
+template <class Options>
+ConeParameters coneParameters(const Options& options) {
+    ConeParameters parameters;
+    parameters.precision = parsePrecision(options.precision);
+    if constexpr (requires { options.radius; }) parameters.radius = options.radius;
+    if constexpr (requires { options.directions; }) parameters.directions = options.directions;
+    return parameters;
+}
 
 class ConeMarch {
   public:

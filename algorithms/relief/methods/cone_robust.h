@@ -34,18 +34,11 @@ class ConeRobustTracer : public ConeMarch {
         int iterations = 64;
         std::string precision = "float";
 
-        static std::vector<OptionField<Options>> fields() {
-            return {
-                {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "largest number of steps"},
-                 &Options::iterations},
-                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
-                 &Options::precision}};
-        }
+        static std::vector<OptionField<Options>> fields() { return coneFields<Options>(); }
     };
     static ConeRobustTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        ConeParameters parameters;
-        parameters.precision = parsePrecision(options.precision);
-        return {field, relief::coneMap(ConeKind::Robust, parameters, field, cache, work), options.iterations, 0};
+        return {field, relief::coneMap(ConeKind::Robust, coneParameters(options), field, cache, work),
+                options.iterations, 0};
     }
 
     using ConeMarch::ConeMarch;

@@ -33,41 +33,11 @@ class RelaxedConeTracer : public ConeMarch {
         int directions = 16;
         std::string precision = "float";
 
-        static std::vector<OptionField<Options>> fields() {
-            return {
-                {{"iterations", OptionKind::Integer, "steps", 1, 4096, 1, {}, "largest number of steps"},
-                 &Options::iterations},
-                {{"bisections", OptionKind::Integer, "halvings", 0, 60, 1, {}, "number of bisections of the last step"},
-                 &Options::bisections},
-                {{"radius",
-                  OptionKind::Integer,
-                  "texels",
-                  1,
-                  1024,
-                  1,
-                  {},
-                  "search radius for the obstacles that limit a cone"},
-                 &Options::radius},
-                {{"directions",
-                  OptionKind::Integer,
-                  "azimuths",
-                  4,
-                  256,
-                  1,
-                  {},
-                  "number of azimuths along which cones are measured"},
-                 &Options::directions},
-                {{"precision", OptionKind::Choice, "", 0, 0, 0, {"float", "u16", "u8"}, "storage format of the cones"},
-                 &Options::precision}};
-        }
+        static std::vector<OptionField<Options>> fields() { return coneFields<Options>(); }
     };
     static RelaxedConeTracer make(const HeightField& field, const Options& options, MapCache& cache, Work& work) {
-        ConeParameters parameters;
-        parameters.radius = options.radius;
-        parameters.directions = options.directions;
-        parameters.precision = parsePrecision(options.precision);
-        return {field, relief::coneMap(ConeKind::Relaxed, parameters, field, cache, work), options.iterations,
-                options.bisections};
+        return {field, relief::coneMap(ConeKind::Relaxed, coneParameters(options), field, cache, work),
+                options.iterations, options.bisections};
     }
 
     using ConeMarch::ConeMarch;
