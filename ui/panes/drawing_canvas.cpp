@@ -53,10 +53,10 @@ double DrawingCanvas::legendWidth() const {
     return width() / style_.pixelsPerPoint() - 2 * kFigureMargin;
 }
 
-void DrawingCanvas::showText(relief::MessageId why) {
+void DrawingCanvas::showText(const relief::Message& text) {
     auto words = std::make_shared<Drawing>();
     words->bounds = {0, 0, std::max(1.0, legendWidth()), 1};
-    addParagraph(*words, words->bounds.center(), relief::Message(why), words->bounds.width(), style_.language);
+    addParagraph(*words, words->bounds.center(), text, words->bounds.width(), style_.language);
     setLayers({std::move(words)}, nullptr);
 }
 

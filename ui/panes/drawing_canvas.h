@@ -26,7 +26,8 @@ class DrawingCanvas : public QWidget {
     std::shared_ptr<const Drawing> showLegend(Drawing legend, double most);
     double legendWidth() const;  // largest width, in points
     // Shows only a message that explains how to fill the pane.
-    void showText(relief::MessageId why);
+    void showText(const relief::Message& text);
+    void showText(relief::MessageId text) { showText(relief::Message(text)); }
     // Releases the drawings; the zoom is kept.
     void releaseContents();
 

@@ -2,6 +2,7 @@
 // height is the same with and without the buttons, so that the widgets below do not move.
 #pragma once
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QScrollArea>
 

@@ -6,7 +6,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "painting/paragraph.h"
 #include "panes/doctor/doctor_drawing.h"
 #include "panes/drawing_canvas.h"
 #include "panes/pane_controls.h"
@@ -164,20 +163,14 @@ void DoctorView::redraw() {
     const Style& style = workspace_->style();
     canvas_->setStyle(style);
     const relief::OtherTracer& other = workspace_->scenario().other;
-    if (!report_) return showText(problem_.value_or(Message(other ? MessageId::DoctorBusy : MessageId::DoctorNone)));
+    if (!report_) {
+        return canvas_->showText(problem_.value_or(Message(other ? MessageId::DoctorBusy : MessageId::DoctorNone)));
+    }
     constexpr double kMostLegend = 0.4;
     const auto legend =
         canvas_->showLegend(doctorLegend(*report_, false, canvas_->legendWidth(), style.language), kMostLegend);
     const auto ray = static_cast<std::size_t>(other.ray);
     canvas_->setLayers({std::make_shared<const Drawing>(doctorPicture(*report_, ray))}, legend);
-}
-
-void DoctorView::showText(const Message& text) {
-    const double width = canvas_->legendWidth();
-    Drawing words;
-    addParagraph(words, {width / 2, width / 4}, text, width, workspace_->style().language);
-    words.bounds = {0, 0, width, width / 2};
-    canvas_->setLayers({std::make_shared<const Drawing>(std::move(words))}, nullptr);
 }
 
 void DoctorView::showBusy() {

@@ -47,8 +47,6 @@ class DoctorView : public FigureView {
     void redraw();
     void fillList();
     void showBusy();
-    // Shows a text in place of the picture, and no faults.
-    void showText(const relief::Message& text);
 
     DrawingCanvas* canvas_;
     QListWidget* list_;

@@ -6,7 +6,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "painting/paragraph.h"
 #include "panes/drawing_canvas.h"
 #include "panes/narrow_bar.h"
 #include "panes/pane_controls.h"
@@ -200,22 +199,16 @@ void ShaderView::redraw() {
         const auto busy = press ? relief::MessageId::ShaderPress : relief::MessageId::ShaderDrawing;
         return canvas_->showText(snapshot_ ? busy : workspace_->whyEmpty());
     }
-    if (preview_->problem) return showProblem(*preview_->problem);
+    if (preview_->problem) {
+        picture_ = {};
+        return canvas_->showText(*preview_->problem);
+    }
     const ShaderSource now = source();
     constexpr double kMostLegend = 0.5;  // the numbers are what the pane is for
     const auto legend = canvas_->showLegend(shaderLegend(now, canvas_->legendWidth(), style.language), kMostLegend);
     const QSizeF room = canvas_->room();
     picture_ = shaderPicture(now, room.width(), room.height(), style.language);
     canvas_->setLayers({std::make_shared<const Drawing>(picture_.drawing)}, legend);
-}
-
-void ShaderView::showProblem(const relief::Message& problem) {
-    picture_ = {};
-    const double width = canvas_->legendWidth();
-    Drawing words;
-    addParagraph(words, {width / 2, width / 4}, problem, width, workspace_->style().language);
-    words.bounds = {0, 0, width, width / 2};
-    canvas_->setLayers({std::make_shared<const Drawing>(std::move(words))}, nullptr);
 }
 
 void ShaderView::showBusy() {

@@ -53,7 +53,6 @@ class ShaderView : public FigureView {
     void redraw();
     void showBusy();
     void showSummary();
-    void showProblem(const relief::Message& problem);
     bool current() const;
     ShaderSource source() const;
 

@@ -1,8 +1,8 @@
 #include "panes/why/why_figure.h"
 
-#include "painting/painter.h"
 #include "panes/figure_caption.h"
 #include "panes/formula/formula_drawing.h"
+#include "panes/formula/formula_figure.h"
 #include "rendering/pixel_history_text.h"
 
 namespace reliefui {
@@ -29,15 +29,7 @@ std::shared_ptr<const Figure> whyFigure(std::shared_ptr<const Snapshot> snapshot
     const auto sheet = [snapshot, history](double points, relief::Language language) {
         return formulaSheet(whyGroups(*history, *snapshot->request, language), points).drawing;
     };
-    const auto paint = [sheet](QPainter& painter, const Box& page, const Style& style) {
-        const Drawing drawing = sheet(page.width() / style.pixelsPerPoint() - kFigureMargins, style.language);
-        paintFigure(painter, {&drawing}, {}, page, style);
-    };
-    const auto aspect = [sheet](const FigurePage& page) {
-        const double points = page.widthMm / kMmPerPoint - kFigureMargins;
-        return (sheet(points, page.style.language).bounds.height() + kFigureMargins) / (points + kFigureMargins);
-    };
-    return paintedFigure(paint, figureCaption(snapshot), aspect);
+    return sheetFigure(sheet, figureCaption(snapshot));
 }
 
 std::shared_ptr<const Figure> whyFigure(std::shared_ptr<const Snapshot> snapshot) {
