@@ -1,6 +1,5 @@
 // The advice for shaders as text and as JSON.
-#include <nlohmann/json.hpp>
-
+#include "measuring/advise/advice_json.h"
 #include "measuring/advise/recommend_shader.h"
 #include "measuring/bench/machine.h"
 #include "measuring/text_table.h"
@@ -169,25 +168,19 @@ std::string shaderAdviceText(const ShaderAdviceOptions& options, const ShaderAdv
 }
 
 std::string shaderAdviceJson(const ShaderAdviceOptions& options, const ShaderAdvice& advice) {
-    const HeightField& field = options.field;
-    Json json{{"height", options.name},
-              {"size", std::to_string(field.width()) + "x" + std::to_string(field.height())},
-              {"surface", std::string(surfaceName(field.surface()))},
-              {"address", std::string(addressName(field.address()))},
-              {"relief_depth", field.reliefDepth()},
-              {"views", viewsText(options.views)},
-              {"form", "shader"},
-              {"max_steps", options.maxSteps},
-              {"max_fetches", options.maxFetches},
-              {"memory_limit_bytes", options.memory},
-              {"error", options.error ? Json(*options.error) : Json(nullptr)},
-              {"seconds", options.seconds},
-              {"seed", options.seed},
-              {"pictures", advice.pictures},
-              {"picture_size", std::to_string(options.width) + "x" + std::to_string(options.height)},
-              {"rays", advice.rays},
-              {"keeps_bounds", advice.keepsLimits},
-              {"chosen", advice.best().measured() ? formJson(advice.best()) : Json(nullptr)}};
+    Json json = adviceSubject(options.name, options.field, options.views);
+    json.update({{"form", "shader"},
+                 {"max_steps", options.maxSteps},
+                 {"max_fetches", options.maxFetches},
+                 {"memory_limit_bytes", options.memory},
+                 {"error", options.error ? Json(*options.error) : Json(nullptr)},
+                 {"seconds", options.seconds},
+                 {"seed", options.seed},
+                 {"pictures", advice.pictures},
+                 {"picture_size", std::to_string(options.width) + "x" + std::to_string(options.height)},
+                 {"rays", advice.rays},
+                 {"keeps_bounds", advice.keepsLimits},
+                 {"chosen", advice.best().measured() ? formJson(advice.best()) : Json(nullptr)}});
     json["forms"] = Json::array();
     for (const ShaderForm& form : advice.forms) json["forms"].push_back(formJson(form));
     json["commit"] = commitText();

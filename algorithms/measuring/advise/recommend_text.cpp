@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "measuring/advise/advice_json.h"
 #include "measuring/advise/recommend.h"
 #include "measuring/bench/machine.h"
 #include "measuring/text_table.h"
@@ -260,22 +259,16 @@ std::string adviceText(const AdviceOptions& options, const Advice& advice, Langu
 }
 
 std::string adviceJson(const AdviceOptions& options, const Advice& advice) {
-    const HeightField& field = options.field;
-    Json json{{"height", options.name},
-              {"size", std::to_string(field.width()) + "x" + std::to_string(field.height())},
-              {"surface", std::string(surfaceName(field.surface()))},
-              {"address", std::string(addressName(field.address()))},
-              {"relief_depth", field.reliefDepth()},
-              {"views", viewsText(options.views)},
-              {"error", options.error},
-              {"outliers", options.outliers},
-              {"memory_limit_bytes", options.memory},
-              {"max_steps", options.maxSteps},
-              {"seconds", options.seconds},
-              {"form", std::string(formName(options.form))},
-              {"step_cost", options.stepCost},
-              {"seed", options.seed},
-              {"chosen", formJson(advice.best())}};
+    Json json = adviceSubject(options.name, options.field, options.views);
+    json.update({{"error", options.error},
+                 {"outliers", options.outliers},
+                 {"memory_limit_bytes", options.memory},
+                 {"max_steps", options.maxSteps},
+                 {"seconds", options.seconds},
+                 {"form", std::string(formName(options.form))},
+                 {"step_cost", options.stepCost},
+                 {"seed", options.seed},
+                 {"chosen", formJson(advice.best())}});
     json["map"] = mapNames(advice.best().method);
     json["relief"] = {{"roughness", advice.relief.roughness},
                       {"flat_tiles", advice.relief.flatTiles},
