@@ -1,10 +1,8 @@
 #include "program.h"
 
 #include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -200,40 +198,6 @@ void sayFailure(const std::string& why, Language language, const std::stop_token
 }  // namespace
 
 namespace {
-
-// When there is not even memory for a message in the chosen language.
-int sayMemoryEnded() {
-    constexpr std::string_view kLine = "relief: not enough memory\n";
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kLine.data(), kLine.size());
-    return kBadUsage;
-}
-
-// Destructors of libraries allocate (nlohmann-json), and objects are made before main(): there, memory that ends cannot
-// be caught.
-class TerminateHandler {
-  public:
-    TerminateHandler() : before_(std::set_terminate(end)) { handler_ = this; }
-    ~TerminateHandler() { std::set_terminate(before_); }
-    TerminateHandler(const TerminateHandler&) = delete;
-    TerminateHandler& operator=(const TerminateHandler&) = delete;
-
-  private:
-    [[noreturn]] static void end() {
-        try {
-            if (std::current_exception()) std::rethrow_exception(std::current_exception());
-        } catch (const std::bad_alloc&) {
-            _exit(sayMemoryEnded());
-        } catch (...) {
-        }
-        handler_->before_();
-        std::abort();
-    }
-
-    static inline const TerminateHandler* handler_ = nullptr;
-    std::terminate_handler before_;
-};
-// Made before all other objects, which have lower priorities.
-[[gnu::init_priority(101)]] const TerminateHandler terminateHandler;
 
 // Ends the process as if SIGPIPE had never been ignored.
 int endByClosedPipe() {

@@ -28,4 +28,10 @@ void sayLine(const std::string& text) {
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
 }
 
+int sayMemoryEnded() {
+    constexpr std::string_view kLine = "relief: not enough memory\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kLine.data(), kLine.size());
+    return kBadUsage;
+}
+
 }  // namespace relief::app

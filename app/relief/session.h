@@ -57,6 +57,8 @@ class Session {
 
 // Prints "relief: ..." on standard error, always as one line.
 void sayLine(const std::string& text);
+// Writes that memory has ended, when there is none for a message either. Allocates nothing. Returns the exit status.
+int sayMemoryEnded();
 
 // Exit statuses of all commands. Wrong usage and unusable input are 2 in every command; an interrupted command ends
 // with 128 + the signal's number.
