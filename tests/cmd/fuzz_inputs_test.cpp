@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "algorithms/images/temporary_folder.h"
 #include "fuzz/targets.h"
 #include "measuring/random_rays.h"
 
@@ -23,8 +22,7 @@ std::map<std::string, std::string> inputsOf(const Target& target) {
     std::map<std::string, std::string> inputs;
     const std::filesystem::path folder = std::filesystem::path(RELIEF_FUZZ_INPUTS) / target.name;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        inputs[entry.path().filename().string()] = std::string(std::istreambuf_iterator<char>(file), {});
+        inputs[entry.path().filename().string()] = testing::bytesOf(entry.path().string());
     }
     return inputs;
 }

@@ -43,6 +43,27 @@ def expect_valid(scenario, what):
         faults.append(f"{what}: {'/'.join(map(str, error.path))}: {error.message}")
 
 
+def with_value(document, path, value):
+    """Returns a copy with the value at the path; objects on the way that are missing are made."""
+    changed = copy.deepcopy(document)
+    place = changed
+    for key in path[:-1]:
+        place = place[key] if isinstance(place, list) else place.setdefault(key, {})
+    place[path[-1]] = value
+    return changed
+
+
+def expect_refused(good, values, file, command, checker, what):
+    """Writes the document with each value at its path to the file; the program's command and the schema must refuse it."""
+    for path, value in values.items():
+        changed = with_value(good, path, value)
+        json.dump(changed, open(file, "w", encoding="utf-8"))
+        if subprocess.run(command, capture_output=True).returncode != 2:
+            faults.append(f"the program takes {path} = {value}")
+        if checker.is_valid(changed):
+            faults.append(f"the schema of {what} takes {path} = {value}")
+
+
 def objects(scenario, path=()):
     """Yields all nested objects with their paths."""
     if isinstance(scenario, dict):
@@ -89,11 +110,7 @@ with tempfile.TemporaryDirectory() as folder:
                if not {"options", "filter-options"} & set(path) and path[:1] not in (("ui",), ("panes",))]
     recipes = [(("pictures", "recipe"), recipe) for recipe in ({"name": "city", "width": 0}, {"name": "city", "height": 32769}, {})]
     for path, value in mutants + list(wrong.items()) + recipes:
-        scenario = copy.deepcopy(everything)
-        place = scenario
-        for key in path[:-1]:
-            place = place[key] if isinstance(place, list) else place.setdefault(key, {})
-        place[path[-1]] = value
+        scenario = with_value(everything, path, value)
         file = os.path.join(folder, "mutant.json")
         json.dump(scenario, open(file, "w", encoding="utf-8"))
         program = subprocess.run([relief, "info", file], capture_output=True, text=True).returncode
@@ -119,22 +136,13 @@ if os.path.exists(reliefscope):
         shutil.copytree(os.path.join(root, "ui/lessons/302"), os.path.join(folder, "302"))
         file = os.path.join(folder, "302", "lesson.json")
         good = read_lesson(file)
-        for path, value in {("lesson",): 2, ("minutes",): 0, ("unknown",): 1, ("pages",): [], ("pages", 0, "unknown"): 1,
+        expect_refused(good, {("lesson",): 2, ("minutes",): 0, ("unknown",): 1, ("pages",): [], ("pages", 0, "unknown"): 1,
                             ("pages", 0, "pane"): "profil", ("pages", 0, "step"): 0, ("pages", 0, "name"): "a b",
                             ("pages", 0, "layer"): "colour", ("pages", 0, "claims"): [1], ("variants", "a b"): {},
                             ("pages", 2, "knob", "values"): ["8"], ("pages", 2, "knob", "set"): "method",
                             ("pages", 2, "knob", "watch", 0, "trend"): "grows",
-                            ("pages", 1, "question"): {"ask": 1}}.items():
-            changed = copy.deepcopy(good)
-            place = changed
-            for key in path[:-1]:
-                place = place[key]
-            place[path[-1]] = value
-            json.dump(changed, open(file, "w", encoding="utf-8"))
-            if subprocess.run([reliefscope, "--lesson", os.path.dirname(file), "--check"], capture_output=True).returncode != 2:
-                faults.append(f"the program takes {path} = {value}")
-            if lesson_validator.is_valid(changed):
-                faults.append(f"the schema of lessons takes {path} = {value}")
+                            ("pages", 1, "question"): {"ask": 1}},
+                       file, [reliefscope, "--lesson", os.path.dirname(file), "--check"], lesson_validator, "lessons")
 
 # Figures of the papers: the shipped ones with their scenarios; changed ones, which schema and program refuse.
 figure_schema = json.load(open(os.path.join(root, "algorithms/scenario/paper_figure.schema.json"), encoding="utf-8"))
@@ -154,19 +162,10 @@ if os.path.exists(reliefscope):
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "mine.json")
         good = json.load(open(os.path.join(root, "ui/paper_figures/MIP18-4.json"), encoding="utf-8"))
-        for path, value in {("paper-figure",): 2, ("paper",): "", ("number",): 0, ("page",): -1, ("unknown",): 1, ("parts",): [],
+        expect_refused(good, {("paper-figure",): 2, ("paper",): "", ("number",): 0, ("page",): -1, ("unknown",): 1, ("parts",): [],
                             ("caption", "uk"): "", ("note",): {"en": "x"}, ("parts", 0, "view"): "pareto", ("parts", 0, "width"): 1,
-                            ("parts", 0, "layer"): "colour", ("parts", 0, "change"): 1, ("parts", 0, "unknown"): 1}.items():
-            changed = copy.deepcopy(good)
-            place = changed
-            for key in path[:-1]:
-                place = place[key]
-            place[path[-1]] = value
-            json.dump(changed, open(file, "w", encoding="utf-8"))
-            if subprocess.run([reliefscope, "--paper-figures", file], capture_output=True).returncode != 2:
-                faults.append(f"the program takes {path} = {value}")
-            if figure_validator.is_valid(changed):
-                faults.append(f"the schema of figures takes {path} = {value}")
+                            ("parts", 0, "layer"): "colour", ("parts", 0, "change"): 1, ("parts", 0, "unknown"): 1},
+                       file, [reliefscope, "--paper-figures", file], figure_validator, "figures")
 
 # Names of the lists.
 listed = json.loads(subprocess.run([relief, "list", "--json"], capture_output=True, text=True, check=True).stdout)

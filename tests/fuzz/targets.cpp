@@ -1,15 +1,11 @@
 #include "fuzz/targets.h"
 
-#include <unistd.h>
-
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "algorithms/images/temporary_folder.h"
 #include "base/part_file.h"
 #include "filtering/filters/filter_choice.h"
 #include "images/picture_bands.h"
@@ -38,36 +34,13 @@ namespace {
 constexpr std::int64_t kMostPixels = 1 << 22;
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 
-// The bytes as a file, which readers that take a path need. One folder per process.
-class InputFile {
-  public:
-    InputFile(std::string_view bytes, const std::string& name) : path_(folder() + "/" + name) {
-        std::ofstream file(path_, std::ios::binary);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    }
-    ~InputFile() { std::filesystem::remove(path_); }
-    InputFile(const InputFile&) = delete;
-    InputFile& operator=(const InputFile&) = delete;
-    const std::string& path() const { return path_; }
-
-    static const std::string& folder() {
-        static const Folder kept;
-        return kept.path;
-    }
-
-  private:
-    struct Folder {
-        std::string path =
-            (std::filesystem::temp_directory_path() / ("relief_fuzz_" + std::to_string(::getpid()))).string();
-        Folder() { std::filesystem::create_directories(path); }
-        ~Folder() { std::filesystem::remove_all(path); }
-    };
-    std::string path_;
-};
-
-std::string contents(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+// A folder for the files that readers take by their paths, one per process.
+const testing::TemporaryFolder& folder() {
+    static const testing::TemporaryFolder kept;
+    return kept;
+}
+std::string inputFile(const std::string& name, std::string_view bytes) {
+    return folder().with(name, std::string(bytes));
 }
 
 // Readers of pictures try the format that the name promises first.
@@ -91,55 +64,54 @@ const HeightField& someField() {
 }
 
 void readHeightPicture(std::string_view bytes) {
-    const InputFile file(bytes, pictureName(bytes));
+    const std::string path = inputFile(pictureName(bytes), bytes);
     Work work(1);
     HeightReadOptions options;
     options.maxPixels = kMostPixels;
-    readHeight(file.path(), options, work);
+    readHeight(path, options, work);
 }
 
 void readColorPicture(std::string_view bytes) {
-    const InputFile file(bytes, pictureName(bytes));
+    const std::string path = inputFile(pictureName(bytes), bytes);
     Work work(1);
-    readColor(file.path(), work, kMostPixels);
+    readColor(path, work, kMostPixels);
 }
 
 void readScenario(std::string_view bytes) {
-    const InputFile file(bytes, "s.json");
-    const Scenario scenario = loadScenario(file.path());
+    const std::string path = inputFile("s.json", bytes);
+    const Scenario scenario = loadScenario(path);
     // What was accepted is written so that it is read and written again as the same text.
-    saveScenario(file.path(), scenario);
-    const std::string once = contents(file.path());
-    saveScenario(file.path(), loadScenario(file.path()));
-    if (contents(file.path()) != once) throw std::logic_error("a saved scenario changes when it is read again");
+    saveScenario(path, scenario);
+    const std::string once = testing::bytesOf(path);
+    saveScenario(path, loadScenario(path));
+    if (testing::bytesOf(path) != once) throw std::logic_error("a saved scenario changes when it is read again");
 }
 
 // lesson.json, and behind a line of three dashes its text.
 void readLessonFolder(std::string_view bytes) {
     constexpr std::string_view kBetween = "\n---\n";
     const std::size_t end = std::min(bytes.find(kBetween), bytes.size());
-    const InputFile lesson(bytes.substr(0, end), "lesson.json");
+    inputFile("lesson.json", bytes.substr(0, end));
     const std::string_view text = end < bytes.size() ? bytes.substr(end + kBetween.size()) : "# A\n";
-    const InputFile english(text, "text.en.md"), ukrainian(text, "text.uk.md");
-    readLesson(InputFile::folder(), InputFile::folder());
+    for (const char* name : {"text.en.md", "text.uk.md"}) inputFile(name, text);
+    readLesson(folder() / "", folder() / "");
 }
 
 void readMap(std::string_view bytes) {
-    const InputFile file(bytes, "m.tif");
+    const std::string path = inputFile("m.tif", bytes);
     Work work(1);
-    loadMap(file.path(), someField(), kMostBytes, work);
+    loadMap(path, someField(), kMostBytes, work);
 }
 
 // The bytes of a whole tiled map.
 const std::string& tiledFile() {
     static const std::string whole = [] {
-        const InputFile picture("", "whole.png"), tiled("", "whole.tif");
-        std::filesystem::remove(tiled.path());
-        writeHeight(picture.path(), someField().heights());
+        const std::string picture = folder() / "whole.png", tiled = folder() / "whole.tif";
+        writeHeight(picture, someField().heights());
         Work work(1);
-        const auto rows = pictureHeightRows(picture.path(), {});
-        TiledWriter(*rows, tiled.path(), {}).write(work);
-        return contents(tiled.path());
+        const auto rows = pictureHeightRows(picture, {});
+        TiledWriter(*rows, tiled, {}).write(work);
+        return testing::bytesOf(tiled);
     }();
     return whole;
 }
@@ -158,9 +130,9 @@ void readTiled(std::string_view bytes) {
         if (place >= changed.size()) continue;
         changed[byte(2) < 128 ? place : changed.size() - 1 - place] = bytes[n + 3];
     }
-    const InputFile file(changed, "t.tif");
-    if (!TiledHeights::isTiled(file.path())) return;
-    const auto tiles = TiledHeights::open(file.path(), kMostBytes);
+    const std::string path = inputFile("t.tif", changed);
+    if (!TiledHeights::isTiled(path)) return;
+    const auto tiles = TiledHeights::open(path, kMostBytes);
     for (int level = 0; level < tiles->levels(); ++level) {
         const int x = tiles->width(level) - 1, y = tiles->height(level) - 1;
         for (const TileKind kind : {TileKind::Max, TileKind::Min, TileKind::Mean}) {
@@ -183,8 +155,8 @@ void readJournal(std::string_view bytes) {
 }
 
 void readBand(std::string_view bytes) {
-    const InputFile file(bytes, pictureName(bytes));
-    readBandFile(file.path());
+    const std::string path = inputFile(pictureName(bytes), bytes);
+    readBandFile(path);
 }
 
 void readRays(std::string_view bytes) {
