@@ -6,6 +6,7 @@
 
 #include "painting/chart.h"
 #include "painting/formula_text.h"
+#include "painting/text_width.h"
 #include "panes/figure_caption.h"
 #include "panes/rows/rows_figure.h"
 
@@ -28,7 +29,10 @@ constexpr double kNumber = 10;
 constexpr double kDivide = 13;
 constexpr double kBelow = 9;
 constexpr double kInset = 3.5;  // of a pixel's boxes, which leaves room for the arrows between them
+// Sizes of letters: in the column of a journal, 6 and 5.5 points.
 constexpr double kSmall = 0.6;
+constexpr double kNote = 0.55;
+constexpr double kSides = 1.5;  // between a number and the sides of its box
 
 int stepOf(const RowCurve& curve) {
     const RowVariant variant = curve.options.variant;
@@ -96,6 +100,11 @@ class FlowWriter {
             {}, Role::Legend,
             Label{.at = at, .text = plainText(std::move(formula)), .anchor = anchor, .size = size, .formula = true});
     }
+    // A number in a box of this width, whose sides it does not touch.
+    void boxed(Point at, double value, double width) {
+        const std::string number = relief::numberText(value, 3);
+        text(at, number, Anchor::Center, kSmall * std::min(1.0, (width - kSides) / textWidth(number, kSmall)));
+    }
     void arrow(std::vector<Point> points, int stream) {
         drawing_.add({}, Role::Stream, Polyline{std::move(points), true}, Emphasis::Normal, {stream, 1});
     }
@@ -136,14 +145,14 @@ class FlowWriter {
             drawing_.add({}, Role::Stream, Rectangle{box, false}, Emphasis::Normal, {stream, 1});
             const double at = data_.row.x[i], y = data_.place.y;
             const relief::Homography& map = data_.place.map;
-            text({x, top_ + kNumber / 2}, number(map.sx * at + map.sy * y + map.s1));
-            text({x, top_ + 1.5 * kNumber}, number(map.denominator(at, y)));
+            boxed({x, top_ + kNumber / 2}, map.sx * at + map.sy * y + map.s1, 2 * half);
+            boxed({x, top_ + 1.5 * kNumber}, map.denominator(at, y), 2 * half);
             arrow({{x, box.y1}, {x, result.y0}}, stream);
-            if (k == 0) text({x + 4, (box.y1 + result.y0) / 2 - 1}, "w_n / q_n", Anchor::Left, 0.5);
+            if (k == 0) text({x + 4, (box.y1 + result.y0) / 2 - 1}, "w_n / q_n", Anchor::Left, kNote);
         }
         drawing_.add({}, Role::Stream, Rectangle{result, false}, Emphasis::Normal, {stream, 1});
-        text(result.center(), number(curve.u[i]));
-        text({x, result.y1 + 1}, "n = " + std::to_string(one.pixel), Anchor::Top, 0.5);
+        boxed(result.center(), curve.u[i], 2 * half);
+        text({x, result.y1 + 1}, "n = " + std::to_string(one.pixel), Anchor::Top, kNote);
         if (k > 0 && one.pixel != pixels[k - 1].pixel + 1) text({x - side_ / 2, top_ + kNumber}, "…");
         comesFrom(pixels, k, stream);
     }
@@ -165,18 +174,17 @@ class FlowWriter {
             const double side = step > 0 ? half : -half;
             arrow({{from + side, y}, {x - side, y}}, stream);
             if (unnamed && one.divides) {
-                text({(from + x) / 2, top_ - 1}, times(step, "A, ") + times(step, "G"), Anchor::Bottom, 0.5);
+                text({(from + x) / 2, top_ - 1}, times(step, "A, ") + times(step, "G"), Anchor::Bottom, kNote);
             } else if (unnamed) {
-                text({x, quotient() - 1}, "+Δu", Anchor::BottomLeft, 0.5);
+                text({x, quotient() - 1}, "+Δu", Anchor::BottomLeft, kNote);
             }
         } else {
             const double lane = top_ - kLane * (stream + 1);
             arrow({{from + 2, top_}, {from + 2, lane}, {x - 2, lane}, {x - 2, top_}}, stream);
             // At the arrow's beginning, because arrows to the pixels between cross it.
-            if (unnamed) text({from + 5, lane - 1}, times(step, "A, ") + times(step, "G"), Anchor::BottomLeft, 0.5);
+            if (unnamed) text({from + 3.5, lane - 1}, times(step, "A, ") + times(step, "G"), Anchor::BottomLeft, kNote);
         }
     }
-    static std::string number(double value) { return relief::numberText(value, 3); }
 
     const RowsData& data_;
     double width_;
