@@ -12,7 +12,7 @@ namespace relief {
 namespace {
 
 constexpr double kFullTurn = 360;  // degrees
-constexpr double kSwing = 60;      // degrees; from farther aside, little of a wall is seen
+constexpr double kSwing = 60;      // degrees; more obliquely, a wall looks too narrow
 constexpr int kDigits = 6;         // of values between two given ones, so that a caption shows all of them
 
 struct Swept {

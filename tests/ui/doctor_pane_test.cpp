@@ -24,7 +24,7 @@ class DoctorPane : public WindowTest {
     }
     void openPane(const relief::Scenario& scenario) {
         openWindow(scenario);
-        QTest::keyClick(window_.get(), Qt::Key_7, Qt::AltModifier);
+        QTest::keyClick(window_.get(), Qt::Key_9, Qt::AltModifier);
         settle();
     }
     void settle() {

@@ -94,7 +94,7 @@ class ShaderPaneTest : public WindowTest {
   protected:
     void openPane() {
         openWindow(smallScenario());
-        QTest::keyClick(window_.get(), Qt::Key_6, Qt::AltModifier);
+        QTest::keyClick(window_.get(), Qt::Key_8, Qt::AltModifier);
         settle();
     }
     void settle() {

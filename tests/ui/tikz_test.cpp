@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include "foreign_tracer.h"
 #include "painting/tex_text.h"
 #include "painting/tikz.h"
 #include "panes/figure.h"
@@ -119,6 +120,8 @@ TEST(Tikz, everyViewIsForLatex) {
     SnapshotMaker maker;
     const auto snapshot = maker.make({scenario}, work);
     const QTemporaryDir folder;
+    const relief::Scenario foreign = withForeignTracer(scenario, folder, true);
+    const auto diagnosed = maker.make({foreign}, work);
     QStringList written;
     for (const FigureKind& kind : figureList()) {
         // "charts" measures for seconds; "drawn" needs a relief drawn by hand.
@@ -130,7 +133,9 @@ TEST(Tikz, everyViewIsForLatex) {
         page.dpi = 100;
         page.style.theme = Theme::Light;
         const QString name = QString::fromStdString(kind.name) + QStringLiteral(".tikz");
-        writeFigure(*kind.make(snapshot, scenario), page, folder.filePath(name).toStdString(), work);
+        const bool doctor = kind.name == "doctor";  // shows the files of another tracer
+        writeFigure(*kind.make(doctor ? diagnosed : snapshot, doctor ? foreign : scenario), page,
+                    folder.filePath(name).toStdString(), work);
         const QString tikz = contents(folder.filePath(name));
         expectWellFormed(tikz, kColumnMm);
         EXPECT_LT(tikz.size(), 3000000);
@@ -217,6 +222,8 @@ TEST(Tikz, textIsLegibleInJournals) {
     SnapshotMaker maker;
     const auto snapshot = maker.make({scenario}, work);
     const QTemporaryDir folder;
+    const relief::Scenario foreign = withForeignTracer(scenario, folder, true);
+    const auto diagnosed = maker.make({foreign}, work);
     for (const FigureKind& kind : figureList()) {
         if (!kind.make || !kind.vectors || kind.name == "charts" || kind.name == "drawn") continue;
         for (const double width : {kColumnMm, kJournalPageMm}) {
@@ -224,7 +231,9 @@ TEST(Tikz, textIsLegibleInJournals) {
             page.widthMm = width;
             page.dpi = 100;
             const QString path = folder.filePath(QStringLiteral("figure.tikz"));
-            writeFigure(*kind.make(snapshot, scenario), page, path.toStdString(), work);
+            const bool doctor = kind.name == "doctor";
+            writeFigure(*kind.make(doctor ? diagnosed : snapshot, doctor ? foreign : scenario), page,
+                        path.toStdString(), work);
             const double least = smallestText(contents(path));
             EXPECT_GE(least, 5.5) << kind.name << " " << width;
         }

@@ -58,7 +58,7 @@ GLuint buffer(GLenum target, unsigned binding, std::size_t count, const float* n
     return name;
 }
 
-// Not enough memory on the card is reported only when asked for.
+// OpenGL does not fail when the card's memory is full: only glGetError() reports it.
 void throwOnError(const char* what) {
     const GLenum error = call<PFNGLGETERRORPROC>("glGetError")();
     if (error == GL_NO_ERROR) return;
