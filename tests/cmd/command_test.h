@@ -29,15 +29,15 @@ struct Result {
 
 // Deviations from a plain run.
 struct RunSetup {
-    std::vector<std::string> launcher;    // starts the program: mpirun, with its options
-    std::string program;                  // in place of the program under test
-    std::string input;                    // standard input
-    std::string output;                   // redirects standard output to this file, instead of Result::out
-    std::int64_t largestFile = -1;        // limit of a file's size, in bytes
-    std::int64_t addressSpace = -1;       // limit of the address space, in bytes
-    int interruptAfterMilliseconds = 0;   // sends SIGINT after this time; standard input stays open until the end
-    std::function<bool()> interruptWhen;  // sends SIGINT as soon as this returns true, if that is earlier
-    std::vector<std::pair<std::string, std::string>> variables;  // added to the environment
+    std::vector<std::string> launcher{};    // starts the program: mpirun, with its options
+    std::string program{};                  // in place of the program under test
+    std::string input{};                    // standard input
+    std::string output{};                   // redirects standard output to this file, instead of Result::out
+    std::int64_t largestFile = -1;          // limit of a file's size, in bytes
+    std::int64_t addressSpace = -1;         // limit of the address space, in bytes
+    int interruptAfterMilliseconds = 0;     // sends SIGINT after this time; standard input stays open until the end
+    std::function<bool()> interruptWhen{};  // sends SIGINT as soon as this returns true, if that is earlier
+    std::vector<std::pair<std::string, std::string>> variables{};  // added to the environment
 };
 
 // Sends SIGINT as soon as the condition holds, or after a minute.
