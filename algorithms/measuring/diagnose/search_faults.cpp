@@ -15,6 +15,21 @@ namespace {
 // Numbers of layers that people write.
 constexpr std::array kUsualLayers{4,  5,  6,  8,  10, 12, 15, 16,  20,  24,  25,  30,  32,  40,
                                   48, 50, 60, 64, 75, 80, 96, 100, 120, 128, 150, 192, 200, 256};
+// Numbers of layers along the normal and along the plane that people write.
+constexpr std::array<std::array<int, 2>, 14> kUsualPairs{{{8, 32},
+                                                          {4, 16},
+                                                          {8, 16},
+                                                          {8, 64},
+                                                          {16, 64},
+                                                          {4, 32},
+                                                          {16, 32},
+                                                          {10, 20},
+                                                          {10, 30},
+                                                          {15, 30},
+                                                          {1, 30},
+                                                          {5, 15},
+                                                          {20, 60},
+                                                          {32, 128}}};
 
 class Search {
   public:
@@ -34,8 +49,8 @@ class Search {
         }
         if (evidence_.lattice.layers > 0) {
             offerLattice(found, evidence_.lattice);
-        } else if (const int few = secantLayers(); few > 0) {
-            offerLayers(found, ModelSearch::Secant, few);
+        } else if (const std::array<int, 2> few = secantLayers(); few[0] > 0) {
+            offerLayers(found, ModelSearch::Secant, few[0], few[1]);
         }
         if (byShape) found.push_back(explanationByShape(rays_, evidence_));
         return found;
@@ -100,8 +115,9 @@ class Search {
         }
     }
 
-    // Returns the number of layers between which a line gives nearly all answers; 0 if there is none.
-    int secantLayers() {
+    // Returns the number of layers between which a line gives nearly all answers; 0 if there is none. Second: that
+    // along the plane if it depends on the view, otherwise 0.
+    std::array<int, 2> secantLayers() {
         std::size_t wrong = 0, distant = 0;
         RayBlock few;
         std::vector<Hit> answers;
@@ -114,11 +130,15 @@ class Search {
             distant += rays_.isHit(r) && std::abs(rays_.answer(r).lambda - rays_.exact(r).lambda) <= kLayer ? 0 : 1;
         }
         // An exact search explains them; or they lie further from its answers than a layer.
-        if (wrong * 20 < few.size() || 2 * distant > few.size()) return 0;
+        if (wrong * 20 < few.size() || 2 * distant > few.size()) return {};
         TracerModel model = model_;
         model.search = ModelSearch::Secant;
-        for (const int layers : kUsualLayers) {
-            model.layers = layers;
+        std::vector<std::array<int, 2>> tried;
+        for (const int layers : kUsualLayers) tried.push_back({layers, 0});
+        tried.insert(tried.end(), kUsualPairs.begin(), kUsualPairs.end());
+        for (const std::array<int, 2>& layers : tried) {
+            model.layers = layers[0];
+            model.grazingLayers = layers[1];
             const std::vector<Hit> predicted = predict(model, few, fields_, work_);
             std::size_t same = 0;
             for (std::size_t r = 0; r < few.size(); ++r) {
@@ -126,13 +146,14 @@ class Search {
             }
             if (same * 10 >= few.size() * 9) return layers;
         }
-        return 0;
+        return {};
     }
 
-    void offerLayers(std::vector<Explanation>& found, ModelSearch search, int layers) {
+    void offerLayers(std::vector<Explanation>& found, ModelSearch search, int layers, int grazing = 0) {
         TracerModel model = model_;
         model.search = search;
         model.layers = layers;
+        model.grazingLayers = grazing;
         const std::vector<Hit> answers = predict(model, rays_.given().rays, fields_, work_);
         Explanation out{model, std::vector<RayVerdict>(rays_.size()), {}, false};
         for (std::size_t r = 0; r < rays_.size(); ++r) {
@@ -156,7 +177,8 @@ class Search {
                                 : search == ModelSearch::Secant ? Fault::StairSteps
                                                                 : rays_.lateFault(r, layers);
         }
-        nameCauses(out, layers);
+        // No one number describes layers that depend on the view.
+        nameCauses(out, grazing > 0 ? 0 : layers);
         found.push_back(std::move(out));
     }
 

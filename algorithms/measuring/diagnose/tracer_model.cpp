@@ -6,6 +6,7 @@
 
 #include "images/pyramid.h"
 #include "relief/files.h"
+#include "relief/sampled_surface.h"
 #include "relief/tracers.h"
 
 namespace relief {
@@ -202,6 +203,33 @@ double oneSampleShare(const TracerModel& model, const ViewRay& ray, const Height
     return model.search == ModelSearch::OneSample && model.limited ? limitedShare(ray, given) : 1;
 }
 
+namespace {
+
+// Returns the hit of the line between the last of `layers` equal layers above the surface and the first in it.
+Hit secantHit(const SampledSurface& surface, double layers) {
+    double above = 0, gapAbove = surface.gapAt(0);
+    if (gapAbove >= 0) return {Outcome::Hit, 0};
+    for (int n = 1;; ++n) {
+        const double below = n / layers;
+        const double gap = below < 1 ? surface.gapAt(below) : std::max(0.0, surface.gapAt(1));
+        if (gap >= 0) return {Outcome::Hit, above + gapAbove / (gapAbove - gap) * (below - above)};
+        above = below;
+        gapAbove = gap;
+    }
+}
+
+// Predicts the answers of a search whose number of layers depends on the view. rays: the model's, in the field's
+// texels; given: as the tracer got them.
+void predictByView(const TracerModel& model, const HeightField& field, const HeightField& givenField,
+                   const RayBlock& given, const RayBlock& rays, std::vector<Hit>& out) {
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+        const double along = limitedShare(given[r], givenField);
+        out[r] = secantHit(SampledSurface(field, rays[r]), std::lerp(model.grazingLayers, model.layers, along));
+    }
+}
+
+}  // namespace
+
 std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFields& fields, Work& work) {
     const ModelFields::Placed& placed = fields.of(model);
     RayBlock traced(rays.size());
@@ -212,13 +240,17 @@ std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFi
         method.options = {{"layers", std::to_string(model.layers)}};
     }
     if (model.search == ModelSearch::OneSample) method = {"offset", {}};
-    MapCache maps;
-    NullSink sink;
-    HitBlock hits;
-    makeTracer(method, placed.field, maps, work)->trace(traced, hits, sink, work);
     std::vector<Hit> out(rays.size());
+    if (model.search == ModelSearch::Secant && model.grazingLayers > 0) {
+        predictByView(model, placed.field, fields.given(), rays, traced, out);
+    } else {
+        MapCache maps;
+        NullSink sink;
+        HitBlock hits;
+        makeTracer(method, placed.field, maps, work)->trace(traced, hits, sink, work);
+        for (std::size_t r = 0; r < rays.size(); ++r) out[r] = hits[r];
+    }
     for (std::size_t r = 0; r < rays.size(); ++r) {
-        out[r] = hits[r];
         // An answer by one sample is shortened, not its direction: both arrive at the same place, and what is reported
         // is the lambda of the given ray.
         const double share = oneSampleShare(model, rays[r], fields.given());

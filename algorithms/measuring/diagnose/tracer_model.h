@@ -48,6 +48,9 @@ struct TracerModel {
     double biasTexels = 0;
     ModelSearch search = ModelSearch::Exact;
     int layers = 0;
+    // If it is not 0, the number of layers depends on the view, as in public shaders: `layers` for rays along the
+    // normal, this for rays along the plane, linearly in the cosine in between; seldom an integer. Secant alone.
+    int grazingLayers = 0;
 
     bool operator==(const TracerModel&) const = default;
 };

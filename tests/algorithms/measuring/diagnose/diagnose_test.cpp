@@ -87,6 +87,29 @@ TEST_P(DiagnoseOn, Pairs) {
     }
 }
 
+// Parallax occlusion mapping as in many public shaders: from 8 layers along the normal to 32 along the plane, and a
+// line between the last two.
+TEST_P(DiagnoseOn, LayersThatDependOnTheView) {
+    TracerRecord record{rays_, HitBlock(rays_.size()), {}};
+    for (std::size_t r = 0; r < rays_.size(); ++r) {
+        const ViewRay ray = rays_[r];
+        const auto gapAt = [&](double at) { return field_.at(ray.s0 + at * ray.a, ray.t0 + at * ray.b) - (1 - at); };
+        const double slab = field_.slabTexels();
+        const double layer = 1 / (32 - 24 * slab / std::hypot(ray.a, ray.b, slab));
+        double at = 0;
+        while (gapAt(at) < 0) at += layer;
+        const double after = gapAt(at), before = at > 0 ? gapAt(at - layer) : 0;
+        record.hits.set(r, Hit::at(ray, std::min(1.0, after > 0 ? at - layer * after / (after - before) : at)));
+    }
+    const Diagnosis diagnosis = diagnose(record, field_, work_);
+    EXPECT_FALSE(diagnosis.unknown());
+    std::set<std::string> names = namesIn(diagnosis);
+    EXPECT_EQ(names.count("stair-steps"), 1U) << listed(names);
+    names.erase("stair-steps");
+    names.erase("missed-spike");
+    EXPECT_TRUE(names.empty()) << listed(names);
+}
+
 // Exact methods, also in other orders of operations, and a marcher in float with fine steps.
 TEST_P(DiagnoseOn, CorrectTracersHaveNoFault) {
     for (const std::string name : {"exact", "max-pyramid", "cone", "distance-conservative"}) {
