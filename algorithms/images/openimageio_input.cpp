@@ -118,6 +118,19 @@ void checkPngSides(const std::string& path, DeclaredSize size) {
     throw InputError(path, Message(MessageId::FileDamaged, {{"why", why}}));
 }
 
+void checkExrHeader(const std::string& path, std::FILE* file, const Bytes& head) {
+    constexpr std::size_t kLongestHeader = std::size_t{64} << 20U;  // with a preview of 4096 x 4096
+    const auto lengths = [](const Bytes& bytes) {
+        return exrLengths({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    };
+    ExrLengths found = lengths(head);
+    if (found == ExrLengths::Incomplete && head.size() == kHeadBytes) {
+        std::rewind(file);
+        found = lengths(readBytes(file, kLongestHeader, path));
+    }
+    if (found != ExrLengths::Fit) throwDamaged(path, {});
+}
+
 std::optional<NumberType> numberType(const OIIO::TypeDesc& type) {
     switch (type.basetype) {
         case OIIO::TypeDesc::UINT8:
@@ -197,8 +210,8 @@ LoadedFile loadFile(const std::string& path, std::int64_t maxPixels, PictureAcce
         if (const std::uint64_t depth = tiffDepth(bytes); depth > 1)
             throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
         hideTiffMetadata(bytes);
-    } else if (format == "openexr" && !exrAttributesFit(file.get())) {
-        throwDamaged(path, {});
+    } else if (format == "openexr") {
+        checkExrHeader(path, file.get(), head);
     }
     return loaded;
 }

@@ -57,23 +57,37 @@ std::string noisy(const std::string& path, int width = 61, int height = 47, int 
     return writeRaw(path, width, height, channels, numbers);
 }
 
-// A header of an OpenEXR file whose attribute of an unknown type has the stated length, and four bytes of it.
-std::string exrWithAttribute(std::uint32_t length, std::uint32_t flags) {
-    using namespace std::string_literals;
-    return "\x76\x2f\x31\x01"s + littleEndian(2 | flags, 4) + "a\0int\0"s + littleEndian(4, 4) + littleEndian(1, 4) +
-           "b\0unknown\0"s + littleEndian(length, 4) + "1234";
+std::string exrAttribute(const std::string& type, std::uint32_t length, const std::string& value) {
+    return "a" + std::string(1, '\0') + type + std::string(1, '\0') + littleEndian(length, 4) + value;
 }
 
-// OpenEXR takes memory of the stated length before it reads: up to four gigabytes for a file of 50 bytes. The
-// message of the library would follow that of this line.
-TEST(Malformed, ExrAttributeLongerThanItsFile) {
+// OpenEXR takes memory of the stated length before it reads: up to four gigabytes for a file of 50 bytes. The library's
+// message would follow that of this line. It ignores the length of types that it knows, so a wrong one hides what comes
+// next.
+TEST(Malformed, ExrAttributesOfWrongLength) {
     const TemporaryFolder folder;
-    const std::string path = folder / "long.exr";
+    const std::string path = folder / "long.exr", zero(1, '\0'), channel = "Y" + zero + std::string(16, '\1');
+    const std::string good = exrAttribute("int", 4, "1234") + exrAttribute("chlist", 19, channel + zero) +
+                             exrAttribute("preview", 16, littleEndian(2, 4) + littleEndian(1, 4) + "12345678") +
+                             exrAttribute("stringvector", 6, littleEndian(2, 4) + "ab") + exrAttribute("own", 3, "abc");
+    const std::string wrong[] = {
+        exrAttribute("own", 7, "1234"),
+        exrAttribute("own", 1929379840, "1234"),
+        exrAttribute("string", 0xffffffff, "1234"),
+        exrAttribute("int", 5, "12345"),
+        exrAttribute("chlist", 20, channel + zero + zero),
+        exrAttribute("chlist", 18, channel),
+        exrAttribute("preview", 12, littleEndian(1 << 15, 4) + littleEndian(1 << 15, 4) + "1234"),
+        exrAttribute("stringvector", 8, littleEndian(1929379840, 4) + "1234"),
+    };
     for (const std::uint32_t flags : {0U, 0x1000U}) {
-        for (const std::uint32_t length : {5U, 1929379840U, 0xffffffffU}) {
-            writeTextFile(path, exrWithAttribute(length, flags));
-            EXPECT_EQ(refusal(path), "is damaged or cut short") << length;
+        for (const std::string& attribute : wrong) {
+            writeTextFile(path, "\x76\x2f\x31\x01" + littleEndian(2 | flags, 4) + good + attribute + zero + zero);
+            EXPECT_EQ(refusal(path), "is damaged or cut short") << attribute;
         }
+        // What is right is left to the library.
+        writeTextFile(path, "\x76\x2f\x31\x01" + littleEndian(2 | flags, 4) + good + zero + zero);
+        EXPECT_TRUE(refusal(path).starts_with("is damaged or cut short: ")) << refusal(path);
     }
 }
 
