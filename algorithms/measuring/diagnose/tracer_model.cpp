@@ -65,7 +65,7 @@ std::vector<ModelFault> modelFaults(const TracerModel& model, Address address) {
     if (model.address && *model.address != address) faults.push_back({Fault::WrapAgainstClamp});
     if (model.bias != 0) faults.push_back({Fault::SelfShadowBias, model.bias});
     if (model.biasTexels != 0) faults.push_back({Fault::SelfShadowBias, model.biasTexels});
-    if (model.search == ModelSearch::OneSample && !model.limited) faults.push_back({Fault::NoSearch});
+    if (model.search == ModelSearch::OneSample) faults.push_back({Fault::NoSearch});
     return faults;
 }
 

@@ -85,7 +85,7 @@ std::vector<Specimen> made() {
     add("wrap-against-clamp", [](Patient& p) { p.address = Address::Clamp; });
     add("8-bit-terraces", [](Patient& p) { overHeights(p, [](float h) { return std::round(h * 255) / 255; }); });
     add("mip-level", [](Patient& p) { coarsen(p, 2); });
-    add("offset-limiting", [](Patient& p) { p.method = {"offset-limited", {}}; });
+    add("offset-limiting", [](Patient& p) { p.method = {"offset-limited", {}}; }, {"no-search"});
     add("tangent-frame", [](Patient& p) { turn(p, 30); });
     add("step-limit", [](Patient& p) {
         afterwards(p, [](HitBlock& hits, const RayBlock& rays) {
