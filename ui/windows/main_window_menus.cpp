@@ -300,6 +300,7 @@ void MainWindow::resultMenu(const QPoint& global) {
         });
         menu.addAction(tr("Choose this pixel"), this, [this, pixel] { workspace_->choosePixel(pixel->x, pixel->y); });
     }
+    result_->addToMenu(menu);
     menu.addAction(copyCommand_);
     menu.addAction(tr("Copy picture"), this, [this] {
         if (const auto now = workspace_->snapshot()) QApplication::clipboard()->setImage(now->layer.image);
