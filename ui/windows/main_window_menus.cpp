@@ -354,6 +354,7 @@ void MainWindow::showShortcuts() {
          tr("next pixel: largest error, most steps, overshoot, disagreement")},
         {QStringLiteral("Ctrl+D"), tr("first divergence of the duel")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
+        {QStringLiteral("Insert   Shift+Insert"), tr("add an annotation to the pane, choose the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
         {tr("Ctrl + click in the profile or the distance map"),
          tr("show the distances at that point; again: remove the point")},
