@@ -13,6 +13,7 @@
 #include <new>
 #include <optional>
 
+#include "images/exr_header.h"
 #include "images/file_descriptor.h"
 #include "images/openimageio_rows.h"
 #include "images/picture_bytes.h"
@@ -196,6 +197,8 @@ LoadedFile loadFile(const std::string& path, std::int64_t maxPixels, PictureAcce
         if (const std::uint64_t depth = tiffDepth(bytes); depth > 1)
             throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
         hideTiffMetadata(bytes);
+    } else if (format == "openexr" && !exrAttributesFit(file.get())) {
+        throwDamaged(path, {});
     }
     return loaded;
 }

@@ -79,7 +79,7 @@ class Mapping {
     const std::byte* first() const { return first_; }
     // Copies a tile, whose bytes are those of the file, to its place. Threads may read it meanwhile, since no byte
     // changes.
-    [[gnu::no_sanitize("thread")]] void load(std::uint64_t at, std::span<const std::uint64_t> tile) const {
+    __attribute__((no_sanitize("thread"))) void load(std::uint64_t at, std::span<const std::uint64_t> tile) const {
         auto* const to = reinterpret_cast<volatile std::uint64_t*>(first_ + at);
         for (std::size_t i = 0; i < tile.size(); ++i) to[i] = tile[i];
     }

@@ -1,6 +1,9 @@
 #include "scenario/json_reader.h"
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <system_error>
 
 namespace relief {
 
@@ -31,6 +34,15 @@ std::size_t elementAt(const std::string& text, std::size_t at, std::size_t n) {
     return found == std::string::npos ? begin : found;
 }
 
+// The number of an element of an array ("[3]"); nothing for keys, which may begin with a bracket as well.
+std::optional<std::size_t> elementNumber(const std::string& key) {
+    std::size_t n = 0;
+    const char* const end = key.data() + key.size();
+    if (!key.starts_with("[")) return std::nullopt;
+    const auto [rest, error] = std::from_chars(key.data() + 1, end, n);
+    return error == std::errc{} && rest + 1 == end && *rest == ']' ? std::optional(n) : std::nullopt;
+}
+
 // Where the key is named at or after `at`; npos: nowhere. A text of the same letters is no key.
 std::size_t keyAt(const std::string& text, std::size_t at, const std::string& key) {
     const std::string quoted = '"' + key + '"';
@@ -51,8 +63,8 @@ std::size_t lineAt(const std::string& text, std::size_t at) {
 std::size_t lineOf(const std::string& text, const std::vector<std::string>& path) {
     std::size_t at = 0;
     for (const std::string& key : path) {
-        if (key.starts_with("[")) {
-            at = elementAt(text, at, std::stoul(key.substr(1)));
+        if (const std::optional<std::size_t> n = elementNumber(key)) {
+            at = elementAt(text, at, *n);
             continue;
         }
         const std::size_t found = keyAt(text, at, key);

@@ -77,7 +77,7 @@ std::vector<AdvisedTexture> texturesOf(const ShaderForm& form, const HeightField
                     texture(2, bits, MessageId::TextureApexesCones, shape.nx, shape.ny)};
         }
         case ShaderMap::Maxima: {
-            const int levels = std::bit_width(static_cast<unsigned>(std::max(w, h) - 1)) + 1;
+            const int levels = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(w, h) - 1))) + 1;
             const auto whole = [](int side) { return std::has_single_bit(static_cast<unsigned>(side)); };
             if (whole(w) && whole(h)) return {texture(1, bits, MessageId::TextureHeightsMaxima, w, h, 1, levels)};
             // Each level needs room: sides that the smallest level's texels divide.

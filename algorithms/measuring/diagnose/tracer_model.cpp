@@ -69,7 +69,6 @@ std::vector<ModelFault> modelFaults(const TracerModel& model, Address address) {
 }
 
 TracerModel withoutFault(TracerModel model, Fault fault) {
-    const TracerModel plain;
     switch (fault) {
         case Fault::SwappedAxes:
             model.swapped = model.transposed = false;

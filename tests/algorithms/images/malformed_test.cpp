@@ -57,6 +57,26 @@ std::string noisy(const std::string& path, int width = 61, int height = 47, int 
     return writeRaw(path, width, height, channels, numbers);
 }
 
+// A header of an OpenEXR file whose attribute of an unknown type has the stated length, and four bytes of it.
+std::string exrWithAttribute(std::uint32_t length, std::uint32_t flags) {
+    using namespace std::string_literals;
+    return "\x76\x2f\x31\x01"s + littleEndian(2 | flags, 4) + "a\0int\0"s + littleEndian(4, 4) + littleEndian(1, 4) +
+           "b\0unknown\0"s + littleEndian(length, 4) + "1234";
+}
+
+// OpenEXR takes memory of the stated length before it reads: up to four gigabytes for a file of 50 bytes. The
+// message of the library would follow that of this line.
+TEST(Malformed, ExrAttributeLongerThanItsFile) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "long.exr";
+    for (const std::uint32_t flags : {0U, 0x1000U}) {
+        for (const std::uint32_t length : {5U, 1929379840U, 0xffffffffU}) {
+            writeTextFile(path, exrWithAttribute(length, flags));
+            EXPECT_EQ(refusal(path), "is damaged or cut short") << length;
+        }
+    }
+}
+
 TEST(Malformed, NotThereOrNotAFile) {
     const TemporaryFolder folder;
     EXPECT_EQ(refusal(folder / "none.png"), "no such file");

@@ -165,6 +165,11 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("{\"reliefscope\": 1, \"breakpoints\": 3}", "\"breakpoints\" must be an array of objects");
     expectRefused("{\"reliefscope\": 1,\n\"bookmarks\": [{\"name\": \"a\"},\n{\"nam\": \"b\"}]}",
                   "line 3: unknown key \"nam\"");
+    // Keys that look like the number of an element.
+    for (const char* key : {"[ame", "[1", "[99999999999999999999999]", "["})
+        expectRefused(
+            "{\"reliefscope\": 1,\n\"bookmarks\": [\n{\"name\": \"a\"},\n{\"" + std::string(key) + "\": \"b\"}]}",
+            "line 4: unknown key \"" + std::string(key) + "\"");
     expectRefused("{\"reliefscope\": 1,\n\"step\": -1}", "s.json: line 2: step is -1");
     expectRefused("{\"reliefscope\": 1,\n\"sky\": [2000, 0, 0]}", "s.json: line 2: sky is 2000");
     expectRefused("{\"reliefscope\": 1, \"pictures\": {\n\"max-pixels\": 0}}", "s.json: line 2: max-pixels is 0");
