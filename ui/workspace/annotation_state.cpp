@@ -16,7 +16,8 @@ using relief::MessageId;
 
 void requireKnown(const char* what, const std::string& name, std::span<const std::string_view> known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    throw relief::InputError({}, relief::unknownName({"what", std::string(what)}, name, relief::commaList({known.begin(), known.end()})));
+    throw relief::InputError(
+        {}, relief::unknownName({"what", std::string(what)}, name, relief::commaList({known.begin(), known.end()})));
 }
 
 // In characters of Unicode.
