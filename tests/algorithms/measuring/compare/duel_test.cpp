@@ -234,7 +234,8 @@ TEST(Duel, everyDepartureHasATitleOfItsOwn) {
             judgement.kind = static_cast<Departure>(kind);
             titles.insert(sentence(departureTitle(judgement), language));
         }
-        titles.insert(sentence(departureTitle({.withinRounding = true}), language));
+        judgement.withinRounding = true;
+        titles.insert(sentence(departureTitle(judgement), language));
     }
     EXPECT_EQ(titles.size(), 16U);
 }
