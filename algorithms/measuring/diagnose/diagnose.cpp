@@ -6,6 +6,7 @@
 #include "measuring/diagnose/compared_rays.h"
 #include "measuring/diagnose/conventions.h"
 #include "measuring/diagnose/ray_sample.h"
+#include "measuring/diagnose/searched_rays.h"
 #include "measuring/diagnose/surface_match.h"
 #include "scenario/step_sentence.h"
 
@@ -251,19 +252,20 @@ class Doctor {
         const std::size_t before = open();
         // The number of rays up to which a further explanation may be chance.
         const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(wrongPool_));
-        TracerModel conventions = found.model;
-        if (!found.loose) conventions.search = ModelSearch::Exact;
-        for (Explanation& one : explanations(pool_.given, pool_.evidence, conventions, found.loose, fields_, work_)) {
-            if (one.loose != found.loose || !(one.model == found.model)) continue;
-            const std::vector<bool> earlier = pool_.explained;
-            for (std::size_t n = 0; n < pool_.ids.size(); ++n) pool_.explained[n] = one.rays[n].explained;
-            if (open() + least < before) {
-                best_ = std::move(one);
-                return true;
-            }
-            pool_.explained = earlier;
-            return false;
+        Explanation one;
+        if (found.loose) {
+            SearchedRays rays(pool_.given, found.model, fields_, work_);
+            one = explanationByShape(rays, pool_.evidence);
+        } else {
+            one = explanationBy(pool_.given, pool_.evidence, found.model, fields_, work_);
         }
+        const std::vector<bool> earlier = pool_.explained;
+        for (std::size_t n = 0; n < pool_.ids.size(); ++n) pool_.explained[n] = one.rays[n].explained;
+        if (open() + least < before) {
+            best_ = std::move(one);
+            return true;
+        }
+        pool_.explained = earlier;
         return false;
     }
     // Number of wrong rays of the pool that are not explained; and up to which there is no further fault.

@@ -1,9 +1,9 @@
 #include "measuring/diagnose/search_faults.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "measuring/diagnose/layer_fit.h"
 #include "measuring/diagnose/searched_rays.h"
 #include "measuring/quantiles.h"
 #include "scenario/step_sentence.h"
@@ -11,25 +11,6 @@
 namespace relief {
 
 namespace {
-
-// Numbers of layers that people write.
-constexpr std::array kUsualLayers{4,  5,  6,  8,  10, 12, 15, 16,  20,  24,  25,  30,  32,  40,
-                                  48, 50, 60, 64, 75, 80, 96, 100, 120, 128, 150, 192, 200, 256};
-// Numbers of layers along the normal and along the plane that people write.
-constexpr std::array<std::array<int, 2>, 14> kUsualPairs{{{8, 32},
-                                                          {4, 16},
-                                                          {8, 16},
-                                                          {8, 64},
-                                                          {16, 64},
-                                                          {4, 32},
-                                                          {16, 32},
-                                                          {10, 20},
-                                                          {10, 30},
-                                                          {15, 30},
-                                                          {1, 30},
-                                                          {5, 15},
-                                                          {20, 60},
-                                                          {32, 128}}};
 
 class Search {
   public:
@@ -47,14 +28,18 @@ class Search {
             one.limited = limited;
             found.push_back(predicted(one));
         }
-        if (evidence_.lattice.layers > 0) {
+        const std::optional<TracerModel> refined = fittedLayers(rays_, fields_.given(), evidence_.lattice.layers);
+        if (refined) {
+            found.push_back(ofLayers(*refined));
+        } else if (evidence_.lattice.layers > 0) {
             offerLattice(found, evidence_.lattice);
-        } else if (const std::array<int, 2> few = secantLayers(); few[0] > 0) {
-            offerLayers(found, ModelSearch::Secant, few[0], few[1]);
         }
         if (byShape) found.push_back(explanationByShape(rays_, evidence_));
         return found;
     }
+
+    // The explanation by the model with this search.
+    Explanation by(const TracerModel& model) { return hasLayers(model) ? ofLayers(model) : predicted(model); }
 
   private:
     // Returns true if an answer, within the ray, is predicted to the rounding of float.
@@ -105,55 +90,19 @@ class Search {
     void offerLattice(std::vector<Explanation>& found, const Lattice& lattice) {
         const double layer = 1.0 / lattice.layers;
         const double shift = std::abs(lattice.phase) < 1e-5 ? 0 : lattice.phase;
-        offerLayers(found, ModelSearch::Layers, lattice.layers);
+        TracerModel model = model_;
+        model.search = ModelSearch::Layers;
+        model.layers = lattice.layers;
+        found.push_back(ofLayers(model));
         if (shift == 0 || model_.bias != 0) return;
         for (const double more : {0.0, 1.0, 2.0, 3.0}) {
-            TracerModel model = model_;
             model.bias = more * layer - shift;
-            Search(rays_.given(), evidence_, model, fields_, work_)
-                .offerLayers(found, ModelSearch::Layers, lattice.layers);
+            found.push_back(Search(rays_.given(), evidence_, model, fields_, work_).ofLayers(model));
         }
     }
 
-    // Returns the number of layers between which a line gives nearly all answers; 0 if there is none. Second: that
-    // along the plane if it depends on the view, otherwise 0.
-    std::array<int, 2> secantLayers() {
-        std::size_t wrong = 0, distant = 0;
-        RayBlock few;
-        std::vector<Hit> answers;
-        const std::size_t stride = std::max<std::size_t>(1, rays_.size() / 96);
-        for (std::size_t r = 0; r < rays_.size(); r += stride) {
-            few.push(rays_.given().rays[r]);
-            answers.push_back(rays_.answer(r));
-            wrong += rays_.gap(r, rays_.exact(r)) > kRightTexels ? 1 : 0;
-            constexpr double kLayer = 0.1;
-            distant += rays_.isHit(r) && std::abs(rays_.answer(r).lambda - rays_.exact(r).lambda) <= kLayer ? 0 : 1;
-        }
-        // An exact search explains them; or they lie further from its answers than a layer.
-        if (wrong * 20 < few.size() || 2 * distant > few.size()) return {};
-        TracerModel model = model_;
-        model.search = ModelSearch::Secant;
-        std::vector<std::array<int, 2>> tried;
-        for (const int layers : kUsualLayers) tried.push_back({layers, 0});
-        tried.insert(tried.end(), kUsualPairs.begin(), kUsualPairs.end());
-        for (const std::array<int, 2>& layers : tried) {
-            model.layers = layers[0];
-            model.grazingLayers = layers[1];
-            const std::vector<Hit> predicted = predict(model, few, fields_, work_);
-            std::size_t same = 0;
-            for (std::size_t r = 0; r < few.size(); ++r) {
-                same += answerError(answers[r], predicted[r], few[r]) <= kRightTexels ? 1 : 0;
-            }
-            if (same * 10 >= few.size() * 9) return layers;
-        }
-        return {};
-    }
-
-    void offerLayers(std::vector<Explanation>& found, ModelSearch search, int layers, int grazing = 0) {
-        TracerModel model = model_;
-        model.search = search;
-        model.layers = layers;
-        model.grazingLayers = grazing;
+    // The explanation by a model with layers.
+    Explanation ofLayers(const TracerModel& model) {
         const std::vector<Hit> answers = predict(model, rays_.given().rays, fields_, work_);
         Explanation out{model, std::vector<RayVerdict>(rays_.size()), {}, false};
         for (std::size_t r = 0; r < rays_.size(); ++r) {
@@ -161,25 +110,35 @@ class Search {
                 out.rays[r].explained = true;
                 continue;
             }
-            // Rounding decides whether a layer at the surface is behind it.
-            const double layer = 1.0 / layers;
-            constexpr double kAtSurface = 1e-4;
-            const double off = rays_.answer(r).lambda - answers[r].lambda;
-            const bool next =
-                rays_.isHit(r) && answers[r].outcome == Outcome::Hit && search == ModelSearch::Layers &&
-                std::abs(std::abs(off) - layer) < kInexact &&
-                std::abs(rays_.surfaceGap(r, off > 0 ? rays_.lambda(r) - layer : rays_.lambda(r))) < kAtSurface;
+            const double layers = layersOf(model, rays_.given().rays[r], fields_.given());
             const double rounding = kFloatError * layers * rays_.run(r);
-            if (!next && rays_.gap(r, answers[r]) > kRightTexels + rounding) continue;
+            if (!isNextLayer(r, answers[r], model, layers) && rays_.gap(r, answers[r]) > kRightTexels + rounding) {
+                continue;
+            }
             out.rays[r].explained = true;
             out.rays[r].sharp = isSharp(r, answers[r]);
-            out.rays[r].cause = rays_.passed(r)                 ? Fault::MissedSpike
-                                : search == ModelSearch::Secant ? Fault::StairSteps
-                                                                : rays_.lateFault(r, layers);
+            out.rays[r].cause = rays_.passed(r) ? Fault::MissedSpike : lateFault(r, model, layers);
         }
         // No one number describes layers that depend on the view.
-        nameCauses(out, grazing > 0 ? 0 : layers);
-        found.push_back(std::move(out));
+        nameCauses(out, model.grazingLayers > 0 ? 0 : model.layers);
+        return out;
+    }
+    // Returns true if the answer lies a layer from the predicted one, at the surface: rounding decides whether a layer
+    // there is behind it.
+    bool isNextLayer(std::size_t r, const Hit& predicted, const TracerModel& model, double layers) const {
+        if (!rays_.isHit(r) || predicted.outcome != Outcome::Hit || model.search != ModelSearch::Layers) return false;
+        const double layer = std::ldexp(1 / layers, -model.halvings);
+        constexpr double kAtSurface = 1e-4;
+        const double off = rays_.answer(r).lambda - predicted.lambda;
+        return std::abs(std::abs(off) - layer) < kInexact &&
+               std::abs(rays_.surfaceGap(r, off > 0 ? rays_.lambda(r) - layer : rays_.lambda(r))) < kAtSurface;
+    }
+    // Returns the fault of an answer near the first hit.
+    Fault lateFault(std::size_t r, const TracerModel& model, double layers) const {
+        if (model.search == ModelSearch::Secant) return Fault::StairSteps;
+        // Halved too seldom.
+        if (model.search == ModelSearch::Middle || model.halvings > 0) return Fault::NoRefinement;
+        return rays_.lateFault(r, static_cast<int>(std::lround(layers)));
     }
 
     SearchedRays rays_;
@@ -194,6 +153,11 @@ class Search {
 std::vector<Explanation> explanations(const AnsweredRays& given, const SearchEvidence& evidence,
                                       const TracerModel& model, bool byShape, ModelFields& fields, Work& work) {
     return Search(given, evidence, model, fields, work).all(byShape);
+}
+
+Explanation explanationBy(const AnsweredRays& given, const SearchEvidence& evidence, const TracerModel& model,
+                          ModelFields& fields, Work& work) {
+    return Search(given, evidence, model, fields, work).by(model);
 }
 
 }  // namespace relief

@@ -42,5 +42,8 @@ struct SearchEvidence {
 // the one by the kind of the errors, which takes longer. Throws Cancelled.
 std::vector<Explanation> explanations(const AnsweredRays& given, const SearchEvidence& evidence,
                                       const TracerModel& model, bool byShape, ModelFields& fields, Work& work);
+// Returns the explanation by the model with its search, which predicts the answers.
+Explanation explanationBy(const AnsweredRays& given, const SearchEvidence& evidence, const TracerModel& model,
+                          ModelFields& fields, Work& work);
 
 }  // namespace relief

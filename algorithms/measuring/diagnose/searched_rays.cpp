@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "relief/sampled_surface.h"
 #include "scenario/step_sentence.h"
 
 namespace relief {
@@ -40,12 +39,12 @@ double SearchedRays::gap(std::size_t r, const Hit& predicted) const {
     return answerError(answer(r), predicted, given_.rays[r]);
 }
 
-double SearchedRays::lambda(std::size_t r) const {
-    return answer(r).lambda + bias(r);
+double SearchedRays::gapAt(std::size_t r, double lambda) const {
+    return gap(r, {Outcome::Hit, std::max(0.0, lambda - bias(r))});
 }
 
-double SearchedRays::surfaceGap(std::size_t r, double at) const {
-    return SampledSurface(placed_.field, ray(r)).gapAt(at);
+double SearchedRays::lambda(std::size_t r) const {
+    return answer(r).lambda + bias(r);
 }
 
 const std::vector<Chord>& SearchedRays::chords(std::size_t r) {

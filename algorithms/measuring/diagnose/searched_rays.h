@@ -7,6 +7,7 @@
 #include "measuring/diagnose/chords.h"
 #include "measuring/diagnose/search_faults.h"
 #include "measuring/diagnose/tracer_model.h"
+#include "relief/sampled_surface.h"
 
 namespace relief {
 
@@ -32,10 +33,14 @@ class SearchedRays {
     double run(std::size_t r) const { return runs_[r]; }
     // Returns the distance of the answer from a predicted one, texels.
     double gap(std::size_t r, const Hit& predicted) const;
+    // Returns the distance of the answer from that of a tracer which stopped at this place, without bias.
+    double gapAt(std::size_t r, double lambda) const;
     // Returns the place on the ray at which the tracer stopped, lambda, without the bias of its answer.
     double lambda(std::size_t r) const;
+    // Returns the surface along the model's ray; refers to this object.
+    SampledSurface surface(std::size_t r) const { return {placed_.field, ray(r)}; }
     // Returns the surface minus the ray, heights.
-    double surfaceGap(std::size_t r, double at) const;
+    double surfaceGap(std::size_t r, double at) const { return surface(r).gapAt(at); }
     // Returns solidChords() of the model's ray; empty if it misses.
     const std::vector<Chord>& chords(std::size_t r);
     // Returns barelyTouches() for the answer.

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "images/pyramid.h"
+#include "measuring/diagnose/layer_bracket.h"
 #include "relief/files.h"
-#include "relief/sampled_surface.h"
 #include "relief/tracers.h"
 
 namespace relief {
@@ -163,9 +163,20 @@ const ModelFields::Placed& ModelFields::of(const TracerModel& model) {
     return fields_.emplace(key, Placed{field, scaleS, scaleT}).first->second;
 }
 
-double limitedShare(const ViewRay& ray, const HeightField& given) {
+double limitedShare(const ViewRay& ray, const HeightField& given, bool square) {
     const double slab = given.slabTexels();
-    return slab / std::hypot(ray.a, ray.b, slab);
+    const double b = square ? ray.b * given.width() / given.height() : ray.b;
+    return slab / std::hypot(ray.a, b, slab);
+}
+
+double layersOf(const TracerModel& model, const ViewRay& ray, const HeightField& given) {
+    if (model.grazingLayers == 0) return model.layers;
+    return std::lerp(model.grazingLayers, model.layers, limitedShare(ray, given, model.squareCosine));
+}
+
+bool hasLayers(const TracerModel& model) {
+    return model.search == ModelSearch::Layers || model.search == ModelSearch::Middle ||
+           model.search == ModelSearch::Secant;
 }
 
 ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, const ViewRay& ray,
@@ -181,7 +192,7 @@ ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, co
         out.b = s * a + c * out.b;
     }
     double scale = model.runScale;
-    if (model.limited) scale *= limitedShare(ray, given);
+    if (model.limited) scale *= limitedShare(ray, given, model.squareCosine);
     out.a *= scale;
     out.b *= scale;
     out.s0 += model.shiftS;
@@ -200,32 +211,24 @@ double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightFiel
 }
 
 double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given) {
-    return model.search == ModelSearch::OneSample && model.limited ? limitedShare(ray, given) : 1;
+    return model.search == ModelSearch::OneSample && model.limited ? limitedShare(ray, given, model.squareCosine) : 1;
 }
 
 namespace {
 
-// Returns the hit of the line between the last of `layers` equal layers above the surface and the first in it.
-Hit secantHit(const SampledSurface& surface, double layers) {
-    double above = 0, gapAbove = surface.gapAt(0);
-    if (gapAbove >= 0) return {Outcome::Hit, 0};
-    for (int n = 1;; ++n) {
-        const double below = n / layers;
-        const double gap = below < 1 ? surface.gapAt(below) : std::max(0.0, surface.gapAt(1));
-        if (gap >= 0) return {Outcome::Hit, above + gapAbove / (gapAbove - gap) * (below - above)};
-        above = below;
-        gapAbove = gap;
+// Returns the hit of a model with layers. ray: the model's, in the field's texels.
+Hit layerHit(const TracerModel& model, const HeightField& field, const ViewRay& ray, double layers) {
+    const SampledSurface surface(field, ray);
+    std::optional<LayerBracket> bracket = firstLayer(surface, layers);
+    if (!bracket) return Hit::none(Outcome::Miss);
+    double lambda = 0;
+    if (model.search == ModelSearch::Secant) {
+        lambda = bracket->secant();
+    } else {
+        for (int n = 0; n < model.halvings; ++n) bracket->halve(surface);
+        lambda = model.search == ModelSearch::Middle ? bracket->middle() : bracket->below;
     }
-}
-
-// Predicts the answers of a search whose number of layers depends on the view. rays: the model's, in the field's
-// texels; given: as the tracer got them.
-void predictByView(const TracerModel& model, const HeightField& field, const HeightField& givenField,
-                   const RayBlock& given, const RayBlock& rays, std::vector<Hit>& out) {
-    for (std::size_t r = 0; r < rays.size(); ++r) {
-        const double along = limitedShare(given[r], givenField);
-        out[r] = secantHit(SampledSurface(field, rays[r]), std::lerp(model.grazingLayers, model.layers, along));
-    }
+    return {Outcome::Hit, std::min(lambda, 1.0)};
 }
 
 }  // namespace
@@ -234,16 +237,13 @@ std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFi
     const ModelFields::Placed& placed = fields.of(model);
     RayBlock traced(rays.size());
     for (std::size_t r = 0; r < rays.size(); ++r) traced.set(r, modelRay(model, placed, rays[r], fields.given()));
-    MethodChoice method{"exact", {}};
-    if (model.search == ModelSearch::Layers || model.search == ModelSearch::Secant) {
-        method.name = model.search == ModelSearch::Layers ? "layers" : "layers-secant";
-        method.options = {{"layers", std::to_string(model.layers)}};
-    }
-    if (model.search == ModelSearch::OneSample) method = {"offset", {}};
     std::vector<Hit> out(rays.size());
-    if (model.search == ModelSearch::Secant && model.grazingLayers > 0) {
-        predictByView(model, placed.field, fields.given(), rays, traced, out);
+    if (hasLayers(model)) {
+        for (std::size_t r = 0; r < rays.size(); ++r) {
+            out[r] = layerHit(model, placed.field, traced[r], layersOf(model, rays[r], fields.given()));
+        }
     } else {
+        const MethodChoice method{model.search == ModelSearch::OneSample ? "offset" : "exact", {}};
         MapCache maps;
         NullSink sink;
         HitBlock hits;

@@ -18,8 +18,9 @@
 namespace relief {
 
 // How the model finds the surface along its ray. Exact: the first hit. Layers: the first of `layers` equal layers at or
-// below the surface. Secant: the line between that layer and the one before. OneSample: the height at the entry.
-enum class ModelSearch : std::uint8_t { Exact, Layers, Secant, OneSample };
+// below the surface; after `halvings` of the last layer, the lower end of what is left. Middle: its middle, which may
+// be above the surface. Secant: the line between that layer and the one before. OneSample: the height at the entry.
+enum class ModelSearch : std::uint8_t { Exact, Layers, Middle, Secant, OneSample };
 
 struct TracerModel {
     // The direction: axes swapped, then multiplied by the signs, then turned by `turn` radians, then scaled by
@@ -48,9 +49,12 @@ struct TracerModel {
     double biasTexels = 0;
     ModelSearch search = ModelSearch::Exact;
     int layers = 0;
+    int halvings = 0;
     // If it is not 0, the number of layers depends on the view, as in public shaders: `layers` for rays along the
-    // normal, this for rays along the plane, linearly in the cosine in between; seldom an integer. Secant alone.
+    // normal, this for rays along the plane, linearly in the cosine in between; seldom an integer.
     int grazingLayers = 0;
+    // The cosine of the view is that of a texture that is taken as square.
+    bool squareCosine = false;
 
     bool operator==(const TracerModel&) const = default;
 };
@@ -97,8 +101,13 @@ ViewRay modelRay(const TracerModel& model, const ModelFields::Placed& placed, co
 // Returns how far the model's answer on the ray lies in front of its hit, lambda.
 double lambdaBias(const TracerModel& model, const ViewRay& ray, const HeightField& given);
 
-// Returns the factor by which offset limiting shortens the ray's run: slab / |(a, b, slab)|.
-double limitedShare(const ViewRay& ray, const HeightField& given);
+// Returns the factor by which offset limiting shortens the ray's run, the cosine of the view: slab / |(a, b, slab)|.
+// square: as if the texture was as high as it is wide.
+double limitedShare(const ViewRay& ray, const HeightField& given, bool square = false);
+// Returns the number of layers of a model that has some.
+double layersOf(const TracerModel& model, const ViewRay& ray, const HeightField& given);
+// Returns true if the model searches layers.
+bool hasLayers(const TracerModel& model);
 // Returns the factor by which offset limiting shortens the model's answer from one sample; 1 for models that search.
 double oneSampleShare(const TracerModel& model, const ViewRay& ray, const HeightField& given);
 

@@ -110,6 +110,43 @@ TEST_P(DiagnoseOn, LayersThatDependOnTheView) {
     EXPECT_TRUE(names.empty()) << listed(names);
 }
 
+// Relief mapping as in public shaders: some layers, of which the last is halved too seldom. The answer is the lower end
+// of what is left, or its middle, which may be above the surface.
+TEST_P(DiagnoseOn, LayersThatAreHalvedTooSeldom) {
+    struct Case {
+        double normal, plane;
+        int halvings;
+        bool middle;
+    };
+    for (const Case& one :
+         {Case{16, 16, 3, false}, Case{10, 10, 2, true}, Case{1, 30, 3, true}, Case{64, 16, 1, true}}) {
+        SCOPED_TRACE(one.normal + one.halvings);
+        TracerRecord record{rays_, HitBlock(rays_.size()), {}};
+        for (std::size_t r = 0; r < rays_.size(); ++r) {
+            const ViewRay ray = rays_[r];
+            const auto below = [&](double at) { return field_.at(ray.s0 + at * ray.a, ray.t0 + at * ray.b) >= 1 - at; };
+            const double slab = field_.slabTexels();
+            double step = 1 / (one.plane + (one.normal - one.plane) * slab / std::hypot(ray.a, ray.b, slab));
+            double at = 0;
+            while (!below(at)) at += step;
+            if (at > 0) {
+                for (int n = 0; n < one.halvings; ++n) {
+                    step /= 2;
+                    if (below(at - step)) at -= step;
+                }
+                if (one.middle) at -= step / 2;
+            }
+            record.hits.set(r, Hit::at(ray, std::min(1.0, at)));
+        }
+        const Diagnosis diagnosis = diagnose(record, field_, work_);
+        EXPECT_FALSE(diagnosis.unknown());
+        std::set<std::string> names = namesIn(diagnosis);
+        EXPECT_EQ(names.erase("no-refinement"), 1U) << listed(names);
+        names.erase("missed-spike");
+        EXPECT_TRUE(names.empty()) << listed(names);
+    }
+}
+
 // Exact methods, also in other orders of operations, and a marcher in float with fine steps.
 TEST_P(DiagnoseOn, CorrectTracersHaveNoFault) {
     for (const std::string name : {"exact", "max-pyramid", "cone", "distance-conservative"}) {
