@@ -187,6 +187,104 @@
     </message>
 </context>
 <context>
+    <name>reliefui::AnnotationDialog</name>
+    <message>
+        <source>Annotation</source>
+        <translation>Позначка</translation>
+    </message>
+    <message>
+        <source>the same text</source>
+        <translation>той самий текст</translation>
+    </message>
+    <message>
+        <source>as text</source>
+        <translation>як текст</translation>
+    </message>
+    <message>
+        <source>vermilion</source>
+        <translation>кіновар</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>помаранчевий</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>зелений</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>синій</translation>
+    </message>
+    <message>
+        <source>sky blue</source>
+        <translation>блакитний</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>пурпуровий</translation>
+    </message>
+    <message>
+        <source>&amp;Text:</source>
+        <translation>&amp;Текст:</translation>
+    </message>
+    <message>
+        <source>In &amp;Ukrainian:</source>
+        <translation>&amp;Українською:</translation>
+    </message>
+    <message>
+        <source>&amp;Colour:</source>
+        <translation>&amp;Колір:</translation>
+    </message>
+</context>
+<context>
+    <name>reliefui::AnnotationLayer</name>
+    <message>
+        <source>Add an annotation</source>
+        <translation>Додавання позначки</translation>
+    </message>
+    <message>
+        <source>Edit an annotation</source>
+        <translation>Зміна позначки</translation>
+    </message>
+    <message>
+        <source>Remove an annotation</source>
+        <translation>Вилучення позначки</translation>
+    </message>
+    <message>
+        <source>Move an annotation</source>
+        <translation>Переміщення позначки</translation>
+    </message>
+    <message>
+        <source>Add an arrow here…</source>
+        <translation>Додати тут стрілку…</translation>
+    </message>
+    <message>
+        <source>Add a label here…</source>
+        <translation>Додати тут напис…</translation>
+    </message>
+    <message>
+        <source>Add a bracket here…</source>
+        <translation>Додати тут дужку…</translation>
+    </message>
+    <message>
+        <source>Add a number here</source>
+        <translation>Додати тут номер</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Позначки</translation>
+    </message>
+    <message>
+        <source>Edit the annotation…</source>
+        <translation>Змінити позначку…</translation>
+    </message>
+    <message>
+        <source>Remove the annotation</source>
+        <translation>Вилучити позначку</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::BookmarkDialog</name>
     <message>
         <source>Bookmarks</source>
@@ -2489,6 +2587,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Steps or hits (*.csv *.json);;All files (*)</source>
         <translation>Кроки або перетини (*.csv *.json);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>add an annotation to the pane, choose the next one</source>
+        <translation>додати позначку на панель, вибрати наступну</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
+#include "images/page_watch.h"
 #include "images/system_error.h"
 #include "relief/memory.h"
 
@@ -23,13 +25,17 @@ TiffOnDisk::TiffOnDisk(const std::string& path)
     if (map == MAP_FAILED) throw InputError(path, systemMessage(errno, FileAccess::Read));
     // A private mapping: hiding changes a copy of the directory's pages, not the file.
     const std::span<unsigned char> file(static_cast<unsigned char*>(map), size_);
+    std::optional<PageWatch> watch(std::in_place, map, size_);
     const std::uint64_t depth = tiffDepth(file);
     const auto [first, last] = tiffDirectory(file);
     hideTiffMetadata(file);
     directoryAt_ = first;
     directory_.assign(file.begin() + static_cast<std::ptrdiff_t>(first),
                       file.begin() + static_cast<std::ptrdiff_t>(last));
+    const bool lost = watch->lost();
+    watch.reset();
     ::munmap(map, size_);
+    if (lost) throw InputError(path, Message(MessageId::FileTruncated));
     if (depth > 1) throw InputError(path, Message(MessageId::PictureVolume, {{"depth", depth}}));
 }
 

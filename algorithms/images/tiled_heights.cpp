@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "images/file_descriptor.h"
+#include "images/page_watch.h"
 #include "images/system_error.h"
 #include "images/tiled_pages.h"
 #include "relief/memory.h"
@@ -71,12 +73,18 @@ class Mapping {
         first_ = static_cast<std::byte*>(map);
         // A page that is mapped again must not pull its neighbours from the disk.
         static_cast<void>(::madvise(first_, bytes_, MADV_RANDOM));
+        watch_.emplace(first_, bytes_);
     }
-    ~Mapping() { ::munmap(place_, reserved_); }
+    ~Mapping() {
+        watch_.reset();
+        ::munmap(place_, reserved_);
+    }
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
     const std::byte* first() const { return first_; }
+    // Returns true if zeros have been read in place of the file.
+    bool lost() const { return watch_->lost(); }
     // Copies a tile, whose bytes are those of the file, to its place. Threads may read it meanwhile, since no byte
     // changes.
     __attribute__((no_sanitize("thread"))) void load(std::uint64_t at, std::span<const std::uint64_t> tile) const {
@@ -96,6 +104,7 @@ class Mapping {
     std::uint64_t bytes_, reserved_;
     void* place_ = nullptr;
     std::byte* first_ = nullptr;
+    std::optional<PageWatch> watch_;
 };
 
 }  // namespace
@@ -122,6 +131,7 @@ struct TiledHeights::Cache {
     void readChecksums(const TiledHeights& heights, std::uint64_t checksum);
     void load(const TiledHeights& heights, const TilePage& page, std::uint64_t at);
     void dropUnused(std::atomic<std::uint8_t>* states);
+    void requireWhole(const TiledHeights& heights) const;
 };
 
 void TiledHeights::Cache::readChecksums(const TiledHeights& heights, std::uint64_t checksum) {
@@ -130,6 +140,14 @@ void TiledHeights::Cache::readChecksums(const TiledHeights& heights, std::uint64
     const std::size_t count = checksums.size() * sizeof(std::uint64_t);
     readFully(file->number(), heights.layout_.checksums, bytes, count, heights.path_);
     if (tileChecksum(bytes, count) != checksum) throw InputError(heights.path_, Message(MessageId::TiledTableDamaged));
+}
+
+void TiledHeights::Cache::requireWhole(const TiledHeights& heights) const {
+    if (!map.lost()) return;
+    const std::uint64_t size = sizeOf(*file, heights.path_), whole = heights.layout_.fileBytes;
+    if (size < whole)
+        throw InputError(heights.path_, Message(MessageId::TiledTruncated, {{"bytes", size}, {"whole", whole}}));
+    throw WorkError(heights.path_, systemMessage(EIO, FileAccess::Read));
 }
 
 // The clock algorithm: drops the first group; groups used since their last turn get another one instead.
@@ -164,6 +182,7 @@ void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page
     std::array<std::uint64_t, kTileTexels * sizeof(float) / sizeof(std::uint64_t)> words;
     auto* const tile = reinterpret_cast<std::byte*>(words.data());
     // Reading the bytes before they are accessed in the mapping turns errors of the disk into exceptions.
+    requireWhole(heights);
     readFully(file->number(), at, tile, page.tileBytes(), heights.path_);
     if (tileChecksum(tile, page.tileBytes()) != checksums[page.placeIndex(at)]) {
         const auto [x, y] = page.tileAt(at);
@@ -183,6 +202,7 @@ void TiledHeights::Cache::load(const TiledHeights& heights, const TilePage& page
     ofGroup = static_cast<std::uint8_t>(ofGroup + units);
     taken += units;
     map.load(at, std::span(words).first(page.tileBytes() / sizeof(std::uint64_t)));
+    requireWhole(heights);
     // Not yet as used: what is read once only goes before what is read again.
     state.store(kResident, std::memory_order_release);
 }
@@ -267,6 +287,10 @@ void TiledHeights::prefetch(std::span<const TileRange> ranges) const {
             }
         }
     }
+}
+
+void TiledHeights::requireWhole() const {
+    cache_->requireWhole(*this);
 }
 
 TileStatistics TiledHeights::statistics() const {

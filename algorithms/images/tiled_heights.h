@@ -52,7 +52,8 @@ struct TileAccess {
 // takes memory of the process only while it is resident.
 // Thread-safe. An access costs about two comparisons more than one to an array if its tile is resident; otherwise the
 // tile is read, and the groups of tiles that were not used for longest are dropped. Accesses throw WorkError if the
-// file cannot be read, InputError if a tile is damaged. The file must not be shortened while it is open.
+// file cannot be read, InputError if a tile is damaged. If the file is shortened, or its disk fails, while it is open,
+// accesses may return zeros instead: what was computed from heights is right only if requireWhole() returns afterwards.
 class TiledHeights {
   public:
     // Opens a file written by `relief tile`, checks its header, pages, size and the table of checksums. residentBytes:
@@ -98,6 +99,10 @@ class TiledHeights {
     // Asks the system to read the tiles that are not resident in the background. A hint: errors are ignored, nothing
     // counts as read.
     void prefetch(std::span<const TileRange> ranges) const;
+
+    // Throws InputError if the file has been shortened since it was opened, WorkError if it could not be read
+    // otherwise, and zeros have been returned for it.
+    void requireWhole() const;
 
     TileStatistics statistics() const;
     // Memory that tiles and tables take, in bytes; at most residentLimit(), except as said at open().

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 
 #include "images/file_descriptor.h"
@@ -86,7 +87,7 @@ void TiledPart::open(EarlierRun earlier) {
     if (descriptor_ < 0) fail(errno);
     kept_ = fresh ? 0 : 1;  // what an exception leaves alone
     lock();
-    if (!fresh && earlier == EarlierRun::Resume) {
+    if (!fresh && earlier == EarlierRun::Resume && !untouched()) {
         findEarlier();
         kept_ = earlier_->bands;
         return;
@@ -141,6 +142,22 @@ std::optional<TiledPart::State> TiledPart::stateAt(int place, std::uint64_t& seq
     const std::byte* const levels = all.data() + sizeof head + head.work + head.learned;
     return State{static_cast<std::int64_t>(head.bands), std::string(text + head.work, head.learned),
                  std::vector<std::byte>(levels, levels + head.levels)};
+}
+
+// Returns true if the run that created the file was killed before it wrote anything.
+bool TiledPart::untouched() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) return false;
+    if (status.st_size == 0) return true;
+    if (static_cast<std::uint64_t>(status.st_size) != placeOfState(2)) return false;
+    for (const std::uint64_t at : {std::uint64_t{0}, placeOfState(0), placeOfState(1)}) {
+        std::array<std::byte, sizeof(StateHead)> bytes{};
+        if (readAt(descriptor_, static_cast<std::int64_t>(at), bytes.data(), bytes.size()) !=
+                static_cast<::ssize_t>(bytes.size()) ||
+            bytes != std::array<std::byte, sizeof(StateHead)>{})
+            return false;
+    }
+    return true;
 }
 
 void TiledPart::findEarlier() {

@@ -50,6 +50,7 @@ class TiledPart {
     void reserve();
     std::optional<State> stateAt(int place, std::uint64_t& sequence) const;
     void findEarlier();
+    bool untouched() const;
     void write(std::uint64_t at, const void* bytes, std::size_t count);
     std::span<const std::byte> table() const { return std::as_bytes(std::span(checksums_)); }
     std::uint64_t placeOfState(int place) const {

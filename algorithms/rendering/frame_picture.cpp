@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "relief/memory.h"
+#include "relief/tracers/tile_methods.h"
 #include "rendering/frame_report.h"
 #include "rendering/frame_tools.h"
 #include "rendering/supersample.h"
@@ -140,6 +141,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
     for (int y = made.begin; y < made.end; y += rows) {
         maker.make({y, std::min(made.end, y + rows)}, halo, !partOfMore_);
+        requireHeights(request.field);
         if (parts.done) parts.done(frame);
     }
     frame.rows = frame.stored = {0, frame.height};
@@ -154,6 +156,7 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
         frame.light = std::make_shared<LightStage>(
             LightStage{supersampled(request, maps_, work, {}, frame.counters, parts.onlyRows)});
     }
+    requireHeights(request.field);
     finish(frame, begin, work);
     // The picture belongs to the caller alone.
     auto last = std::make_shared<Frame>(frame);

@@ -9,6 +9,7 @@
 #include "images/tiled_heights.h"
 #include "relief/maps/max_pyramid_map.h"
 #include "relief/simd/packed_cone_hits.h"
+#include "relief/tracers/tile_methods.h"
 #include "rendering/flat_ground.h"
 #include "rendering/frame_report.h"
 #include "rendering/frame_tools.h"
@@ -336,6 +337,7 @@ std::shared_ptr<const Frame> FrameRenderer::render(const FrameRequest& request, 
     if (request.filter.name == kSupersample && buffers.light) {
         buffers.light->color = supersampled(request, maps_, work, snapshot, frame->counters);
     }
+    requireHeights(request.field);
     finish(*frame, begin, work);
     const auto keep = [](auto& current, auto& spare, const auto& made) {
         if (made) spare = std::exchange(current, made);

@@ -129,6 +129,7 @@ TiledFacts tiledFacts(const std::string& path) {
     facts.low = static_cast<double>(heights.minimum(top, 0, 0));
     facts.high = static_cast<double>(heights.maximum(top, 0, 0));
     facts.mean = static_cast<double>(heights.mean(top, 0, 0));
+    heights.requireWhole();
     return facts;
 }
 

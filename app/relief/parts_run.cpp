@@ -10,6 +10,7 @@
 
 #include "base/part_file.h"
 #include "relief/errors.h"
+#include "stopped.h"
 #include "team.h"
 
 namespace relief::app {
@@ -149,11 +150,11 @@ void work(const PartsRun& run, Session& session, int ranksHere, const std::funct
     report(static_cast<std::int64_t>(done() - before) * kPermille);
 }
 
-// Prints that the run was stopped and, if there is a journal, how to resume it.
-void reportStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
-    if (ledger.journal() == nullptr) return session.note(run.bar, Message(MessageId::RunStopped));
+// Prints that the run was stopped and, if there is a journal, how to resume it. Throws StopTold.
+[[noreturn]] void endStopped(const PartsRun& run, const Ledger& ledger, Session& session) {
+    if (ledger.journal() == nullptr) endStopped(session, run.bar, Message(MessageId::RunStopped));
     const MessageId message = ledger.journal()->hasResults() ? MessageId::SweepStopped : MessageId::SweepStoppedEmpty;
-    session.note(ledger.journal()->path(), Message(message, {{"done", ledger.done()}, {"total", run.parts}}));
+    endStopped(session, ledger.journal()->path(), Message(message, {{"done", ledger.done()}, {"total", run.parts}}));
 }
 
 // Throws the error again; if the journal holds results, it says so and how to resume.
@@ -173,7 +174,7 @@ PartsDone alone(const PartsRun& run, Session& session) {
             [&](const Task& task, Json result) { ledger.put(0, task, std::move(result)); },
             [&] { return ledger.done(); });
     } catch (const Cancelled&) {
-        if (ledger.journal() != nullptr) reportStopped(run, ledger, session);
+        if (ledger.journal() != nullptr) endStopped(run, ledger, session);
         throw;
     } catch (const WorkError& error) {
         throwKept(error, run, ledger);
@@ -311,8 +312,7 @@ PartsDone first(const PartsRun& run, Team& team, Session& session) {
             [&] { return coordinator.done(); });
         coordinator.join();
     } catch (const Cancelled&) {
-        reportStopped(run, *ledger, session);
-        throw;
+        endStopped(run, *ledger, session);
     } catch (const WorkError& error) {
         throwKept(error, run, *ledger);
     }

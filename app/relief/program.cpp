@@ -21,6 +21,7 @@
 #include "output.h"
 #include "session.h"
 #include "signals.h"
+#include "stopped.h"
 #include "team.h"
 
 namespace relief::app {
@@ -195,9 +196,10 @@ void sayFailure(const std::string& why, Language language, const std::stop_token
                      language));
 }
 
-}  // namespace
-
-namespace {
+// status: 128 + the signal's number.
+void sayStopped(int status, Language language) {
+    sayLine(sentence(Message(MessageId::StoppedBySignal, {{"signal", signalName(status)}}), language));
+}
 
 // Ends the process as if SIGPIPE had never been ignored.
 int endByClosedPipe() {
@@ -220,7 +222,10 @@ int runProgram(int count, char** arguments) {
         language = chosenLanguage(count, arguments);
         Session session(language, signals.stop());
         return parseAndRun(count, arguments, session, failure);
+    } catch (const StopTold&) {
+        return signals.exitStatus();
     } catch (const Cancelled&) {
+        if (leadsRun(worksAlone(count, arguments))) sayStopped(signals.exitStatus(), language);
         return signals.exitStatus();
     } catch (const RunEnded& ended) {
         return ended.status;

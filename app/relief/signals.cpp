@@ -1,6 +1,7 @@
 #include "signals.h"
 
 #include <pthread.h>
+#include <string.h>
 #include <unistd.h>
 
 namespace relief::app {
@@ -10,6 +11,11 @@ namespace {
 constexpr long kWakeNanoseconds = 50'000'000;
 
 }  // namespace
+
+std::string signalName(int status) {
+    const char* const name = ::sigabbrev_np(status - 128);
+    return "SIG" + std::string(name != nullptr ? name : "");
+}
 
 SignalWatch::SignalWatch() {
     // A closed pipe becomes an error of write(), so that temporary files are removed before the program ends

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace relief::app {
@@ -32,5 +33,8 @@ class SignalWatch {
     std::atomic<int> status_{0};
     std::jthread thread_;
 };
+
+// Returns "SIGINT" for SignalWatch::exitStatus() after that signal.
+std::string signalName(int status);
 
 }  // namespace relief::app

@@ -11,6 +11,7 @@
 #include "output.h"
 #include "part.h"
 #include "parts_run.h"
+#include "stopped.h"
 #include "stress_report.h"
 #include "team.h"
 
@@ -160,10 +161,10 @@ int runStress(const StressCommandOptions& given, Session& session) {
     if (record) options.onCase = [&](const StressCase& one) { record->write(stressCaseLine(one)); };
     const StressReport report = stress(options, session.work());
     session.eraseBar();
-    if (record && report.interrupted) session.note(*given.record, Message(MessageId::RunStopped));
     if (record && !report.interrupted) record->commit();
     // If the run was interrupted, the results so far are still reported.
     const int status = reportStress(report, options.seed, session);
+    if (status == 0 && report.interrupted && record) endStopped(session, *given.record, Message(MessageId::RunStopped));
     if (status == 0 && report.interrupted) throw Cancelled();
     return status;
 }

@@ -17,6 +17,7 @@
 
 #include "../relief/signals.h"
 #include "arguments.h"
+#include "display_loss.h"
 #include "end_signals.h"
 #include "lesson_command.h"
 #include "lessons/lesson_player.h"
@@ -359,6 +360,8 @@ int run(int count, char** values, const Arguments& arguments) {
         try {
             return exportFigure(count, values, arguments, watch.stop());
         } catch (const Cancelled&) {
+            const Message message(MessageId::StoppedBySignal, {{"signal", signalName(watch.exitStatus())}});
+            std::fprintf(stderr, "reliefscope: %s\n", sentence(message, reliefui::uiLanguage()).c_str());
             return watch.exitStatus();
         }
     }
@@ -379,6 +382,7 @@ int run(int count, char** values, const Arguments& arguments) {
     Start start = startOfWindow(arguments, datasets, session ? &*session : nullptr);
 
     reliefui::prepareWindows();
+    DisplayLoss displayLoss;
     reliefui::Application application(count, values);
     reliefui::setUpApplication(application);
     if (!shot) reliefui::installTranslations(reliefui::chosenLanguage());
@@ -395,6 +399,7 @@ int run(int count, char** values, const Arguments& arguments) {
                        [&] { return shown != nullptr ? shown->layoutNow() : layout; });
         QObject::connect(&*keeper, &reliefui::StateKeeper::problem, &workspace, &reliefui::Workspace::problem);
     }
+    displayLoss.saveBy([&] { return keeper && keeper->keepNow(); });
     int status = 0;
     // The page of the open lesson, which the window in the other language opens again.
     std::optional<reliefui::LessonPlayer::Place> lesson;
@@ -412,6 +417,8 @@ int run(int count, char** values, const Arguments& arguments) {
             window.showLesson();
             if (lesson) window.findChild<reliefui::LessonMenu*>()->open(lesson->folder, lesson->page);
         }
+        if (const std::string missing = reliefui::glProblem(); !missing.empty())
+            Q_EMIT workspace.problem(QString::fromStdString(missing));
         status = QApplication::exec();
         lesson = window.findChild<reliefui::LessonMenu*>()->player()->place();
         layout = window.layoutNow();

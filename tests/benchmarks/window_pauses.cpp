@@ -256,7 +256,8 @@ int main(int count, char** values) {
             return 2;
         }
     }
-    const std::string problem = reliefui::displayProblem();
+    std::string problem = reliefui::displayProblem();
+    if (problem.empty()) problem = reliefui::glProblem();
     if (!problem.empty()) {
         std::fprintf(stderr, "no window: %s\n", problem.c_str());
         return 2;

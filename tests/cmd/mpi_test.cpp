@@ -1,5 +1,6 @@
 // Sweeps and pictures shared by the ranks of an MPI run have the results of one process.
 #include <fstream>
+#include <iterator>
 
 #include "sweep_fixture.h"
 
@@ -45,6 +46,18 @@ std::vector<pid_t> ranksOf(pid_t parent) {
     }
     std::sort(ranks.begin(), ranks.end());
     return ranks;
+}
+
+// Returns the processes whose command line contains the text.
+std::vector<pid_t> naming(const std::string& text) {
+    std::vector<pid_t> all;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+        std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+        const std::string words{std::istreambuf_iterator<char>(file), {}};
+        if (words.find(text) != std::string::npos)
+            all.push_back(static_cast<pid_t>(std::stoi(entry.path().filename())));
+    }
+    return all;
 }
 
 }  // namespace
@@ -112,6 +125,34 @@ TEST_P(MpiTest, AnotherNumberOfProcessesResumes) {
         EXPECT_EQ(last.status, 0) << last.err;
         EXPECT_EQ(withoutTimings(read("b.csv")), withoutTimings(read("whole.csv")));
     }
+}
+
+// One rank or all of them are killed; before there are ranks, their launcher.
+TEST_P(MpiTest, KilledAtRandomMomentsTheySweepToTheSameTable) {
+    const auto end = [&](pid_t launcher, Random& random) {
+        std::vector<pid_t> ranks = ranksOf(launcher);
+        if (ranks.empty()) {
+            kill(launcher, SIGKILL);
+            // Ranks that it had just started are nobody's now.
+            for (const pid_t rank : naming(path("b.csv"))) kill(rank, SIGKILL);
+            return;
+        }
+        if (random.below(2) == 0)
+            ranks = {ranks[static_cast<std::size_t>(random.below(static_cast<int>(ranks.size())))]};
+        for (const pid_t rank : ranks) kill(rank, SIGKILL);
+        // Open MPI's launcher may wait for ever for a rank that was killed while it joined.
+        constexpr auto kSlowEnd = std::chrono::seconds(10);
+        const auto begun = std::chrono::steady_clock::now();
+        siginfo_t info{};
+        while (std::chrono::steady_clock::now() - begun < kSlowEnd) {
+            if (waitid(P_PID, static_cast<id_t>(launcher), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return;
+            if (info.si_pid == launcher) return;
+            std::this_thread::sleep_for(kPoll);
+        }
+        kill(launcher, SIGKILL);
+        for (const pid_t rank : naming(path("b.csv"))) kill(rank, SIGKILL);
+    };
+    killAtRandom(std::getenv("RELIEF_LONG") != nullptr ? 100 : 2, mpirun(2), end);
 }
 
 TEST_P(MpiTest, RefusalsAreOneLineOfRankZeroWithItsStatus) {

@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_test.h"
+#include "measuring/random_rays.h"
 
 namespace relief::test {
 
@@ -73,8 +74,14 @@ class SweepTest : public CommandTest {
         return all;
     }
     // Starts the program in the background; its standard error goes to the file `errors`. launcher: as in RunSetup.
+    // output: descriptor of its standard output; -1: none.
     pid_t start(const std::vector<std::string>& arguments, const std::string& errors = "/dev/null",
-                const std::vector<std::string>& launcher = {}) const;
+                const std::vector<std::string>& launcher = {}, int output = -1) const;
+    // Starts the sweep, with --resume, and has it killed at a random moment of the time that it takes undisturbed,
+    // until that has happened `kills` times: the table of each sweep that ends is that of the undisturbed one, without
+    // its times. end: kills the process and all that it has started.
+    void killAtRandom(int kills, const std::vector<std::string>& launcher,
+                      const std::function<void(pid_t, Random&)>& end) const;
     // Returns the parts that the journal contains, complete lines only.
     std::vector<nlohmann::json> done(const std::string& output) const {
         std::vector<nlohmann::json> parts;

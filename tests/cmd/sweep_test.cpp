@@ -31,6 +31,11 @@ TEST_P(SweepTest, KilledTenTimesItResumesToTheSameTable) {
     EXPECT_EQ(files(), (std::vector<std::string>{"b.csv", "whole.csv"}));
 }
 
+TEST_P(SweepTest, KilledAtRandomMomentsItResumesToTheSameTable) {
+    killAtRandom(std::getenv("RELIEF_LONG") != nullptr ? 100 : 5, {},
+                 [](pid_t child, Random&) { kill(child, SIGKILL); });
+}
+
 TEST_P(SweepTest, FinishedCellsAreKeptAndTruncatedLinesAreNot) {
     const pid_t child = start(sweep("b.csv"));
     ASSERT_TRUE(waitFor([&] { return done("b.csv").size() >= 3; }));

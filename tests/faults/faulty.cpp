@@ -4,10 +4,13 @@
 //   errno,
 //                               -1: half of the bytes are read or written; +: this and all later calls fail
 //                               (KIND:N:ERROR+)
+//   RELIEF_FAULT=cut:N:0        before the N-th reading or mapping of a file in the folder RELIEF_FAULT_FOLDER another
+//                               program cuts that file to half its size; :1: to nothing
 //   RELIEF_FAULT_COUNT=FILE     at exit, the number of calls of each kind is written to FILE
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -21,8 +24,8 @@
 
 namespace {
 
-enum Kind { kOpen, kRead, kWrite, kSync, kRename, kMap, kMemory, kKinds };
-constexpr std::array<const char*, kKinds> kNames{"open", "read", "write", "sync", "rename", "map", "memory"};
+enum Kind { kOpen, kRead, kWrite, kSync, kRename, kMap, kMemory, kCut, kKinds };
+constexpr std::array<const char*, kKinds> kNames{"open", "read", "write", "sync", "rename", "map", "memory", "cut"};
 
 std::array<std::atomic<long>, kKinds> counts{};
 int faultKind = -1;
@@ -79,8 +82,23 @@ Function* next(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
+// Cuts the file that is about to be read, if this is the call. Files that are open for writing are this program's own.
+void cutNow(int descriptor) {
+    static const char* const folder = std::getenv("RELIEF_FAULT_FOLDER");
+    if (folder == nullptr || !ready || loading || (::fcntl(descriptor, F_GETFL) & O_ACCMODE) != O_RDONLY) return;
+    std::array<char, 32> link{};
+    std::array<char, 4096> path{};
+    std::snprintf(link.data(), link.size(), "/proc/self/fd/%d", descriptor);
+    if (::readlink(link.data(), path.data(), path.size() - 1) <= 0) return;
+    if (std::strncmp(path.data(), folder, std::strlen(folder)) != 0 || !fails(kCut)) return;
+    struct stat status {};
+    if (::stat(path.data(), &status) != 0 || !S_ISREG(status.st_mode)) return;
+    static_cast<void>(::truncate(path.data(), faultError == 1 ? 0 : status.st_size / 2));
+}
+
 // Bytes that a call may transfer; 0: it fails.
 std::size_t allowed(Kind kind, int descriptor, std::size_t bytes) {
+    if (kind == kRead) cutNow(descriptor);
     if (descriptor <= STDERR_FILENO || !fails(kind)) return bytes;
     if (faultError == -1) return (bytes + 1) / 2;
     errno = faultError;
@@ -184,10 +202,12 @@ int rename(const char* from, const char* to) noexcept {
 }
 
 void* mmap(void* at, size_t bytes, int protection, int flags, int descriptor, off_t offset) noexcept {
+    if (descriptor >= 0) cutNow(descriptor);
     if (descriptor >= 0 && failsWith(kMap)) return MAP_FAILED;
     return next<void*(void*, size_t, int, int, int, off_t)>("mmap")(at, bytes, protection, flags, descriptor, offset);
 }
 void* mmap64(void* at, size_t bytes, int protection, int flags, int descriptor, off64_t offset) noexcept {
+    if (descriptor >= 0) cutNow(descriptor);
     if (descriptor >= 0 && failsWith(kMap)) return MAP_FAILED;
     return next<void*(void*, size_t, int, int, int, off64_t)>("mmap64")(at, bytes, protection, flags, descriptor,
                                                                         offset);

@@ -95,7 +95,7 @@ TEST_F(DuelTest, TheFirstDivergenceIsShownAndNamed) {
     ASSERT_EQ(*duel->first, 0U) << "the other is exact";
     EXPECT_EQ(this->scenario().step, static_cast<int>(wrong)) << "all panes stand at the step";
     const QString kind = QString::fromStdString(
-        relief::sentence(relief::departureTitle(duel->judgements[0].kind), workspace_->style().language));
+        relief::sentence(relief::departureTitle(duel->judgements[0]), workspace_->style().language));
     EXPECT_TRUE(view->verdict().contains(kind)) << view->verdict().toStdString();
     // The close-up is shown until the user steps on; projector mode keeps it.
     const double near = duel->closeUp();
@@ -210,7 +210,7 @@ TEST_F(DuelTest, TitlesOfFaultsKeepClearOfTheAxisTitle) {
             const bool title =
                 label != nullptr &&
                 std::any_of(duel.judgements.begin(), duel.judgements.end(), [&](const relief::Judgement& one) {
-                    return relief::departureTitle(one.kind).id == label->text.id;
+                    return relief::departureTitle(one).id == label->text.id;
                 });
             if (!title) continue;
             ++titles;

@@ -19,7 +19,8 @@
 int main(int count, char** values) {
     reliefui::reportCrashes();
     ::testing::InitGoogleTest(&count, values);
-    const std::string problem = reliefui::displayProblem();
+    std::string problem = reliefui::displayProblem();
+    if (problem.empty()) problem = reliefui::glProblem();
     if (!problem.empty() || ::testing::GTEST_FLAG(list_tests)) {
         if (!problem.empty()) std::fprintf(stderr, "the window is not tested: %s\n", problem.c_str());
         return RUN_ALL_TESTS();

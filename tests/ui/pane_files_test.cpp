@@ -15,6 +15,7 @@
 #include "panes/trace/trace_state.h"
 #include "panes/watch/watch_state.h"
 #include "windows/pane_list.h"
+#include "workspace/annotation_state.h"
 #include "workspace/range_json.h"
 
 namespace reliefui {
@@ -42,6 +43,9 @@ Scenario allOther() {
     setState(scenario, TracePane{"level", 2, true});
     setState(scenario, ShaderPane{ShaderMeasure::Hits});
     setState(scenario, PointState{QueryPoint{-3.25, 4.5, 0.6}});
+    setState(scenario,
+             AnnotationState{{{AnnotationKind::Arrow, "profile", {4, 0.8}, {6.5, 0.4}, "hit", "влучання", "green"},
+                              {AnnotationKind::Number, "result", {90, 80}, {}, "12", "", "text"}}});
     return scenario;
 }
 
@@ -118,6 +122,18 @@ TEST(PaneFiles, whatIsUnknownIsRefusedWithItsLine) {
     refused("\"query\": {\"s\": 1, \"t\": 2}", "line 3", "z");
     refused("\"query\": {\"s\": 1, \"t\": 2,\n\"z\": 0.5, \"height\": 1}", "line 4", "height");
     refused("\"pane\": {}", "line 3", "pane");
+    const auto annotation = [&](const std::string& text, const std::string& line, const std::string& word) {
+        refused("\"annotations\": {\"list\": [\n{" + text + "}]}", line, word);
+    };
+    annotation(R"("kind": "circle", "view": "profile", "at": [1, 2])", "line 4", "circle");
+    annotation(R"("kind": "label", "view": "trace", "at": [1, 2], "text": "a")", "line 4", "trace");
+    annotation(R"("kind": "arrow", "view": "profile", "at": [1, 2])", "line 4", "to");
+    annotation(R"("kind": "arrow", "view": "profile", "at": [1, "2"], "to": [1, 2])", "line 4", "at");
+    annotation(R"("kind": "label", "view": "profile", "at": [1, 1e9], "text": "a")", "line 4", "1e+09");
+    annotation(R"("kind": "label", "view": "profile", "at": [1, 2])", "line 4", "text");
+    annotation(R"("kind": "number", "view": "profile", "at": [1, 2], "text": "1234")", "line 4", "4");
+    annotation(R"("kind": "label", "view": "profile", "at": [1, 2], "text": {"en": "a", "de": "b"})", "line 4", "de");
+    annotation(R"("kind": "label", "view": "profile", "at": [1, 2], "text": "a", "color": "red")", "line 4", "red");
 }
 
 TEST(PaneFiles, valuesOutOfRangeAreRefused) {
@@ -136,6 +152,15 @@ TEST(PaneFiles, valuesOutOfRangeAreRefused) {
     refused(PointState{QueryPoint{1e12, 2, 0.5}});
     refused(PointState{QueryPoint{1, std::nan(""), 0.5}});
     refused(RowsPane{std::vector<std::string>(kMostRowVariants + 1, "direct")});
+    const auto label = [](double x, std::string text) {
+        return Annotation{AnnotationKind::Label, "profile", {x, 0.5}, {}, std::move(text), "", "text"};
+    };
+    refused(AnnotationState{{label(std::nan(""), "a")}});
+    refused(AnnotationState{{label(1, std::string(kMostAnnotationText + 1, 'a'))}});
+    refused(AnnotationState{std::vector<Annotation>(kMostAnnotations + 1, label(1, "a"))});
+    std::string longest;
+    for (int n = 0; n < kMostAnnotationText; ++n) longest += "і";
+    EXPECT_NO_THROW((AnnotationState{{label(1, longest)}}.check("s.json"))) << "characters are counted, not bytes";
     EXPECT_NO_THROW(checkStates({}, kReaders, "s.json"));
     EXPECT_NO_THROW(checkStates(allOther(), kReaders, "s.json"));
 }

@@ -9,6 +9,9 @@
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
 
+// Included after Qt, because it defines macros.
+#include <EGL/egl.h>
+
 namespace reliefui {
 
 namespace {
@@ -19,6 +22,11 @@ std::shared_ptr<const ShaderPreview> previewOf(const relief::Scenario& scenario,
                                                const ShaderGlSource& open = openShaderGl) {
     relief::Work work;
     return shaderPreview(SnapshotMaker().make({scenario}, work), open, work);
+}
+
+// What a graphics card that is reset does to its contexts: functions of OpenGL do nothing from then on.
+void endCurrentContext() {
+    eglMakeCurrent(eglGetCurrentDisplay(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 std::string problemOf(const relief::Scenario& scenario, const ShaderGlSource& open = openShaderGl) {
@@ -88,6 +96,33 @@ TEST(ShaderPreview, WhatRefusesItIsSaidInALine) {
     scenario.pictures.recipeWidth = 1 << 15;
     scenario.pictures.recipeHeight = 4;
     EXPECT_NE(problemOf(scenario).find("32768"), std::string::npos);
+}
+
+// The context ends before each of the stages in turn: nothing is compared, and the reason is said. Another context
+// draws.
+TEST(ShaderPreview, AContextThatIsLostIsSaidInALine) {
+    const relief::Scenario scenario = smallScenario();
+    relief::Work making;
+    const auto snapshot = SnapshotMaker().make({scenario}, making);
+    for (const double lostAt : {0.0, 0.2, 0.4, 0.6}) {
+        SCOPED_TRACE(lostAt);
+        bool open = false;
+        relief::Work work(0, {}, [&](std::string_view, double done) {
+            if (open && done >= lostAt) endCurrentContext();
+        });
+        const auto opening = [&](EglProblem& problem) {
+            auto gl = openShaderGl(problem);
+            open = gl != nullptr;
+            if (open && lostAt == 0) endCurrentContext();
+            return gl;
+        };
+        const auto preview = shaderPreview(snapshot, opening, work);
+        ASSERT_TRUE(preview->problem);
+        EXPECT_NE(relief::sentence(*preview->problem).find("has lost"), std::string::npos)
+            << relief::sentence(*preview->problem);
+        EXPECT_FALSE(preview->shader);
+        EXPECT_FALSE(previewOf(scenario)->problem);
+    }
 }
 
 class ShaderPaneTest : public WindowTest {

@@ -70,6 +70,24 @@ TEST_F(TiledMapTest, PicturesAndRaysAreThoseOfTheMapInMemory) {
     EXPECT_FALSE(tiled->has(relief::PyramidKind::Min) || tiled->has(relief::PyramidKind::Mean));
 }
 
+// Another program shortens the file: the next picture is refused in a line, and the shown one stays.
+TEST_F(TiledMapTest, AFileThatIsCutIsSaidInALine) {
+    openWindow(bricks(1));
+    const auto before = snapshot();
+    ASSERT_TRUE(before->assets.tiles);
+    const QString path = folder_.filePath(QStringLiteral("map.tif"));
+    ASSERT_TRUE(QFile::resize(path, 8192));
+    QString problem;
+    QObject::connect(workspace_.get(), &Workspace::problem, window_.get(),
+                     [&](const QString& text) { problem = text; });
+    relief::Scenario other = scenario();
+    other.camera.azimuth += 40;
+    workspace_->change(other, {});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !problem.isEmpty(); }, 10000));
+    EXPECT_TRUE(problem.startsWith(path)) << problem.toStdString();
+    EXPECT_EQ(snapshot()->picture, before->picture);
+}
+
 TEST_F(TiledMapTest, PanesThatNeedAllHeightsSaySo) {
     openWindow(bricks(1));
     ASSERT_TRUE(snapshot()->assets.tiles);

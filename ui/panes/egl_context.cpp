@@ -4,6 +4,7 @@
 #include <EGL/eglext.h>
 
 #include <cstdlib>
+#include <initializer_list>
 #include <vector>
 
 namespace reliefui {
@@ -22,11 +23,18 @@ EGLContext contextOf(EGLDisplay display, int major, int minor) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     eglChooseConfig(display, attributes, &config, 1, &count);
-    const EGLint version[] = {
-        EGL_CONTEXT_MAJOR_VERSION,           major,   EGL_CONTEXT_MINOR_VERSION, minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    const EGLContext context =
-        eglCreateContext(display, count > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+    const std::vector<EGLint> version{EGL_CONTEXT_MAJOR_VERSION,       major,
+                                      EGL_CONTEXT_MINOR_VERSION,       minor,
+                                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    const auto made = [&](std::initializer_list<EGLint> more) {
+        std::vector<EGLint> all = version;
+        all.insert(all.end(), more);
+        all.push_back(EGL_NONE);
+        return eglCreateContext(display, count > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, all.data());
+    };
+    // Where the driver can: a card that is reset ends the context, not the process.
+    EGLContext context = made({EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    if (context == EGL_NO_CONTEXT) context = made({});
     if (context == EGL_NO_CONTEXT) return EGL_NO_CONTEXT;
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) return context;
     eglDestroyContext(display, context);
@@ -63,6 +71,10 @@ EglContext::~EglContext() {
 
 bool EglContext::makeCurrent() const {
     return eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context) == EGL_TRUE;
+}
+
+bool EglContext::anyCurrent() {
+    return eglGetCurrentContext() != EGL_NO_CONTEXT;
 }
 
 void* EglContext::function(const char* name) {

@@ -23,6 +23,8 @@ class EglContext {
     EglContext& operator=(const EglContext&) = delete;
 
     bool makeCurrent() const;
+    // Returns true if a context is current on this thread; without one, functions of OpenGL do nothing.
+    static bool anyCurrent();
     // Returns the address of a function of OpenGL; null if there is none.
     static void* function(const char* name);
 

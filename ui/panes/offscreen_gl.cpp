@@ -7,6 +7,7 @@
 #include <QOpenGLContext>
 
 #include "painting/drawing.h"
+#include "panes/screen_gl.h"
 #include "relief/errors.h"
 
 namespace reliefui {
@@ -48,8 +49,8 @@ struct OffscreenGl::ByQt {
 };
 
 OffscreenGl::OffscreenGl() {
-    // Qt's offscreen platform does not support OpenGL.
-    if (QGuiApplication::platformName() == QLatin1String("xcb")) {
+    // Qt's offscreen platform does not support OpenGL, and VTK does not draw in what Qt finds without GLX.
+    if (QGuiApplication::platformName() == QLatin1String("xcb") && screenHasGl()) {
         qt_ = std::make_unique<ByQt>();
     } else {
         EglProblem problem{};

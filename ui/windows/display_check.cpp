@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "panes/screen_gl.h"
 #include "workspace/language.h"
 
 // Included after Qt, because it defines the macro Bool.
@@ -22,12 +23,12 @@ std::string displayProblem() {
     if (name == nullptr || *name == '\0') return problemText(relief::MessageId::DisplayNone);
     Display* const display = XOpenDisplay(nullptr);
     if (display == nullptr) return problemText(relief::MessageId::DisplayClosed, name);
-    int opcode = 0;
-    int event = 0;
-    int error = 0;
-    const bool glx = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
     XCloseDisplay(display);
-    return glx ? std::string() : problemText(relief::MessageId::DisplayNoGl, name);
+    return {};
+}
+
+std::string glProblem() {
+    return screenHasGl() ? std::string() : problemText(relief::MessageId::DisplayNoGl, std::getenv("DISPLAY"));
 }
 
 bool needsDoubleScale() {

@@ -4,8 +4,10 @@
 
 #include "panes/figure_caption.h"
 #include "windows/pane_list.h"
+#include "workspace/annotation_state.h"
 #include "workspace/hidden_answer.h"
 #include "workspace/layer_names.h"
+#include "workspace/pane_store.h"
 #include "workspace/resized_snapshot.h"
 #include "workspace/snapshot_maker.h"
 
@@ -94,8 +96,11 @@ class PageWriter {
             return figureImage(*kind.make(snapshot, snapshot->scenario), page, width, work_);
         };
         const QImage english = drawn(Language::English);
-        if (snapshot->layer.layer == Layer::Color) return pictureHtml(english, "picture");
-        // The legend of a layer has words.
+        const auto notes = stateOf<AnnotationState>(snapshot->scenario).list;
+        const bool translated = std::ranges::any_of(
+            notes, [&](const Annotation& note) { return note.view == "result" && !note.ukrainian.empty(); });
+        if (snapshot->layer.layer == Layer::Color && !translated) return pictureHtml(english, "picture");
+        // The legend of a layer has words, and so may annotations.
         return inBoth(pictureHtml(english, lesson_.pages[number_].layer),
                       pictureHtml(drawn(Language::Ukrainian), lesson_.pages[number_].layer));
     }

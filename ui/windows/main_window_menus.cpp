@@ -300,6 +300,7 @@ void MainWindow::resultMenu(const QPoint& global) {
         });
         menu.addAction(tr("Choose this pixel"), this, [this, pixel] { workspace_->choosePixel(pixel->x, pixel->y); });
     }
+    result_->addToMenu(menu);
     menu.addAction(copyCommand_);
     menu.addAction(tr("Copy picture"), this, [this] {
         if (const auto now = workspace_->snapshot()) QApplication::clipboard()->setImage(now->layer.image);
@@ -353,6 +354,7 @@ void MainWindow::showShortcuts() {
          tr("next pixel: largest error, most steps, overshoot, disagreement")},
         {QStringLiteral("Ctrl+D"), tr("first divergence of the duel")},
         {QStringLiteral("Ctrl+B   Ctrl+Shift+B"), tr("add a bookmark, go to the next one")},
+        {QStringLiteral("Insert   Shift+Insert"), tr("add an annotation to the pane, choose the next one")},
         {QStringLiteral("G"), tr("guess where the ray hits, by a click in the profile")},
         {tr("Ctrl + click in the profile or the distance map"),
          tr("show the distances at that point; again: remove the point")},

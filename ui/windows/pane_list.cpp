@@ -22,6 +22,7 @@
 #include "relief/errors.h"
 #include "windows/scene_panel.h"
 #include "windows/time_pane.h"
+#include "workspace/annotation_state.h"
 #include "workspace/range_json.h"
 
 namespace reliefui {
@@ -51,7 +52,7 @@ std::vector<PaneKind> paneList() {
 }
 
 StateReaders stateReaders() {
-    StateReaders readers{readerOf<RangesState>()};
+    StateReaders readers{readerOf<RangesState>(), readerOf<AnnotationState>()};
     for (const PaneKind& pane : paneList()) readers.insert(pane.states.begin(), pane.states.end());
     return readers;
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QFileInfo>
 #include <QSettings>
 
 #include "relief/errors.h"
@@ -98,6 +99,18 @@ void StateKeeper::written(const State& state, const QString& fault) {
     layoutSaved_ = state.layout;
     if (adoptedShown_ && adopted_) adopted_->remove();
     if (adoptedShown_) adopted_.reset();
+}
+
+bool StateKeeper::keepNow() {
+    timer_.stop();
+    writer_.waitForDone();
+    if (workspace_->version() == 0) return false;
+    const relief::Scenario& now = workspace_->scenario();
+    if (now != saved_ && files_.take()) {
+        files_.setStarting(false);
+        writeState(now, layoutSaved_, files_.scenarioFile(), files_.layoutFile());
+    }
+    return QFileInfo::exists(files_.scenarioFile());
 }
 
 std::string StateKeeper::end() {

@@ -38,6 +38,10 @@ class StateKeeper : public QObject {
     // that case the session's files are kept.
     std::string end();
 
+    // Saves the state at once and in this thread, for a program that ends without closing its window. The layout is
+    // that of the last autosave. Returns true if the session's files hold the state, also from before.
+    bool keepNow();
+
   signals:
     void problem(const QString& oneLine);  // the state cannot be written; emitted once
 

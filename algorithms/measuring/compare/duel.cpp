@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "measuring/compare/rational_hit.h"
 #include "relief/sampled_surface.h"
 #include "relief/tracers.h"
 #include "scenario/step_sentence.h"
@@ -28,7 +29,12 @@ bool moves(const Step& step) {
 class Judge {
   public:
     Judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const HeightField& field)
-        : run_(run), exact_(exact), ray_(ray), surface_(field, ray), scale_(std::max(1.0, std::hypot(ray.a, ray.b))) {}
+        : run_(run),
+          exact_(exact),
+          ray_(ray),
+          field_(field),
+          surface_(field, ray),
+          scale_(std::max(1.0, std::hypot(ray.a, ray.b))) {}
 
     Judgement judgement() {
         Judgement out;
@@ -37,6 +43,10 @@ class Judge {
         const auto past = firstPast();
         if (past && run_.steps[*past].lambdaAfter > exact_.lambda + margin()) out.overshoot = past;
         if (out.texels <= kSameAnswer || run_.steps.empty()) return out;
+        if (const auto rational = disputed() ? rationalHit(field_, ray_) : std::nullopt) {
+            out.withinRounding = judgeHit(field_, ray_, run_.hit, *rational) != RationalVerdict::Wrong;
+            if (out.withinRounding) return out;
+        }
         if (past) {
             passed(out, *past);
         } else {
@@ -47,6 +57,17 @@ class Judge {
 
   private:
     double margin() const { return kSameAnswer / scale_; }
+
+    // Whether both answers may be right: then each ends on the surface. On columns that is not looked at, because a
+    // hit of a wall is not at its height.
+    bool disputed() const {
+        if (field_.tiles() != nullptr || run_.hit.outcome == Outcome::Limit) return false;
+        const auto onSurface = [&](const Hit& hit) {
+            return hit.outcome != Outcome::Hit || field_.surface() == Surface::Columns ||
+                   std::abs(surface_.gapAt(hit.lambda)) <= kSameAnswer;
+        };
+        return onSurface(run_.hit) && onSurface(exact_);
+    }
 
     // Returns the first step that moves on to, or answers with, a point behind the exact hit, or that reports a miss.
     std::optional<std::size_t> firstPast() const {
@@ -128,6 +149,7 @@ class Judge {
     const DuelRun& run_;
     Hit exact_;
     ViewRay ray_;
+    const HeightField& field_;
     SampledSurface surface_;
     double scale_;
 };
@@ -149,16 +171,18 @@ Judgement judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const 
     return Judge(run, exact, ray, field).judgement();
 }
 
-Message departureTitle(Departure kind) {
+Message departureTitle(const Judgement& judgement) {
+    if (judgement.withinRounding) return Message(MessageId::DuelRounding);
     constexpr std::array kTitles{MessageId::DuelAgrees,     MessageId::DuelMissedSpike, MessageId::DuelStoppedEarly,
                                  MessageId::DuelUnsafeMap,  MessageId::DuelLeak,        MessageId::DuelNotRefined,
                                  MessageId::DuelTakenAsFlat};
-    return Message(kTitles[static_cast<std::size_t>(kind)]);
+    return Message(kTitles[static_cast<std::size_t>(judgement.kind)]);
 }
 
 Message judgementSentence(const DuelRun& run, const Judgement& judgement, const Hit& exact) {
     constexpr int kDecimals = 5;
     constexpr int kValueDigits = 4;
+    if (judgement.withinRounding) return Message(MessageId::DuelSaysRounding, {{"method", run.name}});
     if (judgement.kind == Departure::None) {
         return Message(MessageId::DuelSaysAgrees, {{"method", run.name}, {"texels", numberText(kSameAnswer, 2)}});
     }

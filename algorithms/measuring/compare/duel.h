@@ -44,6 +44,8 @@ enum class Departure : std::uint8_t {
 
 // step: the step at which the departure occurs; [from, to]: its lambda interval. texels: error of the final answer,
 // infinite if the outcome differs. overshoot: the first step past the exact hit, even if the final answer is right.
+// withinRounding: the answer differs from that of the exact tracer, but rational arithmetic (rational_hit.h) shows that
+// it is right up to the rounding of positions, as where a ray touches the surface; the kind is then None.
 struct Judgement {
     Departure kind = Departure::None;
     std::size_t step = 0;
@@ -51,14 +53,16 @@ struct Judgement {
     double to = 0;
     double texels = 0;
     std::optional<std::size_t> overshoot;
+    bool withinRounding = false;
 };
 
-// Determines the kind of departure. exact: the first hit; if it is Outcome::Limit (the ray is too grazing to be
-// judged), the result is None.
+// Determines the kind of departure. exact: the first hit as the exact tracer found it; if it is Outcome::Limit (the ray
+// is too grazing to be judged), the result is None. Where the answers disagree at a point that both may take for the
+// surface, rational arithmetic decides, unless the heights are tiled or the ray crosses more than kRationalCells cells.
 Judgement judge(const DuelRun& run, const Hit& exact, const ViewRay& ray, const HeightField& field);
 
 // Returns the kind in two words (departureTitle), and a sentence about what happened (judgementSentence).
-Message departureTitle(Departure kind);
+Message departureTitle(const Judgement& judgement);
 Message judgementSentence(const DuelRun& run, const Judgement& judgement, const Hit& exact);
 
 // Synchronises the runs: at each moment, the runs that are furthest behind along the ray take their next step, so that

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "measuring/compare/rational_hit.h"
 #include "measuring/overshoot.h"
-#include "measuring/verify/rational_hit.h"
 #include "relief/cell_grid.h"
 #include "scenario/ray_files.h"
 

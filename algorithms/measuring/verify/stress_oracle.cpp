@@ -1,4 +1,4 @@
-#include "measuring/verify/rational_hit.h"
+#include "measuring/compare/rational_hit.h"
 #include "measuring/verify/stress_parts.h"
 
 namespace relief::stress_detail {

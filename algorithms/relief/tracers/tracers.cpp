@@ -113,18 +113,21 @@ class TracerOf final : public SegmentBlockTracer {
             NullSink sink;
             for (std::size_t i = first; i < last; ++i) hits.set(i, tracer_.trace(rays[i], sink));
         });
+        requireHeights(field());
     }
 
     void trace(const RayBlock& rays, HitBlock& hits, BlockCounts& counts, Work& work) const override {
         hits.resize(rays.size());
         countBlock(rays.size(), hits, counts, work,
                    [&](std::size_t i, CountSink& sink) { hits.set(i, tracer_.trace(rays[i], sink)); });
+        requireHeights(field());
     }
 
     void trace(const RayBlock& rays, HitBlock& hits, StepLog& log, Work& work) const override {
         hits.resize(rays.size());
         logBlock(rays.size(), hits, log, work,
                  [&](std::size_t i, LogSink& sink) { hits.set(i, tracer_.trace(rays[i], sink)); });
+        requireHeights(field());
     }
 
   private:
@@ -260,6 +263,10 @@ std::string formNote(const std::string& name) {
         }
     });
     return note;
+}
+
+void requireHeights(const HeightField& field) {
+    if (field.tiles() != nullptr) field.tiles()->requireWhole();
 }
 
 bool tracesTiles(const MethodChoice& choice) {

@@ -1,7 +1,11 @@
 // Height maps larger than memory: what TiledWriter writes and TiledHeights reads is, bit for bit, what readHeight() and
 // Pyramid hold in memory.
+#include <fcntl.h>
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +18,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "images/file_descriptor.h"
+#include "images/page_watch.h"
 #include "images/pyramid.h"
 #include "images/tiled_heights.h"
 #include "images/tiled_pages.h"
@@ -367,6 +373,68 @@ TEST(Tiled, DamageIsFound) {
         flipByte(path, at);
     }
     EXPECT_GT(refused, 60);
+}
+
+// A page that the file no longer has reads as zeros, and the range is marked; other ranges are not.
+TEST(PageWatch, PagesThatAreGoneAreZeros) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "pages";
+    constexpr std::size_t kPage = 4096, kBytes = 8 * kPage;
+    std::ofstream(path) << std::string(kBytes, 'x');
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const auto mapped = [&] {
+        return static_cast<char*>(::mmap(nullptr, kBytes, PROT_READ, MAP_PRIVATE, file.number(), 0));
+    };
+    char *const first = mapped(), *const second = mapped();
+    {
+        const PageWatch watch(first, kBytes), other(second, kBytes);
+        EXPECT_EQ(first[kPage], 'x');
+        std::filesystem::resize_file(path, 2 * kPage);
+        EXPECT_FALSE(watch.lost());
+        EXPECT_EQ(const_cast<volatile char*>(first)[5 * kPage + 7], 0);
+        EXPECT_TRUE(watch.lost());
+        EXPECT_FALSE(other.lost());
+        EXPECT_EQ(first[kPage], 'x');
+    }
+    EXPECT_FALSE(PageWatch(second, kBytes).lost()) << "a range that is used again is not marked";
+    ::munmap(first, kBytes);
+    ::munmap(second, kBytes);
+}
+
+// Another program shortens the file after a tile was read. What was read is right, or requireWhole() says that it may
+// not be.
+TEST(Tiled, AFileThatIsCutWhileItIsOpenIsNoCrash) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "t.tif";
+    tile(noisePicture<std::uint16_t>(folder / "a.tif", {300, 200}), path);
+    const auto tiled = TiledHeights::open(path, kPlenty);
+    const float first = tiled->height(0, 0);
+    tiled->requireWhole();
+    const std::uint64_t cut = tiled->layout().pages.front().first;
+    std::filesystem::resize_file(path, cut);
+    const float again = tiled->height(0, 0);
+    const std::string fault = faultOf([&] { tiled->requireWhole(); });
+    EXPECT_TRUE(fault.empty() ? again == first : fault.starts_with(path + ": is cut short: ")) << fault;
+    EXPECT_TRUE(faultOf([&] { static_cast<void>(tiled->height(299, 199)); }).starts_with(path + ": is "));
+    // Another file is not affected, nor is one that is replaced by renaming: the old one stays open.
+    const std::string other = folder / "o.tif";
+    tile(noisePicture<std::uint16_t>(folder / "b.tif", {300, 200}), other);
+    const auto kept = TiledHeights::open(other, kPlenty);
+    tile(noisePicture<std::uint16_t>(folder / "c.tif", {63, 65}), folder / "n.tif");
+    std::filesystem::rename(folder / "n.tif", other);
+    EXPECT_EQ(kept->height(0, 0), first);
+    kept->requireWhole();
+}
+
+TEST(Tiled, OtherBusErrorsEndTheProcess) {
+    EXPECT_EXIT(
+        {
+            const TemporaryFolder folder;
+            tile(noisePicture<std::uint16_t>(folder / "a.tif", {300, 200}), folder / "t.tif");
+            const auto tiled = TiledHeights::open(folder / "t.tif", kPlenty);
+            ::raise(SIGBUS);
+        },
+        ::testing::KilledBySignal(SIGBUS), "");
 }
 
 TEST(Tiled, OtherFilesAreRefused) {

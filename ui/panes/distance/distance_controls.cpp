@@ -12,7 +12,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/annotation_layer.h"
 #include "panes/core_texts.h"
+#include "panes/distance/distance_figure.h"
 #include "panes/distance/distance_view.h"
 #include "panes/drawing_canvas.h"
 #include "panes/narrow_bar.h"
@@ -37,6 +39,12 @@ DistanceView::DistanceView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Distance map"), QStringLiteral("distance"), tr("Export the distance map"), parent),
       canvas_(new DrawingCanvas(this)) {
     setFace(canvas_);
+    annotations_ = new AnnotationLayer(workspace, canvas_, [this]() -> std::optional<AnnotationFrame> {
+        if (!result_) return std::nullopt;
+        AnnotationFrame frame = distanceAnnotations(result_->picture.frame);
+        frame.seen = frame.seen.cut(canvas_->visible());
+        return frame;
+    });
     auto* const maps = new NarrowBar(this);
     auto* const slices = new NarrowBar(this);
     makeMapBar(maps->row());

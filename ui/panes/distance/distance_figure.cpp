@@ -44,8 +44,9 @@ void checkSlice(const Snapshot& snapshot, int slice, const std::string& what, re
 }
 
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
-                                             const DistanceOptions& options, const std::optional<QueryPoint>& point) {
-    return computedFigure([snapshot, step, options, point](const FigurePage& page, relief::Work& work) {
+                                             const DistanceOptions& options, const std::optional<QueryPoint>& point,
+                                             const std::vector<Annotation>& notes) {
+    return computedFigure([snapshot, step, options, point, notes](const FigurePage& page, relief::Work& work) {
         const DistanceMaps maps = distanceMaps(*snapshot, options, {}, work);
         DistanceSource source = distanceSource(*snapshot, maps);
         source.point = pointOf(*snapshot, point, work);
@@ -55,9 +56,10 @@ std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> sna
                                   language);
         };
         // The lambda keeps the maps alive, to which the source refers.
-        const auto layers = [source, maps, options, step](double width, double height, const Style& style) {
+        const auto layers = [source, maps, options, step, notes](double width, double height, const Style& style) {
             const DistancePicture picture = distancePicture(source, options, step, width, height, style.language);
-            return std::vector{picture.drawing, distanceMarks(source, picture.frame, step)};
+            return std::vector{picture.drawing, distanceMarks(source, picture.frame, step),
+                               annotationDrawing(notes, distanceAnnotations(picture.frame), style.language)};
         };
         ChartMaker maker{legend, layers};
         if (!options.nearRay) {
@@ -68,6 +70,18 @@ std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> sna
         }
         return chartFigure(std::move(maker), figureCaption(snapshot, step));
     });
+}
+
+AnnotationFrame distanceAnnotations(const DistanceFrame& frame) {
+    constexpr std::array<std::string_view, 3> kViews{"distance-x", "distance-y", "distance-z"};
+    const bool level = frame.axis == SliceAxis::Z;
+    const auto turned = [level, slab = std::max(frame.slab, 1e-9)](Point p, bool toData) {
+        if (level) return p;
+        return toData ? Point{p.x, 1 - p.y / slab} : Point{p.x, (1 - p.y) * slab};
+    };
+    return {kViews[static_cast<std::size_t>(frame.axis)],
+            [frame, turned](Point p) { return frame.at(turned(p, false)); },
+            [frame, turned](Point p) { return turned(frame.uvAt(p), true); }, frame.plot};
 }
 
 }  // namespace reliefui

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "painting/annotation.h"
 #include "panes/distance/distance_drawing.h"
 #include "panes/distance/distance_state.h"
 #include "panes/figure.h"
@@ -20,6 +21,10 @@ void checkSlice(const Snapshot& snapshot, int slice, const std::string& what, re
 
 // point: its distances are shown. Painting throws InputError if the map cannot be built.
 std::shared_ptr<const Figure> distanceFigure(std::shared_ptr<const Snapshot> snapshot, int step,
-                                             const DistanceOptions& options, const std::optional<QueryPoint>& point);
+                                             const DistanceOptions& options, const std::optional<QueryPoint>& point,
+                                             const std::vector<Annotation>& notes);
+
+// Where the data of the slice's annotations lie on its drawing.
+AnnotationFrame distanceAnnotations(const DistanceFrame& frame);
 
 }  // namespace reliefui

@@ -4,6 +4,7 @@
 #include "panes/distance/distance_state.h"
 #include "panes/distance/distance_view.h"
 #include "panes/point_state.h"
+#include "workspace/annotation_state.h"
 #include "workspace/range_json.h"
 
 namespace reliefui {
@@ -19,7 +20,7 @@ PaneKind distancePane() {
     kind.figures = {{"distance", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
                          return distanceFigure(std::move(s), now.step,
                                                distanceOptions(stateOf<DistancePane>(now), rangesOf(now)),
-                                               stateOf<PointState>(now).point);
+                                               stateOf<PointState>(now).point, stateOf<AnnotationState>(now).list);
                      }}};
     kind.states = {readerOf<DistancePane>(), readerOf<PointState>()};
     return kind;

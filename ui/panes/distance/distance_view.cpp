@@ -10,11 +10,13 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "panes/annotation_layer.h"
 #include "panes/core_texts.h"
 #include "panes/distance/distance_figure.h"
 #include "panes/drawing_canvas.h"
 #include "panes/range_button.h"
 #include "relief/tracers/map_choice.h"
+#include "workspace/annotation_state.h"
 #include "workspace/change_name.h"
 #include "workspace/discard.h"
 #include "workspace/pane_store.h"
@@ -215,6 +217,10 @@ void DistanceView::fail(const QString& problem) {
     showControls();
 }
 
+void DistanceView::addToMenu(QMenu& menu) {
+    annotations_->addToMenu(menu);
+}
+
 bool DistanceView::cancel() {
     return job_->cancel();
 }
@@ -264,7 +270,8 @@ void DistanceView::showWaiting() {
 std::shared_ptr<const Figure> DistanceView::figure() const {
     if (!result_) return nullptr;
     return distanceFigure(result_->snapshot, workspace_->scenario().step, options_,
-                          stateOf<PointState>(workspace_->scenario()).point);
+                          stateOf<PointState>(workspace_->scenario()).point,
+                          stateOf<AnnotationState>(workspace_->scenario()).list);
 }
 
 }  // namespace reliefui

@@ -24,6 +24,7 @@ class QToolButton;
 
 namespace reliefui {
 
+class AnnotationLayer;
 class DrawingCanvas;
 class RangeButton;
 
@@ -55,6 +56,7 @@ class DistanceView : public FigureView {
     void readOut(const QPointF& widget) override;
     void resizeEvent(QResizeEvent* event) override;
     void releaseContents() override;
+    void addToMenu(QMenu& menu) override;
     bool showsPoints() const override { return true; }
     std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
@@ -97,6 +99,7 @@ class DistanceView : public FigureView {
     MapNames namesNow() const;
 
     DrawingCanvas* canvas_;
+    AnnotationLayer* annotations_ = nullptr;
     QComboBox* kind_ = nullptr;
     QComboBox* minus_ = nullptr;
     QComboBox* sector_ = nullptr;

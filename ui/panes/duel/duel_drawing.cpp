@@ -146,7 +146,7 @@ class DuelMarks {
         const double low = frame_.plot.x0 + kHalfTitle * unit_;
         const double middle =
             std::clamp((box.x0 + box.x1) / 2, low, std::max(low, frame_.plot.x1 - kHalfTitle * unit_));
-        text({middle, box.y1}, relief::departureTitle(fault.kind), Anchor::Top, {0, 1.5}, kNumberSize);
+        text({middle, box.y1}, relief::departureTitle(fault), Anchor::Top, {0, 1.5}, kNumberSize);
     }
 
     void exactHit() {

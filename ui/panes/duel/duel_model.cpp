@@ -62,7 +62,7 @@ QVariant DuelModel::data(const QModelIndex& index, int role) const {
     const Rgba color = style_.color(Role::Overshoot);
     if (role == Qt::BackgroundRole) return QBrush(QColor(color.r, color.g, color.b, 70));
     if (role == Qt::ToolTipRole) {
-        return QString::fromStdString(relief::sentence(relief::departureTitle(fault.kind), style_.language));
+        return QString::fromStdString(relief::sentence(relief::departureTitle(fault), style_.language));
     }
     return {};
 }

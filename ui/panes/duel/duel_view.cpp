@@ -214,7 +214,7 @@ void DuelView::showVerdict() {
         sentences << text(relief::judgementSentence(run, judgement, duel_->exact));
         if (duel_->first == r) continue;
         const QString name = QString::fromStdString(run.name).toHtmlEscaped();
-        const QString kind = text(relief::departureTitle(judgement.kind));
+        const QString kind = text(relief::departureTitle(judgement));
         others << (judgement.kind == relief::Departure::None
                        ? QStringLiteral("%1: %2").arg(name, kind)
                        : tr("%1: %2, step %3").arg(name, kind).arg(judgement.step + 1));
@@ -232,7 +232,7 @@ void DuelView::showVerdict() {
         others.prepend(QStringLiteral("<b>%1</b>")
                            .arg(tr("%1: %2, step %3")
                                     .arg(QString::fromStdString(duel_->runs[r].name).toHtmlEscaped(),
-                                         text(relief::departureTitle(duel_->judgements[r].kind)))
+                                         text(relief::departureTitle(duel_->judgements[r])))
                                     .arg(duel_->judgements[r].step + 1)));
         verdict_->setText(others.join(QStringLiteral("  ·  ")));
     } else {

@@ -35,7 +35,7 @@ Drawing legendOf(const PixelFootprint& footprint, const FootprintOptions& option
 }
 
 void paintFootprint(QPainter& painter, const PixelFootprint& footprint, const FootprintOptions& options,
-                    const Box& page, const Style& style) {
+                    const std::vector<Annotation>& notes, const Box& page, const Style& style) {
     const double width = page.width() / style.pixelsPerPoint() - kFigureMargins;
     Drawing legend = legendOf(footprint, options, true, width, style.language);
     const Box room = figureRoom(legend, page, style);
@@ -43,20 +43,34 @@ void paintFootprint(QPainter& painter, const PixelFootprint& footprint, const Fo
     const double scale = ViewMap::fitting(texture.bounds, room).scale / style.pixelsPerPoint();
     const FootprintMarks marks = footprintMarks(footprint, options, texture.bounds, scale);
     if (!marks.weights) legend = legendOf(footprint, options, false, width, style.language);
-    paintFigure(painter, {&texture, &marks.drawing}, legend, page, style);
+    const Drawing annotations =
+        annotationDrawing(notes, footprintAnnotations(footprint, texture.bounds, scale), style.language);
+    paintFigure(painter, {&texture, &marks.drawing, &annotations}, legend, page, style);
 }
 
 }  // namespace
 
-std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot,
-                                              const FootprintOptions& options) {
+AnnotationFrame footprintAnnotations(const PixelFootprint& footprint, const Box& seen, double pointsPerTexel) {
+    const glm::dvec2 by = footprint.perHeight;
+    return {"footprint",
+            [by](Point p) {
+                return Point{p.x * by.x, p.y * by.y};
+            },
+            [by](Point p) {
+                return Point{p.x / by.x, p.y / by.y};
+            },
+            seen, 1 / pointsPerTexel};
+}
+
+std::shared_ptr<const Figure> footprintFigure(std::shared_ptr<const Snapshot> snapshot, const FootprintOptions& options,
+                                              const std::vector<Annotation>& notes) {
     requireRay("footprint", *snapshot);
     if (!snapshot->footprint) throw EmptyFigure("footprint", relief::MessageId::ExportNoHit);
-    const auto paint = [snapshot, options](QPainter& painter, const Box& page, const Style& style) {
+    const auto paint = [snapshot, options, notes](QPainter& painter, const Box& page, const Style& style) {
         const PixelFootprint& footprint = *snapshot->footprint;
         const double unit = style.pixelsPerPoint();
         const double below = weightsHeight(footprint, options, page.width() / unit, style.language) * unit;
-        paintFootprint(painter, footprint, options, {page.x0, page.y0, page.x1, page.y1 - below}, style);
+        paintFootprint(painter, footprint, options, notes, {page.x0, page.y0, page.x1, page.y1 - below}, style);
         if (below > 0) paintWeights(painter, footprint, {page.x0, page.y1 - below, page.x1, page.y1}, style);
     };
     const auto aspect = [snapshot, options](const FigurePage& page) {

@@ -3,6 +3,7 @@
 #include "panes/footprint/footprint_figure.h"
 #include "panes/footprint/footprint_state.h"
 #include "panes/footprint/footprint_view.h"
+#include "workspace/annotation_state.h"
 
 namespace reliefui {
 
@@ -19,7 +20,7 @@ PaneKind footprintPane() {
                          FootprintOptions options;
                          options.neighbours = pane.neighbours;
                          options.weights = pane.weights;
-                         return footprintFigure(std::move(s), options);
+                         return footprintFigure(std::move(s), options, stateOf<AnnotationState>(now).list);
                      }}};
     kind.states = {readerOf<FootprintPane>()};
     return kind;

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/annotation_layer.h"
 #include "panes/coefficient_text.h"
 #include "panes/drawing_canvas.h"
 #include "panes/footprint/footprint_figure.h"
@@ -14,6 +15,7 @@
 #include "panes/footprint/weight_drawing.h"
 #include "panes/pane_controls.h"
 #include "scenario/step_sentence.h"
+#include "workspace/annotation_state.h"
 #include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
@@ -38,6 +40,10 @@ FootprintView::FootprintView(Workspace* workspace, QWidget* parent)
       canvas_(new DrawingCanvas(this)),
       weights_(new DrawingCanvas(this)) {
     setFace(canvas_);
+    annotations_ = new AnnotationLayer(workspace, canvas_, [this]() -> std::optional<AnnotationFrame> {
+        if (!footprint_ || !texture_) return std::nullopt;
+        return footprintAnnotations(*footprint_, canvas_->visible(), canvas_->zoom());
+    });
     weights_->setAccessibleName(tr("Weight function and map of weights"));
     weights_->hide();
     auto* const bar = new QHBoxLayout;
@@ -241,6 +247,10 @@ void FootprintView::showEmpty(relief::MessageId why) {
     canvas_->showText(why);
 }
 
+void FootprintView::addToMenu(QMenu& menu) {
+    annotations_->addToMenu(menu);
+}
+
 void FootprintView::readOut(const QPointF& widget) {
     if (!footprint_) return setReadout({});
     const PixelFootprint& f = *footprint_;
@@ -298,7 +308,8 @@ QString FootprintView::describe(const relief::FootprintTexel& texel) const {
 }
 
 std::shared_ptr<const Figure> FootprintView::figure() const {
-    return footprint_ ? footprintFigure(shown_, options_) : nullptr;
+    if (!footprint_) return nullptr;
+    return footprintFigure(shown_, options_, stateOf<AnnotationState>(workspace_->scenario()).list);
 }
 
 }  // namespace reliefui

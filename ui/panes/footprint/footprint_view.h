@@ -15,6 +15,7 @@ class QToolButton;
 
 namespace reliefui {
 
+class AnnotationLayer;
 class DrawingCanvas;
 
 class FootprintView : public FigureView {
@@ -39,6 +40,7 @@ class FootprintView : public FigureView {
     std::shared_ptr<const Figure> figure() const override;
     void readOut(const QPointF& widget) override;
     void releaseContents() override;
+    void addToMenu(QMenu& menu) override;
 
   private:
     void makeBar(QHBoxLayout* bar);
@@ -54,6 +56,7 @@ class FootprintView : public FigureView {
     void showEmpty(relief::MessageId why);
 
     DrawingCanvas* canvas_;
+    AnnotationLayer* annotations_ = nullptr;
     DrawingCanvas* weights_;  // weight function and map of weights
     QBoxLayout* both_ = nullptr;
     QToolButton* weigh_ = nullptr;

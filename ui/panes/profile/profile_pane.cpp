@@ -4,6 +4,7 @@
 #include "panes/profile/profile_figure.h"
 #include "panes/profile/profile_state.h"
 #include "panes/profile/profile_view.h"
+#include "workspace/annotation_state.h"
 
 namespace reliefui {
 
@@ -17,7 +18,8 @@ PaneKind profilePane() {
     kind.figures = {{"profile", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
                          ProfileOptions options;
                          takeProfile(options, stateOf<ProfilePane>(now));
-                         return profileFigure(std::move(s), now.step, options, stateOf<PointState>(now).point);
+                         return profileFigure(std::move(s), now.step, options, stateOf<PointState>(now).point,
+                                              stateOf<AnnotationState>(now).list);
                      }}};
     kind.states = {readerOf<ProfilePane>(), readerOf<PointState>()};
     return kind;

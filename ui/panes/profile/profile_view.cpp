@@ -6,11 +6,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/annotation_layer.h"
 #include "panes/drawing_canvas.h"
 #include "panes/pane_controls.h"
 #include "panes/profile/profile_figure.h"
 #include "panes/ray_geometry.h"
 #include "scenario/step_sentence.h"
+#include "workspace/annotation_state.h"
 #include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
@@ -29,6 +31,9 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Profile"), QStringLiteral("profile"), tr("Export the profile"), parent),
       canvas_(new DrawingCanvas(this)) {
     setFace(canvas_);
+    annotations_ = new AnnotationLayer(workspace, canvas_, [this]() -> std::optional<AnnotationFrame> {
+        return ready() && relief_ ? std::optional(profileAnnotations(frame_)) : std::nullopt;
+    });
     makeBar();
     connect(canvas_, &DrawingCanvas::clicked, this, &ProfileView::choose);
     connect(canvas_, &DrawingCanvas::clickedAt, this, [this](const QPointF& at) {
@@ -201,6 +206,10 @@ void ProfileView::showEmpty(relief::MessageId why) {
     canvas_->showText(why);
 }
 
+void ProfileView::addToMenu(QMenu& menu) {
+    annotations_->addToMenu(menu);
+}
+
 void ProfileView::choose(const ItemId& id) {
     if (!ready()) return;
     const auto& steps = shown_->trace.steps;
@@ -265,7 +274,8 @@ std::optional<QPointF> ProfileView::pointPlace() const {
 std::shared_ptr<const Figure> ProfileView::figure() const {
     if (!ready()) return nullptr;
     const relief::Scenario& now = workspace_->scenario();
-    return profileFigure(shown_, now.step, options_, stateOf<PointState>(now).point);
+    return profileFigure(shown_, now.step, options_, stateOf<PointState>(now).point,
+                         stateOf<AnnotationState>(now).list);
 }
 
 }  // namespace reliefui

@@ -14,6 +14,7 @@ class QToolButton;
 
 namespace reliefui {
 
+class AnnotationLayer;
 class DrawingCanvas;
 
 class ProfileView : public FigureView {
@@ -41,6 +42,7 @@ class ProfileView : public FigureView {
     std::shared_ptr<const Figure> figure() const override;
     void readOut(const QPointF& widget) override;
     void releaseContents() override;
+    void addToMenu(QMenu& menu) override;
     bool showsPoints() const override { return true; }
     std::optional<QueryPoint> pointAt(const QPointF& widget) const override;
     std::optional<QPointF> pointPlace() const override;
@@ -64,6 +66,7 @@ class ProfileView : public FigureView {
     ProfileSource source() const;
 
     DrawingCanvas* canvas_;
+    AnnotationLayer* annotations_ = nullptr;
     QToolButton* allLevels_ = nullptr;
     QToolButton* near_ = nullptr;
     QToolButton* aspect_ = nullptr;

@@ -91,15 +91,28 @@ struct SlabsFigure : SpaceFigure {
 }  // namespace
 
 std::shared_ptr<const Figure> pyramidFigure(std::shared_ptr<const Snapshot> snapshot, int step,
-                                            const PyramidOptions& options) {
+                                            const PyramidOptions& options, const std::vector<Annotation>& notes) {
     return paintedFigure(
-        [snapshot, step, options](QPainter& painter, const Box& page, const Style& style) {
+        [snapshot, step, options, notes](QPainter& painter, const Box& page, const Style& style) {
             const Page made = pageOf(*snapshot, options, page, style);
             const Drawing marks = partsMarks(made.parts, step);
-            paintFigure(painter, {&made.parts.levels, &marks}, made.legend, page, style);
+            const Drawing annotations = made.parts.parts.empty()
+                                            ? Drawing{}
+                                            : annotationDrawing(notes, pyramidAnnotations(made.parts), style.language);
+            paintFigure(painter, {&made.parts.levels, &marks, &annotations}, made.legend, page, style);
         },
         figureCaption(snapshot, step),
         [snapshot, options](const FigurePage& page) { return aspectOf(*snapshot, options, page); });
+}
+
+AnnotationFrame pyramidAnnotations(const PyramidParts& parts) {
+    const LevelBlock block = parts.parts.front().picture.blocks.front();
+    return {"pyramid", [block](Point p) { return block.toDrawing(p); },
+            [block](Point p) {
+                const Box at = block.toTexels({p.x, p.y, p.x, p.y});
+                return Point{at.x0, at.y0};
+            },
+            block.box};
 }
 
 std::shared_ptr<const Figure> slabsFigure(std::shared_ptr<const Snapshot> snapshot, int step,

@@ -3,6 +3,7 @@
 #include "panes/pyramid/pyramid_figure.h"
 #include "panes/pyramid/pyramid_state.h"
 #include "panes/pyramid/pyramid_view.h"
+#include "workspace/annotation_state.h"
 
 namespace reliefui {
 
@@ -29,7 +30,8 @@ PaneKind pyramidPane() {
     };
     kind.figures = {{"pyramid", true,
                      [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
-                         return pyramidFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now));
+                         return pyramidFigure(withPyramids(std::move(s)), now.step, pyramidOptions(now),
+                                              stateOf<AnnotationState>(now).list);
                      }},
                     {"slabs", false,
                      [slabs](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include "panes/screen_gl.h"
 #include "workspace/pause_log.h"
 
 namespace reliefui {
@@ -25,7 +26,7 @@ constexpr double kClickReach = 4;  // in pixels
 
 PyramidStack::PyramidStack(QWidget* parent)
     : QWidget(parent),
-      widget_(new QVTKOpenGLNativeWidget(this)),
+      widget_(new QVTKOpenGLNativeWidget(glParent(this))),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
     for (const Qt::GestureType gesture : {Qt::TapGesture, Qt::TapAndHoldGesture}) widget_->ungrabGesture(gesture);
     setAccessibleName(tr("Pyramid in 3-D"));
@@ -42,7 +43,7 @@ PyramidStack::PyramidStack(QWidget* parent)
     widget_->installEventFilter(this);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(widget_);
+    addGlWidget(*widget_, *column, *this);
 }
 
 PyramidStack::~PyramidStack() {

@@ -8,12 +8,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "panes/annotation_layer.h"
 #include "panes/drawing_canvas.h"
 #include "panes/pane_controls.h"
 #include "panes/pyramid/pyramid_figure.h"
 #include "panes/pyramid/pyramid_stack.h"
 #include "panes/range_button.h"
 #include "scenario/step_sentence.h"
+#include "workspace/annotation_state.h"
 #include "workspace/change_name.h"
 #include "workspace/pane_store.h"
 #include "workspace/pause_log.h"
@@ -26,6 +28,12 @@ PyramidView::PyramidView(Workspace* workspace, QWidget* parent)
       stack_(new PyramidStack(this)),
       faces_(new QStackedLayout) {
     setFace(canvas_);
+    annotations_ = new AnnotationLayer(workspace, canvas_, [this]() -> std::optional<AnnotationFrame> {
+        if (!levels_ || parts_.parts.empty()) return std::nullopt;
+        AnnotationFrame frame = pyramidAnnotations(parts_);
+        frame.seen = frame.seen.cut(canvas_->visible());
+        return frame;
+    });
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -132,6 +140,10 @@ void PyramidView::setFollowing(bool on) {
 
 void PyramidView::resetZoom() {
     pane_.stacked ? stack_->fit() : canvas_->resetZoom();
+}
+
+void PyramidView::addToMenu(QMenu& menu) {
+    if (!pane_.stacked) annotations_->addToMenu(menu);
 }
 
 void PyramidView::readOut(const QPointF& widget) {
@@ -341,7 +353,8 @@ QString PyramidView::textOf(const PyramidPart& part, const ItemId& id) const {
 std::shared_ptr<const Figure> PyramidView::figure() const {
     if (!levels_) return nullptr;
     return pane_.stacked ? slabsFigure(shown_, workspace_->scenario().step, options_, stack_->camera())
-                         : pyramidFigure(shown_, workspace_->scenario().step, options_);
+                         : pyramidFigure(shown_, workspace_->scenario().step, options_,
+                                         stateOf<AnnotationState>(workspace_->scenario()).list);
 }
 
 }  // namespace reliefui

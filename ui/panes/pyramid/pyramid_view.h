@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace reliefui {
 
+class AnnotationLayer;
 class DrawingCanvas;
 class PyramidStack;
 class RangeButton;
@@ -52,6 +53,7 @@ class PyramidView : public FigureView {
     void showSnapshot() override;
     bool outdated() const override { return shown_ != workspace_->snapshot(); }
     void releaseContents() override;
+    void addToMenu(QMenu& menu) override;
 
   private:
     void refreshStep();  // draws the marks of another step
@@ -73,6 +75,7 @@ class PyramidView : public FigureView {
     const relief::Step* stepOf(const ItemId& id) const;
 
     DrawingCanvas* canvas_;
+    AnnotationLayer* annotations_ = nullptr;
     QToolButton* maxima_;
     QToolButton* means_;
     QToolButton* minima_;

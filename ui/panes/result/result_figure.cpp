@@ -38,6 +38,13 @@ QSizeF legendOf(const Snapshot& snapshot, const Style& style, double width) {
     return size.isValid() ? QSizeF(size) / kPixelsPerPoint : QSizeF(0, 0);
 }
 
+// Draws what stands over the picture, which is `pixels` wide in the scenario.
+void paintAnnotations(QPainter& painter, const std::vector<Annotation>& notes, const Box& picture, int pixels,
+                      const Style& style) {
+    const AnnotationFrame frame = resultAnnotations(picture, picture, pixels, style.pixelsPerPoint());
+    reliefui::paint(painter, annotationDrawing(notes, frame, style.language), ViewMap{}, style, picture);
+}
+
 void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, const Style& style) {
     const QImage& image = snapshot.layer.image;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, image.width() != static_cast<int>(page.width()));
@@ -64,13 +71,31 @@ void paintResult(QPainter& painter, const Snapshot& snapshot, const Box& page, c
 
 }  // namespace
 
-std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot) {
-    return computedFigure([snapshot](const FigurePage& requested, relief::Work& work) {
+AnnotationFrame resultAnnotations(const Box& picture, const Box& seen, int pixels, double unit) {
+    const double side = picture.width() / std::max(1, pixels);
+    const Point origin{picture.x0, picture.y0};
+    return {"result",
+            [origin, side](Point p) {
+                return Point{origin.x + p.x * side, origin.y + p.y * side};
+            },
+            [origin, side](Point p) {
+                return Point{(p.x - origin.x) / side, (p.y - origin.y) / side};
+            },
+            seen, unit};
+}
+
+std::shared_ptr<const Figure> resultFigure(std::shared_ptr<const Snapshot> snapshot,
+                                           const std::vector<Annotation>& notes) {
+    return computedFigure([snapshot, notes](const FigurePage& requested, relief::Work& work) {
         const int pixels = requested.picturePixels(requested.widthMm / kMmPerPoint);
         auto drawn = std::make_shared<Snapshot>(*resized(snapshot, pixels, work));
         colorLayer(drawn->layer, snapshot->layer.range);
-        const auto paint = [drawn](QPainter& painter, const Box& page, const Style& style) {
+        const auto paint = [drawn, notes, pixels = snapshot->scenario.width](QPainter& painter, const Box& page,
+                                                                             const Style& style) {
             paintResult(painter, *drawn, page, style);
+            const QImage& image = drawn->layer.image;
+            const double high = page.width() * image.height() / std::max(1, image.width());
+            paintAnnotations(painter, notes, {page.x0, page.y0, page.x1, page.y0 + high}, pixels, style);
         };
         const auto aspect = [drawn](const FigurePage& page) {
             const double picture = static_cast<double>(drawn->scenario.height) / std::max(1, drawn->scenario.width);

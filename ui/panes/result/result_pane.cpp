@@ -2,6 +2,7 @@
 
 #include "panes/result/result_figure.h"
 #include "panes/result/result_view.h"
+#include "workspace/annotation_state.h"
 
 namespace reliefui {
 
@@ -12,7 +13,9 @@ PaneKind resultPane() {
     kind.help = ResultView::tr("The picture or one of its layers; choose a pixel to see how it was computed");
     kind.place = DockPlace::Center;
     kind.make = makePane<ResultView>;
-    kind.figures = {{"result", true, plainFigure<resultFigure>}};
+    kind.figures = {{"result", true, [](std::shared_ptr<const Snapshot> s, const relief::Scenario& now) {
+                         return resultFigure(std::move(s), stateOf<AnnotationState>(now).list);
+                     }}};
     return kind;
 }
 

@@ -7,7 +7,9 @@
 #include <QToolTip>
 
 #include "painting/painter.h"
+#include "panes/annotation_layer.h"
 #include "panes/result/pixel_values.h"
+#include "panes/result/result_figure.h"
 #include "panes/result/result_painting.h"
 #include "workspace/pause_log.h"
 
@@ -35,6 +37,20 @@ ResultView::ResultView(Workspace* workspace, QWidget* parent) : PictureView(work
         this);
     connect(workspace, &Workspace::snapshotChanged, range_, &RangeButton::refresh);
     range_->refresh();
+    annotations_ = new AnnotationLayer(workspace, this, [this] { return annotationFrame(); });
+}
+
+// Annotations stand in the picture, in front of the legend and the magnifier.
+std::optional<AnnotationFrame> ResultView::annotationFrame() const {
+    if (!workspace()->snapshot()) return std::nullopt;
+    const QRectF whole = pictureIn(room());
+    const QRectF seen = whole & QRectF(rect());
+    const auto box = [](const QRectF& r) { return Box{r.left(), r.top(), r.right(), r.bottom()}; };
+    return resultAnnotations(box(whole), box(seen), pictureSize().width(), workspace()->style().pixelsPerPoint());
+}
+
+void ResultView::addToMenu(QMenu& menu) {
+    annotations_->addToMenu(menu);
 }
 
 void ResultView::paintEvent(QPaintEvent*) {

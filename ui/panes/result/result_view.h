@@ -1,10 +1,15 @@
 // The rendered picture, in which the pixel to be explained is chosen. The pointer reads out values.
 #pragma once
 
+#include "painting/annotation.h"
 #include "panes/picture_view.h"
 #include "panes/range_button.h"
 
+class QMenu;
+
 namespace reliefui {
+
+class AnnotationLayer;
 
 class ResultView : public PictureView {
     Q_OBJECT
@@ -20,6 +25,9 @@ class ResultView : public PictureView {
 
     QSize sizeHint() const override { return {800, 600}; }
 
+    // Adds the entries for annotations to the context menu.
+    void addToMenu(QMenu& menu);
+
   signals:
     void hovered(const QString& readout);      // one line; empty when the pointer has left the picture
     void menuRequested(const QPoint& global);  // the context menu belongs to the window
@@ -34,6 +42,7 @@ class ResultView : public PictureView {
     void readOutHover(QPointF at) override;
 
   private:
+    std::optional<AnnotationFrame> annotationFrame() const;
     QRectF room() const;
     double scale() const { return scaleIn(room()); }
     void paintPicture(QPainter& painter) const;
@@ -42,6 +51,7 @@ class ResultView : public PictureView {
     QRect legendBox() const;
 
     RangeButton* range_;
+    AnnotationLayer* annotations_ = nullptr;
 };
 
 }  // namespace reliefui

@@ -177,6 +177,8 @@ std::shared_ptr<const ShaderPreview> shaderPreview(std::shared_ptr<const Snapsho
         compare(*out, open, work);
     } catch (const relief::InputError& error) {
         return fail(error.message());
+    } catch (const ContextLost&) {
+        return fail(Message(MessageId::ShaderLost));
     } catch (const std::runtime_error& error) {
         // The compiler's message has several lines.
         const std::string why = error.what();

@@ -23,6 +23,15 @@ Function call(const char* name) {
     return function;
 }
 
+// OpenGL does not fail when the card's memory is full, or when the card was reset: only glGetError() reports it.
+void throwOnError(const char* what) {
+    const GLenum error = call<PFNGLGETERRORPROC>("glGetError")();
+    if (error == GL_CONTEXT_LOST || !EglContext::anyCurrent()) throw ContextLost();
+    if (error == GL_NO_ERROR) return;
+    throw std::runtime_error(std::string(what) +
+                             (error == GL_OUT_OF_MEMORY ? ": out of memory" : ": error " + std::to_string(error)));
+}
+
 GLuint compiled(GLenum stage, const std::string& text) {
     const GLuint shader = call<PFNGLCREATESHADERPROC>("glCreateShader")(stage);
     const char* const data = text.c_str();
@@ -31,6 +40,7 @@ GLuint compiled(GLenum stage, const std::string& text) {
     GLint fine = 0;
     call<PFNGLGETSHADERIVPROC>("glGetShaderiv")(shader, GL_COMPILE_STATUS, &fine);
     if (fine == GL_TRUE) return shader;
+    throwOnError("shader");
     std::array<char, 4096> log{};
     call<PFNGLGETSHADERINFOLOGPROC>("glGetShaderInfoLog")(shader, log.size(), nullptr, log.data());
     throw std::runtime_error(log.data());
@@ -44,6 +54,7 @@ GLuint linked(const std::vector<GLuint>& shaders) {
     call<PFNGLGETPROGRAMIVPROC>("glGetProgramiv")(program, GL_LINK_STATUS, &fine);
     for (const GLuint shader : shaders) call<PFNGLDELETESHADERPROC>("glDeleteShader")(shader);
     if (fine == GL_TRUE) return program;
+    throwOnError("shader");
     std::array<char, 4096> log{};
     call<PFNGLGETPROGRAMINFOLOGPROC>("glGetProgramInfoLog")(program, log.size(), nullptr, log.data());
     throw std::runtime_error(log.data());
@@ -56,14 +67,6 @@ GLuint buffer(GLenum target, unsigned binding, std::size_t count, const float* n
     call<PFNGLBUFFERDATAPROC>("glBufferData")(target, static_cast<GLsizeiptr>(count * sizeof(float)), numbers,
                                               GL_STATIC_DRAW);
     return name;
-}
-
-// OpenGL does not fail when the card's memory is full: only glGetError() reports it.
-void throwOnError(const char* what) {
-    const GLenum error = call<PFNGLGETERRORPROC>("glGetError")();
-    if (error == GL_NO_ERROR) return;
-    throw std::runtime_error(std::string(what) +
-                             (error == GL_OUT_OF_MEMORY ? ": out of memory" : ": error " + std::to_string(error)));
 }
 
 int limitOf(GLenum name) {
@@ -99,11 +102,15 @@ std::unique_ptr<ShaderGl> ShaderGl::open(EglPlace place, EglProblem& problem) {
 
 ShaderGl::Limits ShaderGl::limits() const {
     const int picture = std::min(limitOf(GL_MAX_RENDERBUFFER_SIZE), limitOf(GL_MAX_VIEWPORT_DIMS));
-    return {limitOf(GL_MAX_TEXTURE_SIZE), limitOf(GL_MAX_3D_TEXTURE_SIZE), picture};
+    const Limits limits{limitOf(GL_MAX_TEXTURE_SIZE), limitOf(GL_MAX_3D_TEXTURE_SIZE), picture};
+    throwOnError("limits");
+    return limits;
 }
 
 std::string ShaderGl::renderer() const {
-    return reinterpret_cast<const char*>(call<PFNGLGETSTRINGPROC>("glGetString")(GL_RENDERER));
+    const auto* const name = reinterpret_cast<const char*>(call<PFNGLGETSTRINGPROC>("glGetString")(GL_RENDERER));
+    if (name == nullptr) throw ContextLost();
+    return name;
 }
 
 void ShaderGl::setTexture(unsigned unit, const ShaderTexture& data, Address address, bool mips) {
@@ -166,6 +173,7 @@ std::vector<float> ShaderGl::compute(const std::string& text, std::span<const fl
     call<PFNGLGETBUFFERSUBDATAPROC>("glGetBufferSubData")(
         GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(out.size() * sizeof(float)), out.data());
     call<PFNGLDELETEBUFFERSPROC>("glDeleteBuffers")(2, buffers.data());
+    throwOnError("rays");
     return out;
 }
 
@@ -217,6 +225,7 @@ double ShaderGl::Drawing::draw(int first, int last) {
     const auto begin = std::chrono::steady_clock::now();
     call<PFNGLDRAWARRAYSINSTANCEDPROC>("glDrawArraysInstanced")(GL_TRIANGLE_STRIP, 0, 4, strips_);
     finish();
+    throwOnError("picture");
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,13 @@
 
 namespace reliefui {
 
-// Used on the thread that made it. Functions throw std::runtime_error with the compiler's or OpenGL's message.
+// The context has ended, as when the graphics card is reset or taken away: another one may be opened.
+struct ContextLost : std::runtime_error {
+    ContextLost() : std::runtime_error("the context of OpenGL is lost") {}
+};
+
+// Used on the thread that made it. Functions throw std::runtime_error with the compiler's or OpenGL's message, and
+// ContextLost.
 class ShaderGl {
   public:
     // Null where there is no OpenGL 4.5.

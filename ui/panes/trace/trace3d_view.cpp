@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "panes/pane_controls.h"
+#include "panes/screen_gl.h"
 #include "panes/trace/trace_figure.h"
 #include "workspace/change_name.h"
 #include "workspace/pane_store.h"
@@ -25,7 +26,7 @@ namespace reliefui {
 
 Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Trace in 3-D"), QStringLiteral("trace"), tr("Export the trace"), parent),
-      widget_(new QVTKOpenGLNativeWidget(this)),
+      widget_(new QVTKOpenGLNativeWidget(glParent(this))),
       note_(new QLabel(this)),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
     // Qt also creates these gestures from mouse drags, and prints warnings if they end while the pane is hidden. Pinch
@@ -51,7 +52,7 @@ Trace3dView::Trace3dView(Workspace* workspace, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(bar);
-    column->addWidget(widget_, 1);
+    addGlWidget(*widget_, *column, *this);
     connect(workspace_, &Workspace::stepChanged, this, &Trace3dView::showStep);
     connect(workspace_, &Workspace::panesChanged, this, &Trace3dView::adopt);
     connect(workspace_, &Workspace::styleChanged, this, [this] {

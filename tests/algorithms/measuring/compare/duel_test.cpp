@@ -228,12 +228,16 @@ TEST(Duel, EveryDepartureIsNamed) {
 
 TEST(Duel, everyDepartureHasATitleOfItsOwn) {
     std::set<std::string> titles;
-    for (int kind = 0; kind <= static_cast<int>(Departure::TakenAsFlat); ++kind) {
-        for (const Language language : {Language::English, Language::Ukrainian}) {
-            titles.insert(sentence(departureTitle(static_cast<Departure>(kind)), language));
+    for (const Language language : {Language::English, Language::Ukrainian}) {
+        Judgement judgement;
+        for (int kind = 0; kind <= static_cast<int>(Departure::TakenAsFlat); ++kind) {
+            judgement.kind = static_cast<Departure>(kind);
+            titles.insert(sentence(departureTitle(judgement), language));
         }
+        judgement.withinRounding = true;
+        titles.insert(sentence(departureTitle(judgement), language));
     }
-    EXPECT_EQ(titles.size(), 14U);
+    EXPECT_EQ(titles.size(), 16U);
 }
 
 }  // namespace

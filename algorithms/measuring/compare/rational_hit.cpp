@@ -1,4 +1,4 @@
-#include "measuring/verify/rational_hit.h"
+#include "measuring/compare/rational_hit.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Hits decided in rational arithmetic: constructed tangencies and corners, whose answer is known without any rounding,
 // and the tracers' answers on random and on awkward rays.
-#include "measuring/verify/rational_hit.h"
+#include "measuring/compare/rational_hit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 
 #include "algorithms/relief/fields.h"
 #include "algorithms/relief/reference.h"
+#include "measuring/compare/duel.h"
 #include "measuring/verify/stress_cases.h"
 
 namespace relief::test {
@@ -104,6 +105,38 @@ TEST(RationalHit, ATouchIsAHitForTheTracersToo) {
     EXPECT_EQ(touched, constructedCases());
     EXPECT_GT(passed, touched / 2);
     std::cout << touched << " tangencies, " << passed << " of them missed by one bit\n";
+}
+
+// A tracer that reports no hit of a ray which touches the surface is right; where the surface is clearly higher it is
+// not.
+DuelRun missedRun() {
+    DuelRun run{"other", Hit::none(Outcome::Miss), {Step{}}};
+    run.steps.back().decision = Decision::Miss;
+    run.steps.back().lambdaAfter = 1;
+    return run;
+}
+TEST(RationalHit, SettlesDuelsAboutTouches) {
+    Random random(kSeed);
+    int settled = 0;
+    for (int n = 0; settled < 20 && n < 10'000; ++n) {
+        const auto made = tangency(random);
+        if (!made) continue;
+        const HeightField field(share(made->heights), Surface::Bilinear, Address::Clamp);
+        const Hit exact = traced("exact", field, made->ray);
+        if (exact.lambda < made->lambda - kLambdaRounding) continue;
+        const Judgement touching = judge(missedRun(), exact, made->ray, field);
+        EXPECT_TRUE(touching.withinRounding) << describe(made->ray);
+        EXPECT_EQ(touching.kind, Departure::None);
+        ++settled;
+        // Where the surface is clearly higher, to report a miss is an error.
+        FloatImage above = made->heights;
+        for (float& h : above.pixels()) h = std::min(1.0F, h + 0x1p-6F);
+        const HeightField higher(share(std::move(above)), Surface::Bilinear, Address::Clamp);
+        const Judgement judgement = judge(missedRun(), traced("exact", higher, made->ray), made->ray, higher);
+        EXPECT_FALSE(judgement.withinRounding) << describe(made->ray);
+        EXPECT_NE(judgement.kind, Departure::None) << describe(made->ray);
+    }
+    EXPECT_GE(settled, 20);
 }
 
 // Through the corner where four columns meet, the ray goes on in the opposite one.

@@ -1,0 +1,24 @@
+// Ends the program in order when the X server goes away: the state of the window is saved, one line says so.
+#pragma once
+
+#include <functional>
+
+namespace relief::app {
+
+// For one object at a time, on the window's thread, created before the QApplication.
+class DisplayLoss {
+  public:
+    // The status with which the program then ends.
+    static constexpr int kStatus = 1;
+
+    DisplayLoss();
+    ~DisplayLoss();
+    DisplayLoss(const DisplayLoss&) = delete;
+    DisplayLoss& operator=(const DisplayLoss&) = delete;
+
+    // Call it after the QApplication was created, which sets handlers of its own. save: saves the state of the window
+    // on its thread, without the display; returns true if the next start finds it.
+    void saveBy(std::function<bool()> save);
+};
+
+}  // namespace relief::app
