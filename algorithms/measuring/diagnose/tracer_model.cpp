@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
 #include "images/pyramid.h"
 #include "measuring/diagnose/layer_bracket.h"
 #include "relief/files.h"
@@ -239,9 +240,9 @@ std::vector<Hit> predict(const TracerModel& model, const RayBlock& rays, ModelFi
     for (std::size_t r = 0; r < rays.size(); ++r) traced.set(r, modelRay(model, placed, rays[r], fields.given()));
     std::vector<Hit> out(rays.size());
     if (hasLayers(model)) {
-        for (std::size_t r = 0; r < rays.size(); ++r) {
+        parallelFor(work, rays.size(), [&](std::size_t r) {
             out[r] = layerHit(model, placed.field, traced[r], layersOf(model, rays[r], fields.given()));
-        }
+        });
     } else {
         const MethodChoice method{model.search == ModelSearch::OneSample ? "offset" : "exact", {}};
         MapCache maps;
