@@ -1,9 +1,6 @@
 #include "scenario/json_reader.h"
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
-#include <system_error>
 
 namespace relief {
 
@@ -34,15 +31,6 @@ std::size_t elementAt(const std::string& text, std::size_t at, std::size_t n) {
     return found == std::string::npos ? begin : found;
 }
 
-// The number of an element of an array ("[3]"); nothing for keys, which may begin with a bracket as well.
-std::optional<std::size_t> elementNumber(const std::string& key) {
-    std::size_t n = 0;
-    const char* const end = key.data() + key.size();
-    if (!key.starts_with("[")) return std::nullopt;
-    const auto [rest, error] = std::from_chars(key.data() + 1, end, n);
-    return error == std::errc{} && rest + 1 == end && *rest == ']' ? std::optional(n) : std::nullopt;
-}
-
 // Where the key is named at or after `at`; npos: nowhere. A text of the same letters is no key.
 std::size_t keyAt(const std::string& text, std::size_t at, const std::string& key) {
     const std::string quoted = '"' + key + '"';
@@ -60,14 +48,19 @@ std::size_t lineAt(const std::string& text, std::size_t at) {
 
 }  // namespace
 
-std::size_t lineOf(const std::string& text, const std::vector<std::string>& path) {
+std::string placeText(const JsonPlace& place) {
+    if (const auto* const key = std::get_if<std::string>(&place)) return *key;
+    return "[" + std::to_string(std::get<std::size_t>(place)) + "]";
+}
+
+std::size_t lineOf(const std::string& text, const JsonPath& path) {
     std::size_t at = 0;
-    for (const std::string& key : path) {
-        if (const std::optional<std::size_t> n = elementNumber(key)) {
-            at = elementAt(text, at, *n);
+    for (const JsonPlace& place : path) {
+        if (const auto* const element = std::get_if<std::size_t>(&place)) {
+            at = elementAt(text, at, *element);
             continue;
         }
-        const std::size_t found = keyAt(text, at, key);
+        const std::size_t found = keyAt(text, at, std::get<std::string>(place));
         if (found == std::string::npos) break;
         at = found;
     }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -18,9 +19,15 @@ namespace relief {
 
 using Json = nlohmann::ordered_json;
 
-// Returns the line (from 1) on which the text contains these nested keys, which is the line reported for an error in
-// the value. The key "[3]" is the fourth element of the array that begins there.
-std::size_t lineOf(const std::string& text, const std::vector<std::string>& path);
+// The keys of objects and the numbers of elements of arrays that lead to a value in a file.
+using JsonPlace = std::variant<std::string, std::size_t>;
+using JsonPath = std::vector<JsonPlace>;
+// Returns the key, or "[3]" for an element.
+std::string placeText(const JsonPlace& place);
+
+// Returns the line (from 1) on which the text contains the value at this path, which is the line reported for an error
+// in it.
+std::size_t lineOf(const std::string& text, const JsonPath& path);
 // Throws InputError with the line if the text is not JSON.
 Json parseJson(const std::string& text, const std::string& fileName);
 
@@ -33,7 +40,7 @@ class JsonReader {
   public:
     // path: keys that lead to the object in the file. Throws InputError if `object` is not a JSON object. Keeps
     // references.
-    JsonReader(const JsonSource& source, const Json& object, std::vector<std::string> path)
+    JsonReader(const JsonSource& source, const Json& object, JsonPath path)
         : source_(source), object_(object), path_(std::move(path)) {
         if (!object.is_object()) fail({}, MessageId::WantAObject);
     }
@@ -93,7 +100,7 @@ class JsonReader {
     }
     JsonReader child(const char* key) {
         known_.insert(key);
-        std::vector<std::string> path = path_;
+        JsonPath path = path_;
         path.emplace_back(key);
         return {source_, object_[key], path};
     }
@@ -113,9 +120,9 @@ class JsonReader {
         if (!has(key)) return;
         if (!object_[key].is_array()) fail(key, MessageId::WantObjects);
         for (std::size_t n = 0; n < object_[key].size(); ++n) {
-            std::vector<std::string> path = path_;
+            JsonPath path = path_;
             path.emplace_back(key);
-            path.push_back("[" + std::to_string(n) + "]");
+            path.emplace_back(n);
             body(JsonReader(source_, object_[key][n], std::move(path)));
         }
     }
@@ -135,7 +142,7 @@ class JsonReader {
     void finish() const {
         for (const auto& [key, value] : object_.items()) {
             if (known_.contains(key)) continue;
-            std::vector<std::string> path = path_;
+            JsonPath path = path_;
             path.push_back(key);
             throw InputError(source_.fileName, Message(MessageId::ScenarioUnknownKey,
                                                        {{"line", lineOf(source_.text, path)}, {"key", key}}));
@@ -148,7 +155,7 @@ class JsonReader {
         try {
             body();
         } catch (const InputError& error) {
-            std::vector<std::string> path = path_;
+            JsonPath path = path_;
             path.insert(path.end(), keys.begin(), keys.end());
             const std::string& subject = error.subject();
             const bool option = subject.empty() || subject.starts_with("--");
@@ -161,12 +168,13 @@ class JsonReader {
     }
     [[noreturn]] void fail(const std::string& key, MessageId expected) const { fail(key, Message(expected)); }
     [[noreturn]] void fail(const std::string& key, const Message& expected) const {
-        std::vector<std::string> path = path_;
+        JsonPath path = path_;
         if (!key.empty()) path.push_back(key);
         const std::size_t line = lineOf(source_.text, path);
         if (path.empty()) throw InputError(source_.fileName, Message(MessageId::ScenarioNoObject, {{"line", line}}));
-        throw InputError(source_.fileName, Message(MessageId::ScenarioWrongType,
-                                                   {{"line", line}, {"key", path.back()}, {"wanted", expected}}));
+        throw InputError(source_.fileName,
+                         Message(MessageId::ScenarioWrongType,
+                                 {{"line", line}, {"key", placeText(path.back())}, {"wanted", expected}}));
     }
 
   private:
@@ -187,7 +195,7 @@ class JsonReader {
 
     JsonSource source_;
     const Json& object_;
-    std::vector<std::string> path_;
+    JsonPath path_;
     std::set<std::string> known_;
 };
 

@@ -307,7 +307,7 @@ Lesson readLesson(const std::string& folder, const std::string& datasets) {
     reader.readObjects("pages", [&](JsonReader item) {
         LessonPage page = pageOf(std::move(item), scenario);
         resolveShipped(page.scenario, lesson.folder, datasets);
-        page.line = lineOf(text, {"pages", "[" + std::to_string(lesson.pages.size()) + "]"});
+        page.line = lineOf(text, {"pages", lesson.pages.size()});
         const bool isVariant = std::any_of(lesson.variants.begin(), lesson.variants.end(),
                                            [&](const auto& variant) { return variant.first == page.name; });
         if (isVariant || lesson.pageOf(page.name)) {

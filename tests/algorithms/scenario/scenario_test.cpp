@@ -165,6 +165,7 @@ TEST(Scenario, brokenFilesAreRefusedWithTheLine) {
     expectRefused("{\"reliefscope\": 1, \"breakpoints\": 3}", "\"breakpoints\" must be an array of objects");
     expectRefused("{\"reliefscope\": 1,\n\"bookmarks\": [{\"name\": \"a\"},\n{\"nam\": \"b\"}]}",
                   "line 3: unknown key \"nam\"");
+    expectRefused("{\"reliefscope\": 1,\n\"sky\": [0, 0, 0],\n\"[1]\": 2}", "line 3: unknown key \"[1]\"");
     // Keys that look like the number of an element.
     for (const char* key : {"[ame", "[1", "[99999999999999999999999]", "["})
         expectRefused(
