@@ -14,6 +14,12 @@ constexpr std::size_t kQuotedLength = 60;
 
 }  // namespace
 
+std::size_t characterCount(std::string_view text) {
+    // All bytes but those that continue a character.
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 std::string quoted(std::string_view text) {
     std::string out(text.substr(0, kQuotedLength));
     // Cut only between UTF-8 characters.

@@ -1,6 +1,7 @@
 // Reads tables of text line by line, and quotes their content in messages.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,8 @@
 
 namespace relief {
 
+// Number of characters of a text in UTF-8, not of bytes.
+std::size_t characterCount(std::string_view text);
 // Returns text from a file shortened to fit into one line of a message.
 std::string quoted(std::string_view text);
 // Removes and returns the next line, without its end ("\n" or "\r\n").

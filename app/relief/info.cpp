@@ -10,6 +10,7 @@
 #include "options_common.h"
 #include "output.h"
 #include "scenario/scenario.h"
+#include "scenario/text_lines.h"
 
 namespace relief::app {
 
@@ -33,9 +34,7 @@ class Table {
     void row(MessageId label, const std::string& value) {
         constexpr std::size_t kLabelColumns = 24;
         const std::string name = sentence(Message(label), language_);
-        // Width in characters, not bytes: Ukrainian letters take two bytes.
-        std::size_t width = 0;
-        for (const char c : name) width += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+        const std::size_t width = characterCount(name);
         out_ += "  " + name + std::string(width < kLabelColumns ? kLabelColumns - width : 1, ' ') + value + "\n";
     }
     void row(MessageId label, const Message& value) { row(label, sentence(value, language_)); }

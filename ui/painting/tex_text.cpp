@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "painting/formula_text.h"
+#include "scenario/text_lines.h"
 
 namespace reliefui {
 
@@ -156,8 +157,7 @@ std::string texRun(const std::string& text) {
     std::string tex;
     std::string word;  // letters that were not written yet
     const auto endWord = [&] {
-        const std::size_t letters = static_cast<std::size_t>(std::count_if(
-            word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+        const std::size_t letters = relief::characterCount(word);
         const bool ascii = letters == word.size();
         if (letters == 0) return;
         if (!ascii) tex += "\\mbox{" + word + "}";  // fonts of mathematics have no Cyrillic letters

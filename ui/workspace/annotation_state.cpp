@@ -4,6 +4,7 @@
 #include <span>
 
 #include "relief/describe.h"
+#include "scenario/text_lines.h"
 #include "workspace/pane_store.h"
 
 namespace reliefui {
@@ -20,9 +21,8 @@ void requireKnown(const char* what, const std::string& name, std::span<const std
         {}, relief::unknownName({"what", std::string(what)}, name, relief::commaList({known.begin(), known.end()})));
 }
 
-// In characters of Unicode.
 int lengthOf(const std::string& text) {
-    return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<int>(relief::characterCount(text));
 }
 
 // Throws InputError without a subject.
