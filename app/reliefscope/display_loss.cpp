@@ -1,13 +1,20 @@
 #include "display_loss.h"
 
+#include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <utility>
 
+#include <QApplication>
 #include <QString>
 #include <QtGlobal>
 
@@ -26,11 +33,28 @@ struct Handling {
     std::function<bool()> save = [] { return false; };
     std::thread::id windowThread;
     QtMessageHandler earlier = nullptr;
+    std::array<struct sigaction, 2> earlierActions{};  // of kCrashes
+    std::string lostLine;                              // prepared, because a signal handler must not allocate
+    std::mutex mutex;                                  // of what follows
+    std::string held;                                  // Qt's lines that are not printed yet
 };
 Handling* handling = nullptr;
 
+// How libraries end a process that lost its display in the middle of a request: replies that did not come are read
+// through null pointers (Qt, while it sets up its screens), or assertions fail.
+constexpr std::array<int, 2> kCrashes = {SIGSEGV, SIGABRT};
+
+// Time for another process to try the display, which then answers at once or has gone.
+constexpr int kTrySeconds = 10;
+
 // Time for the window's thread to notice what another thread has noticed first.
 constexpr int kNoticeSeconds = 5;
+
+std::string lineOf(MessageId what) {
+    const char* const display = std::getenv("DISPLAY");
+    const Message message(what, {{"name", display != nullptr ? display : ""}});
+    return "reliefscope: " + sentence(message, reliefui::uiLanguage()) + "\n";
+}
 
 // Ends the process at once: libraries would use the display again when they are destroyed.
 [[noreturn]] void end() {
@@ -41,11 +65,51 @@ constexpr int kNoticeSeconds = 5;
     }
     static bool ending = false;
     if (std::exchange(ending, true)) ::_exit(DisplayLoss::kStatus);
-    const char* const display = std::getenv("DISPLAY");
-    const Message message(handling->save() ? MessageId::DisplayLostKept : MessageId::DisplayLost,
-                          {{"name", display != nullptr ? display : ""}});
-    std::fprintf(stderr, "reliefscope: %s\n", sentence(message, reliefui::uiLanguage()).c_str());
+    const std::string line = lineOf(handling->save() ? MessageId::DisplayLostKept : MessageId::DisplayLost);
+    std::fputs(line.c_str(), stderr);
     ::_exit(DisplayLoss::kStatus);
+}
+
+// Only functions that a signal handler may call: another process of this program tries the display.
+bool displayHasGone() {
+    const pid_t child = ::fork();
+    if (child < 0) return false;
+    if (child == 0) {
+        for (const int signal : kCrashes) std::signal(signal, SIG_DFL);
+        ::alarm(kTrySeconds);
+        const int nothing = ::open("/dev/null", O_WRONLY);
+        ::dup2(nothing, STDOUT_FILENO);
+        ::dup2(nothing, STDERR_FILENO);
+        ::execl("/proc/self/exe", "reliefscope", "--check-display", nullptr);
+        ::_exit(0);
+    }
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) return false;
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == DisplayLoss::kNoDisplay;
+}
+
+void printHeld() {
+    std::fputs(handling->held.c_str(), stderr);
+    handling->held.clear();
+}
+
+void printHeldLater() {
+    const std::lock_guard lock(handling->mutex);
+    printHeld();
+}
+
+// A crash of another cause goes on: on return a faulty access is repeated, and abort() ends the process.
+void onCrash(int /*signal*/) {
+    if (displayHasGone()) {
+        // As in end(): the window's thread saves the state.
+        if (std::this_thread::get_id() != handling->windowThread) ::sleep(kNoticeSeconds);
+        [[maybe_unused]] const auto written =
+            ::write(STDERR_FILENO, handling->lostLine.data(), handling->lostLine.size());
+        ::_exit(DisplayLoss::kStatus);
+    }
+    for (std::size_t n = 0; n < kCrashes.size(); ++n) ::sigaction(kCrashes[n], &handling->earlierActions[n], nullptr);
 }
 
 int onBrokenConnection(Display*) {
@@ -54,13 +118,19 @@ int onBrokenConnection(Display*) {
 
 // Qt has a connection of its own. When it is broken, Qt reports that by the first message, and then calls exit(); when
 // it cannot be opened, although it could just before (displayProblem()), by the second, and then calls abort().
+// Warnings about missing replies may come first: they are held back until the next event, which then does not come.
 void onMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     for (const char* const broken : {"The X11 connection broke", "could not connect to display"}) {
         if (text.startsWith(QLatin1String(broken))) end();
     }
-    if (handling->earlier != nullptr) return handling->earlier(type, context, text);
-    std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
-    if (type == QtFatalMsg) std::abort();
+    if (type == QtFatalMsg && displayHasGone()) end();
+    const std::lock_guard lock(handling->mutex);
+    handling->held += qFormatLogMessage(type, context, text).toStdString() + '\n';
+    if (type == QtFatalMsg) {
+        printHeld();
+        std::abort();
+    }
+    if (qApp != nullptr) QMetaObject::invokeMethod(qApp, &printHeldLater, Qt::QueuedConnection);
 }
 
 }  // namespace
@@ -68,18 +138,28 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
 DisplayLoss::DisplayLoss() {
     handling = new Handling;
     handling->windowThread = std::this_thread::get_id();
+    handling->lostLine = lineOf(MessageId::DisplayLost);
     handling->earlier = qInstallMessageHandler(onMessage);
+    struct sigaction action {};
+    action.sa_handler = onCrash;
+    sigemptyset(&action.sa_mask);
+    for (std::size_t n = 0; n < kCrashes.size(); ++n) {
+        ::sigaction(kCrashes[n], &action, &handling->earlierActions[n]);
+    }
 }
 
 void DisplayLoss::saveBy(std::function<bool()> save) {
     handling->save = std::move(save);
+    QMetaObject::invokeMethod(qApp, &printHeldLater, Qt::QueuedConnection);
     XSetIOErrorHandler(onBrokenConnection);
 }
 
 // What the handlers use is kept, because other threads may be running them.
 DisplayLoss::~DisplayLoss() {
+    for (std::size_t n = 0; n < kCrashes.size(); ++n) ::sigaction(kCrashes[n], &handling->earlierActions[n], nullptr);
     XSetIOErrorHandler(nullptr);
     qInstallMessageHandler(handling->earlier);
+    printHeldLater();
     handling->save = [] { return false; };
 }
 

@@ -10,6 +10,8 @@ class DisplayLoss {
   public:
     // The status with which the program then ends.
     static constexpr int kStatus = 1;
+    // The status of `reliefscope --check-display` where there is no display.
+    static constexpr int kNoDisplay = 2;
 
     DisplayLoss();
     ~DisplayLoss();

@@ -4,7 +4,8 @@
     check_pages.py RELIEFSCOPE SOURCES
 
 A page 360 pixels wide has no horizontal scroll bar; its slider, keys, question and languages work; nothing is loaded and
-no error is reported. Exit status 77 if there is no chromium.
+no error is reported. With RELIEF_LONG all pages of the course are written, to check their sizes. Exit status 77 if there is
+no chromium.
 """
 import html
 import json
@@ -84,6 +85,13 @@ with tempfile.TemporaryDirectory() as folder:
     view = write([os.path.join(root, "ui/lessons/missed_spike.json"), "--export", "profile"], os.path.join(folder, "profile.html"))
     if "type=\"range\"" not in view:
         fail("the pane's page has no slider")
+    if os.environ.get("RELIEF_LONG"):
+        course = os.path.join(folder, "course")
+        write(["--lesson", "all"], course)
+        sizes = {name: os.path.getsize(os.path.join(course, name)) for name in sorted(os.listdir(course))}
+        print(json.dumps(sizes))
+        if len(sizes) < 28 or max(sizes.values()) > MOST_BYTES:
+            fail("the course is incomplete or has a large page")
     if not browser:
         print("chromium is not there: the pages are not opened")
         sys.exit(77)

@@ -1,4 +1,6 @@
 // Displays that close while the program runs, and displays without OpenGL. Each test has an X server of its own.
+#include <csignal>
+
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -164,6 +166,31 @@ TEST_F(DisplayTest, AtAnyMomentOfTheStartItEndsInOneLine) {
         for (const QString& file : saved()) {
             EXPECT_NO_THROW(loadWindowScenario((settingsFolder() + '/' + file).toStdString(), stateReaders()));
         }
+    }
+}
+
+// Libraries that read a reply which did not come crash. The signals wait until the process goes on, so that the crash
+// comes first.
+TEST_F(DisplayTest, ACrashOfALibraryBecauseItWentIsOneLineToo) {
+    for (const bool gone : {true, false}) {
+        Screen screen;
+        ASSERT_FALSE(screen.name().isEmpty());
+        QProcess process;
+        ASSERT_TRUE(start(process, screen, {file_}));
+        const auto press = [&] {
+            const OnDisplay other(screen.name());
+            return sendKey(process.processId(), "Home");
+        };
+        ASSERT_TRUE(QTest::qWaitFor(press, kPatienceMs)) << "no window";
+        const auto id = static_cast<pid_t>(process.processId());
+        ::kill(id, SIGSTOP);
+        if (gone) screen.kill();
+        ::kill(id, SIGSEGV);
+        ::kill(id, SIGCONT);
+        ASSERT_TRUE(ended(process));
+        EXPECT_EQ(process.exitStatus(), gone ? QProcess::NormalExit : QProcess::CrashExit);
+        EXPECT_EQ(process.exitCode(), gone ? 1 : SIGSEGV);
+        if (gone) expectOneLine(process, "the display " + screen.name() + " has gone");
     }
 }
 

@@ -169,7 +169,7 @@ struct Showing {
 
 // Returns the <figure>. values: the text of the slider at each frame; shown: the frame without scripts.
 std::string framesHtml(const std::string& name, const FramesInBoth& frames, const std::vector<std::string>& values,
-                       std::size_t shown, const HtmlParts& parts, const Showing& how) {
+                       std::size_t shown, HtmlParts& parts, const Showing& how) {
     const Frames& english = frames.at(relief::Language::English);
     const Frames& ukrainian = frames.at(relief::Language::Ukrainian);
     const bool moves = values.size() > 1 && !allEqual(english.parts);
@@ -186,6 +186,14 @@ std::string framesHtml(const std::string& name, const FramesInBoth& frames, cons
         data["say-" + code] = drawn.words;
     }
     if (!moves) return html + "</figure>\n";
+    for (const auto& [language, drawn] : frames) {
+        // The script finds the parts of the shown frame in the drawing.
+        const std::set<int> there(drawn.parts[shown].begin(), drawn.parts[shown].end());
+        for (std::vector<int> others : drawn.parts) {
+            std::erase_if(others, [&](int part) { return there.contains(part); });
+            parts.setNeeded(others);
+        }
+    }
     html +=
         "<div class=\"slider\"><button type=\"button\" class=\"play\" aria-label=\"play\">▶</button>"
         "<input type=\"range\" min=\"0\" max=\"" +
@@ -277,8 +285,20 @@ int HtmlParts::addPart(std::string part) {
     return found->second;
 }
 
+void HtmlParts::setNeeded(const std::vector<int>& numbers) {
+    needed_.insert(numbers.begin(), numbers.end());
+}
+
 std::string HtmlParts::script() const {
-    std::string json = nlohmann::json(parts_).dump();
+    nlohmann::json needed = nlohmann::json::array();
+    for (std::size_t n = 0; n < parts_.size(); ++n) {
+        if (needed_.contains(static_cast<int>(n))) {
+            needed.push_back(parts_[n]);
+        } else {
+            needed.push_back(0);
+        }
+    }
+    std::string json = needed.dump();
     replaceAll(json, "</", "<\\/");
     return "<script type=\"application/json\" id=\"parts\">" + json + "</script>\n";
 }

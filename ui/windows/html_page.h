@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,10 @@ class HtmlParts {
     std::vector<int> add(const std::string& svg);
     // Adds a picture as an element of a drawing that has its size in pixels. Returns the number of the part.
     int add(const QImage& picture);
+    // Marks parts that sliders put into their drawings. The others are only where the page shows them at first.
+    void setNeeded(const std::vector<int>& numbers);
     const std::string& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
-    // The script element that holds all parts, for the end of the page.
+    // The script element that holds the marked parts, and 0 for the others, for the end of the page.
     std::string script() const;
     std::size_t bytes() const { return bytes_; }
 
@@ -42,6 +45,7 @@ class HtmlParts {
 
     std::vector<std::string> parts_;
     std::map<std::string, int> numbers_;
+    std::set<int> needed_;
     std::size_t bytes_ = 0;
 };
 

@@ -21,6 +21,7 @@ using relief::PageText;
 
 constexpr int kPictureWidth = 640;
 constexpr int kTurnWidth = 420;  // of the pictures of a knob's turns
+constexpr int kMostScale = 2;    // Lessons on slow filters have small pictures.
 
 std::string escaped(const std::string& text) {
     return relief::escapedHtml(text);
@@ -85,7 +86,8 @@ class PageWriter {
         hidden->trace.exact = {};  // no guess is compared with it on a page
         return hidden;
     }
-    std::string result(const std::shared_ptr<const Snapshot>& snapshot, int width) {
+    std::string result(const std::shared_ptr<const Snapshot>& snapshot, int most) {
+        const int width = std::min(most, kMostScale * snapshot->scenario.width);
         const FigureKind kind = figureKind("result");
         const auto drawn = [&](Language language) {
             installLanguage_(language);
