@@ -72,7 +72,7 @@ std::string lineOf(MessageId what) {
 
 // Only functions that a signal handler may call: another process of this program tries the display.
 bool displayHasGone() {
-    const pid_t child = ::fork();
+    const pid_t child = ::_Fork();  // unlike fork(), allowed in a signal handler
     if (child < 0) return false;
     if (child == 0) {
         for (const int signal : kCrashes) std::signal(signal, SIG_DFL);
@@ -100,8 +100,8 @@ void printHeldLater() {
     printHeld();
 }
 
-// A crash of another cause goes on: on return a faulty access is repeated, and abort() ends the process.
-void onCrash(int /*signal*/) {
+// A crash of another cause ends the process as if this had not been called.
+void onCrash(int signal) {
     if (displayHasGone()) {
         // As in end(): the window's thread saves the state.
         if (std::this_thread::get_id() != handling->windowThread) ::sleep(kNoticeSeconds);
@@ -110,6 +110,7 @@ void onCrash(int /*signal*/) {
         ::_exit(DisplayLoss::kStatus);
     }
     for (std::size_t n = 0; n < kCrashes.size(); ++n) ::sigaction(kCrashes[n], &handling->earlierActions[n], nullptr);
+    ::raise(signal);
 }
 
 int onBrokenConnection(Display*) {
