@@ -36,6 +36,7 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
 
 // Returns a group of the file without what browsers take for granted.
 std::string shortened(std::string group) {
+    replaceAll(group, "\n", " ");
     for (const char* const usual : {" vector-effect=\"none\"", " stroke-opacity=\"1\"", " fill-opacity=\"1\"",
                                     " transform=\"matrix(1,0,0,1,0,0)\"", " fill-rule=\"evenodd\"",
                                     " font-style=\"normal\"", " font-weight=\"400\"", " font-family=\"DejaVu Sans\""}) {
@@ -48,9 +49,10 @@ std::string shortened(std::string group) {
         const std::size_t end = group.find('>');
         group = std::regex_replace(group.substr(0, end), kSize, "") + group.substr(end);
     }
-    group.erase(
-        std::unique(group.begin(), group.end(), [](char a, char b) { return a == b && (a == '\n' || a == ' '); }),
-        group.end());
+    group.erase(std::unique(group.begin(), group.end(), [](char x, char y) { return x == ' ' && y == ' '; }),
+                group.end());
+    replaceAll(group, " >", ">");
+    replaceAll(group, "> <", "><");
     return group;
 }
 
@@ -206,7 +208,18 @@ std::string framesHtml(const std::string& name, const FramesInBoth& frames, cons
     return html + "<script type=\"application/json\" class=\"frames\">" + json + "</script>\n</figure>\n";
 }
 
-// Returns how many steps there is room for: two steps tell how many bytes a step has of its own.
+// Returns the size of all different parts of the frames.
+std::size_t bytesOf(const FramesInBoth& frames, const HtmlParts& parts) {
+    std::set<int> different;
+    for (const auto& [language, drawn] : frames) {
+        for (const std::vector<int>& frame : drawn.parts) different.insert(frame.begin(), frame.end());
+    }
+    std::size_t bytes = 0;
+    for (const int part : different) bytes += parts.part(part).size();
+    return bytes;
+}
+
+// Returns for how many steps there should be room: two steps tell how many bytes a step has of its own.
 std::size_t mostSteps(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                       const LanguageSetter& installLanguage, relief::Work& work) {
     const int last = std::max(static_cast<int>(snapshot->trace.steps.size()) - 1, 0);
@@ -307,12 +320,17 @@ std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snap
                         const LanguageSetter& installLanguage, relief::Work& work) {
     // The relief of the 3-D trace would be thousands of polygons for each step.
     if (!kind.vectors || kind.name == TracePane::kName) return pixelsFigure(kind, snapshot, work);
-    const std::size_t most = followsSteps(kind) ? mostSteps(kind, snapshot, parts, installLanguage, work) : 1;
-    const std::vector<int> steps = stepsOf(*snapshot, most);
+    std::size_t most = followsSteps(kind) ? mostSteps(kind, snapshot, parts, installLanguage, work) : 1;
+    std::vector<int> steps;
     FramesInBoth frames;
-    for (const relief::Language language : kPageLanguages) {
-        installLanguage(language);
-        frames[language] = steppedFrames(kind, snapshot, steps, language, parts, work);
+    for (;; most /= 2) {
+        steps = stepsOf(*snapshot, most);
+        for (const relief::Language language : kPageLanguages) {
+            installLanguage(language);
+            frames[language] = steppedFrames(kind, snapshot, steps, language, parts, work);
+        }
+        // Other steps may have more of their own.
+        if (most < 4 || bytesOf(frames, parts) <= kMostFigureBytes) break;
     }
     const auto chosen =
         static_cast<std::size_t>(std::find(steps.begin(), steps.end(), snapshot->scenario.step) - steps.begin());
