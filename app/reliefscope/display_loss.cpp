@@ -1,6 +1,10 @@
 #include "display_loss.h"
 
 #include <fcntl.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,8 +13,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -44,6 +50,8 @@ Handling* handling = nullptr;
 // through null pointers (Qt, while it sets up its screens), or assertions fail.
 constexpr std::array<int, 2> kCrashes = {SIGSEGV, SIGABRT};
 
+constexpr std::string_view kSocketFolder = "/tmp/.X11-unix/";
+
 // Time for another process to try the display, which then answers at once or has gone.
 constexpr int kTrySeconds = 10;
 
@@ -70,8 +78,33 @@ std::string lineOf(MessageId what) {
     ::_exit(DisplayLoss::kStatus);
 }
 
+// Only functions that a signal handler may call. Returns true if a connection to an X server has ended.
+bool connectionHasEnded() {
+    constexpr int kMostFiles = 1024;
+    constexpr int kFirstPort = 6000, kPastPorts = 6064;
+    for (int file = 0; file < kMostFiles; ++file) {
+        sockaddr_storage address{};
+        socklen_t size = sizeof address;
+        if (::getpeername(file, reinterpret_cast<sockaddr*>(&address), &size) != 0) continue;
+        bool server = false;
+        if (address.ss_family == AF_UNIX) {
+            const char* path = reinterpret_cast<const sockaddr_un&>(address).sun_path;
+            if (*path == '\0') ++path;  // a name outside the file system
+            server = std::strncmp(path, kSocketFolder.data(), kSocketFolder.size()) == 0;
+        } else if (address.ss_family == AF_INET || address.ss_family == AF_INET6) {
+            // Both have the port at the same place.
+            const int port = ntohs(reinterpret_cast<const sockaddr_in&>(address).sin_port);
+            server = port >= kFirstPort && port < kPastPorts;
+        }
+        pollfd ended{file, POLLRDHUP, 0};
+        if (server && ::poll(&ended, 1, 0) > 0) return true;
+    }
+    return false;
+}
+
 // Only functions that a signal handler may call: another process of this program tries the display.
 bool displayHasGone() {
+    if (connectionHasEnded()) return true;
     const pid_t child = ::_Fork();  // unlike fork(), allowed in a signal handler
     if (child < 0) return false;
     if (child == 0) {

@@ -21,10 +21,17 @@ using relief::PageText;
 
 constexpr int kPictureWidth = 640;
 constexpr int kTurnWidth = 420;  // of the pictures of a knob's turns
-constexpr int kMostScale = 2;    // Lessons on slow filters have small pictures.
+constexpr int kMostScale = 2;
 
 std::string escaped(const std::string& text) {
     return relief::escapedHtml(text);
+}
+
+// Larger pictures than the lesson's own, unless the filter is hundreds of times slower than the others.
+int pictureScale(const relief::Scenario& scenario) {
+    const auto form = scenario.filter.options.find("form");
+    const bool slow = form != scenario.filter.options.end() && form->second.starts_with("position");
+    return slow ? 1 : kMostScale;
 }
 
 class PageWriter {
@@ -87,7 +94,7 @@ class PageWriter {
         return hidden;
     }
     std::string result(const std::shared_ptr<const Snapshot>& snapshot, int most) {
-        const int width = std::min(most, kMostScale * snapshot->scenario.width);
+        const int width = std::min(most, pictureScale(snapshot->scenario) * snapshot->scenario.width);
         const FigureKind kind = figureKind("result");
         const auto drawn = [&](Language language) {
             installLanguage_(language);
