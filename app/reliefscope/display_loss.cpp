@@ -124,13 +124,9 @@ bool displayHasGone() {
 }
 
 void printHeld() {
+    const std::lock_guard lock(handling->mutex);
     std::fputs(handling->held.c_str(), stderr);
     handling->held.clear();
-}
-
-void printHeldLater() {
-    const std::lock_guard lock(handling->mutex);
-    printHeld();
 }
 
 // A crash of another cause ends the process as if this had not been called.
@@ -158,13 +154,15 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
         if (text.startsWith(QLatin1String(broken))) end();
     }
     if (type == QtFatalMsg && displayHasGone()) end();
-    const std::lock_guard lock(handling->mutex);
-    handling->held += qFormatLogMessage(type, context, text).toStdString() + '\n';
+    {
+        const std::lock_guard lock(handling->mutex);
+        handling->held += qFormatLogMessage(type, context, text).toStdString() + '\n';
+    }
     if (type == QtFatalMsg) {
         printHeld();
         std::abort();
     }
-    if (qApp != nullptr) QMetaObject::invokeMethod(qApp, &printHeldLater, Qt::QueuedConnection);
+    if (qApp != nullptr) QMetaObject::invokeMethod(qApp, &printHeld, Qt::QueuedConnection);
 }
 
 }  // namespace
@@ -184,7 +182,8 @@ DisplayLoss::DisplayLoss() {
 
 void DisplayLoss::saveBy(std::function<bool()> save) {
     handling->save = std::move(save);
-    QMetaObject::invokeMethod(qApp, &printHeldLater, Qt::QueuedConnection);
+    // Lines from before there was an application.
+    QMetaObject::invokeMethod(qApp, &printHeld, Qt::QueuedConnection);
     XSetIOErrorHandler(onBrokenConnection);
 }
 
@@ -193,7 +192,7 @@ DisplayLoss::~DisplayLoss() {
     for (std::size_t n = 0; n < kCrashes.size(); ++n) ::sigaction(kCrashes[n], &handling->earlierActions[n], nullptr);
     XSetIOErrorHandler(nullptr);
     qInstallMessageHandler(handling->earlier);
-    printHeldLater();
+    printHeld();
     handling->save = [] { return false; };
 }
 

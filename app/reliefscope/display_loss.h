@@ -10,7 +10,7 @@ class DisplayLoss {
   public:
     // The status with which the program then ends.
     static constexpr int kStatus = 1;
-    // The status of `reliefscope --check-display` where there is no display.
+    // The status where no window can be opened, also of `reliefscope --check-display`.
     static constexpr int kNoDisplay = 2;
 
     DisplayLoss();

@@ -369,7 +369,7 @@ int run(int count, char** values, const Arguments& arguments) {
     if (!problem.empty()) {
         const Message fault(MessageId::WindowNone, {{"why", problem}});
         std::fprintf(stderr, "reliefscope: %s\n", sentence(fault, reliefui::uiLanguage()).c_str());
-        return kBadUsage;
+        return DisplayLoss::kNoDisplay;
     }
     if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();

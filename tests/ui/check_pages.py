@@ -35,6 +35,10 @@ frame.addEventListener('load', () => setTimeout(() => {
     const move = by => { slider.value = +slider.value + by; slider.dispatchEvent(new w.Event('input', {bubbles: true})); };
     const first = drawing.innerHTML, own = slider.value;
     move(1); out.moved = drawing.innerHTML !== first; out.step = figure.querySelector('output').textContent;
+    const frames = JSON.parse(figure.querySelector('script.frames').textContent);
+    out.whole = frames.en.every((parts, step) => {
+      slider.value = step; move(0); return drawing.children.length === parts.length; });
+    slider.value = +own + 1;
     move(-1); out.back = drawing.innerHTML === first || drawing.innerHTML.length === first.length;
     figure.scrollIntoView({block: 'center'});
     d.dispatchEvent(new w.KeyboardEvent('keydown', {key: '.', bubbles: true}));
@@ -110,7 +114,7 @@ with tempfile.TemporaryDirectory() as folder:
     result = json.loads(html.unescape(found.group(1)))
     print(json.dumps(result, ensure_ascii=False))
     console = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
-    expected = {"errors": [], "width": 360, "sliderSeen": True, "moved": True, "back": True, "key": True, "right": "right",
+    expected = {"errors": [], "width": 360, "sliderSeen": True, "moved": True, "whole": True, "back": True, "key": True, "right": "right",
                 "english": True, "ukrainian": True, "lang": "uk", "loaded": [], "knob": True}
     wrong = {key: result.get(key) for key, value in expected.items() if result.get(key) != value}
     if wrong or console or result["wide"] > 360:
