@@ -6,7 +6,8 @@
 Prints the tables and the fitted laws as Markdown and draws the chart. A map is held in memory up to 16,384 texels a
 side, and read by tiles within 1,024 MB from 1,024 a side. Times are processor seconds of all threads, which other
 programs on the machine change little. Pictures are medians of three rounds, of a single one from 8,192 a side. A warm
-frame is one of eight after the first two; the least of as many rounds. Needs 21 GB of disk below --work for a map of 65,536,
+frame has 800 x 600 pixels and is one of eight after the first two, at 16,384 a side of 40; the least of as many
+rounds. Needs 21 GB of disk below --work for a map of 65,536,
 17 GB of memory for a picture of 32,768 (reports are of pictures in one piece), and about an hour; nothing else should
 run meanwhile.
 """
@@ -70,8 +71,11 @@ class Measurement:
         (self.folder / "picture.tif").unlink()
         return {name: statistics.median(one[name] for one in results) for name in results[0]}
 
-    def warm(self, rounds, *arguments, frames=8):
+    def warm(self, side, *arguments):
         """Processor seconds of a frame after the first two, without opening the map."""
+        rounds = 3 if side < 8192 else 1
+        # Opening a large map in memory takes so long that its noise would be several frames.
+        frames = 40 if side == LARGEST_IN_MEMORY else 8
         def path(count):
             folder = self.folder / "frames"
             taken = run([self.relief, "render", *map(str, arguments), *VIEW, "--size", "800x600", "--to", "azimuth=25.1",
@@ -88,14 +92,13 @@ class Measurement:
             made = run([self.relief, "make", "fractal", "--size", str(side), "--tiled", "-o", str(heights), "-q"])
             row = {"side": side, "file": heights.stat().st_size / 1e6, "make": made["seconds"],
                    "make memory": made["memory"]}
-            rounds = 3 if side < 8192 else 1
             if side <= LARGEST_IN_MEMORY:
                 held = self.render(side, heights, "--size", "800x600")
-                yield {**row, "held": "in memory", **held, "warm": self.warm(rounds, heights)}
+                yield {**row, "held": "in memory", **held, "warm": self.warm(side, heights)}
             if side >= SMALLEST_BY_TILES:
                 bound = ("--memory", BOUND_MB)
                 held = self.render(side, heights, *bound, "--size", "800x600")
-                yield {**row, "held": "by tiles", **held, "warm": self.warm(rounds, heights, *bound)}
+                yield {**row, "held": "by tiles", **held, "warm": self.warm(side, heights, *bound)}
             heights.unlink()
             side *= 2
 
@@ -185,7 +188,7 @@ def panel(rows_of, key, title, left, width=300, height=230):
 def chart(maps, pictures):
     parts = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1110 330" font-family="sans-serif" font-size="12">',
              '<rect width="1110" height="330" fill="white"/>']
-    parts += panel(maps, "warm", "Map side: processor s of a warm frame, 800 x 600", 0)
+    parts += panel(maps, "warm", "Map side: warm frame, processor s", 0)
     parts += panel(maps, "memory", "Map side: peak memory, MB", 370)
     parts += panel({"picture": pictures}, "processor", "Picture side: processor s", 740)
     for n, name in enumerate([*maps, "picture"]):
