@@ -204,7 +204,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=str(root / "build"))
     parser.add_argument("--work", help="folder for maps and pictures (a temporary one)")
-    parser.add_argument("--chart", default=str(root / "tests/benchmarks/sizes.svg"))
+    parser.add_argument("--chart", default=str(root / "app/manual/pictures/sizes.svg"))
     parser.add_argument("--largest-map", type=int, default=65536)
     parser.add_argument("--largest-picture", type=int, default=32768)
     options = parser.parse_args()
