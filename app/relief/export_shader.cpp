@@ -8,7 +8,7 @@ namespace relief::app {
 namespace {
 
 struct ShaderOptions {
-    OptionText lang, white, unit, length, scale;
+    OptionText lang, white, interpolation, unit, length, scale;
 };
 
 // Throws InputError if an option for cones is given to a tracer that reads none.
@@ -28,6 +28,9 @@ int runShader(const ShaderOptions& options, const ExportOptions& given, Session&
     choice.address = scenario.address;
     if (options.lang) choice.language = parseShaderLanguage(*options.lang, "--lang");
     if (options.white) choice.white = parseHeightWhite(*options.white, "--white");
+    if (options.interpolation) {
+        choice.interpolation = parseShaderInterpolation(*options.interpolation, "--interpolation");
+    }
     if (options.unit) setConeUnit(choice, *options.unit, "--unit");
     if (options.length) choice.cones.length = parseConeLength(*options.length, "--length");
     if (options.scale) {
@@ -60,6 +63,10 @@ ExportKind addShaderExport(CLI::App& parser) {
         group);
     addText(parser, "--white", options->white, "high|deep",
             "what white means in your height map, high (default) or deep", group);
+    addText(parser, "--interpolation", options->interpolation, "float|sampler",
+            "how heights and cones between texels are made. float: from four texels, as this program does (default); "
+            "sampler: by the texture's sampler, in one fetch, whose weights have 8 bits on graphics cards",
+            group);
     addText(parser, "--unit", options->unit, "ratio|sqrt-ratio|slope|texel-slope",
             "numbers by which your map stores cones. ratio: radius per unit of height (default); sqrt-ratio: its root; "
             "slope: one over the ratio; texel-slope: heights per texel, as this program's own maps",
@@ -76,7 +83,7 @@ ExportKind addShaderExport(CLI::App& parser) {
             commaList(shaderTracers()) + ".",
         "  relief export shader --tracer layers-bisection --set layers=32 -o relief.frag\n"
         "  relief export shader --tracer relaxed-cone --unit sqrt-ratio --lang hlsl -o relief.hlsl",
-        {"--tracer", "--set", "--address", "--lang", "--white", "--unit", "--length", "--cone-scale"},
+        {"--tracer", "--set", "--address", "--lang", "--white", "--interpolation", "--unit", "--length", "--cone-scale"},
         [options](const ExportOptions& given, Session& session) { return runShader(*options, given, session); }};
 }
 

@@ -23,7 +23,7 @@ constexpr double kSecondsAtMost = 30.0 * 24 * 3600;
 constexpr std::int64_t kCasesAtMost = 1'000'000'000;
 
 struct StressCommandOptions {
-    OptionText seconds, cases, seed, folder, tracers, parts, only, record, part;
+    OptionText seconds, cases, seed, moreRays, folder, tracers, parts, only, record, part;
     bool oracle = false;
     RunOptions run;
 };
@@ -77,6 +77,7 @@ std::unique_ptr<TextOutput> begunRecord(const StressCommandOptions& given, const
               {"parts", given.parts.value_or("")}};
     // Runs without it are named as by earlier versions.
     if (options.oracle) what["oracle"] = true;
+    if (options.moreRays > 0) what["more-rays"] = options.moreRays;
     const std::string cells = options.cases ? std::to_string(*options.cases) : "";
     Part part;
     part.run = runJson("stress", std::move(what), {&cells, 1});
@@ -139,6 +140,9 @@ int runStress(const StressCommandOptions& given, Session& session) {
         }
     }
     options.oracle = given.oracle;
+    if (given.moreRays) {
+        options.moreRays = static_cast<int>(parseWhole(*given.moreRays, "--more-rays", 0, kMoreRaysAtMost));
+    }
     if (given.only) options.only = parseSeed(*given.only, "--case");
     if (given.folder) {
         options.folder = *given.folder;
@@ -208,6 +212,10 @@ void addStressCommand(CLI::App& program, Commands& commands) {
             "Run");
     addText(*parser, "--parts", options->parts, "NAME,...",
             "run only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");
+    addText(*parser, "--more-rays", options->moreRays, "N",
+            "each method also traces N times as many view rays of each case, 0 (default) to 1000, as blocks, the way "
+            "pictures are traced, and without logs: most of the time is then spent on rays",
+            "Run");
     addFlag(*parser, "--oracle", options->oracle,
             "also decide the first hit of every ray in rational arithmetic, without any rounding, and compare the hits "
             "of `exact`; the report counts the rays on which they differ within rounding (tangents and corners)",

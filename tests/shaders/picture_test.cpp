@@ -1,4 +1,4 @@
-// The whole exported fragment shader, drawn by software OpenGL, against exact hits of the CPU: place, silhouette at the
+// The whole exported fragment shader, drawn by OpenGL, against exact hits of the CPU: place, silhouette at the
 // border, depth and self-shadow.
 #include <cmath>
 

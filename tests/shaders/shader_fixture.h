@@ -1,9 +1,10 @@
-// Software OpenGL for the tests of shaders.
+// OpenGL for the tests of shaders: Mesa, in software; where there is no Mesa, a graphics card.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ using Gl = reliefui::ShaderGl;
 
 // Null, with the reason in `why`, where there is no OpenGL 4.5.
 inline std::unique_ptr<Gl> openGl(std::string& why) {
-    // The same renderer on every machine.
+    // The same renderer on every machine that has Mesa.
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     reliefui::EglProblem problem{};
     auto gl = Gl::open(reliefui::EglPlace::Nowhere, problem);
@@ -38,8 +39,13 @@ inline std::unique_ptr<Gl> openGl(std::string& why) {
 // Skipped, with the reason, where there is no OpenGL.
 class ShaderTest : public testing::Test {
   protected:
-    static void SetUpTestSuite() { gl_ = openGl(why_); }
+    static void SetUpTestSuite() {
+        gl_ = openGl(why_);
+        if (gl_) std::cout << "OpenGL of " << gl_->renderer() << "\n";
+    }
     static void TearDownTestSuite() { gl_.reset(); }
+    // Mesa's software weights texels in float, where a graphics card has 8 bits.
+    static bool samplesInFloat() { return gl_->renderer().find("llvmpipe") != std::string::npos; }
     void SetUp() override {
         if (!gl_) GTEST_SKIP() << why_;
     }

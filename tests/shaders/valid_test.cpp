@@ -39,6 +39,7 @@ ShaderChoice unusual(const std::string& tracer) {
     choice.method.name = tracer;
     choice.address = Address::Border;
     choice.white = HeightWhite::Deep;
+    choice.interpolation = ShaderInterpolation::Sampler;
     choice.cones = {ConeUnit::SqrtRatio, ConeLength::Width, 0.5};
     for (const OptionDescription& option : findTracer(tracer).options) {
         if (option.name == "layers" || option.name == "iterations") choice.method.options[option.name] = "37";
@@ -73,6 +74,7 @@ TEST_F(ShaderText, HoldsTheOptionsInBothLanguages) {
             const std::string text = shaderText(choice, "test");
             EXPECT_NE(text.find("const int ADDRESS = 2;"), std::string::npos) << tracer;
             EXPECT_NE(text.find("const int WHITE = 1;"), std::string::npos) << tracer;
+            EXPECT_NE(text.find("const int INTERPOLATION = 0;"), std::string::npos) << tracer;
             for (const char* constant : {"int CONE_UNIT = 1;", "int CONE_LENGTH = 1;", "float CONE_SCALE = 0.5;"}) {
                 EXPECT_EQ(text.find(constant) != std::string::npos, readsCones(tracer)) << tracer << constant;
             }

@@ -3,6 +3,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <array>
 #include <cstdlib>
 #include <initializer_list>
 #include <vector>
@@ -41,21 +42,36 @@ EGLContext contextOf(EGLDisplay display, int major, int minor) {
     return EGL_NO_CONTEXT;
 }
 
+// Returns the displays to try, in this order: the screen, where it is wanted and there is one; none; the graphics
+// cards, since not every driver offers a context without a display of its own accord.
+std::vector<EGLDisplay> displays(EglPlace place) {
+    std::vector<EGLDisplay> found;
+    const auto add = [&](EGLenum platform, void* native) {
+        const EGLDisplay display = eglGetPlatformDisplay(platform, native, nullptr);
+        if (display != EGL_NO_DISPLAY) found.push_back(display);
+    };
+    const char* const screen = std::getenv("DISPLAY");
+    if (place == EglPlace::Screen && screen != nullptr && *screen != '\0')
+        add(EGL_PLATFORM_X11_KHR, EGL_DEFAULT_DISPLAY);
+    add(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+    const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    std::array<EGLDeviceEXT, 8> devices{};
+    EGLint count = 0;
+    if (query == nullptr || query(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE)
+        return found;
+    for (EGLint d = 0; d < count; ++d) add(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(d)]);
+    return found;
+}
+
 }  // namespace
 
 EglContext::EglContext(std::unique_ptr<Handles> handles) : handles_(std::move(handles)) {}
 
 std::unique_ptr<EglContext> EglContext::make(int major, int minor, EglPlace place, EglProblem& problem) {
     problem = EglProblem::NoEgl;
-    std::vector<EGLenum> platforms{EGL_PLATFORM_SURFACELESS_MESA};
-    const char* const screen = std::getenv("DISPLAY");
-    if (place == EglPlace::Screen && screen != nullptr && *screen != '\0') {
-        platforms.insert(platforms.begin(), EGL_PLATFORM_X11_KHR);
-    }
-    for (const EGLenum platform : platforms) {
+    for (const EGLDisplay display : displays(place)) {
         auto handles = std::make_unique<Handles>();
-        handles->display = eglGetPlatformDisplay(platform, EGL_DEFAULT_DISPLAY, nullptr);
-        if (handles->display == EGL_NO_DISPLAY) continue;
+        handles->display = display;
         if (eglInitialize(handles->display, nullptr, nullptr) == EGL_FALSE) continue;
         problem = EglProblem::NoVersion;
         handles->context = contextOf(handles->display, major, minor);

@@ -7,7 +7,7 @@
 namespace reliefui {
 
 // Screen: on the graphics card of the X server that DISPLAY names, if it can be used so; otherwise as Nowhere. Nowhere:
-// by Mesa, which draws without any display.
+// by Mesa, or by the driver of a graphics card that needs no display.
 enum class EglPlace : std::uint8_t { Screen, Nowhere };
 // Why there is no context.
 enum class EglProblem : std::uint8_t { NoEgl, NoVersion };

@@ -249,6 +249,7 @@ ShaderChoice shaderChoiceOf(const ShaderForm& form, Address address, double cone
     ShaderChoice choice;
     choice.method = form.method;
     choice.address = address;
+    choice.interpolation = ShaderInterpolation::Sampler;  // the fetches are counted so
     if (readsCones(form.method.name)) {
         setConeUnit(choice, coneUnitName(ConeUnit::Slope), "--unit");
         choice.cones.length = ConeLength::Width;

@@ -72,6 +72,8 @@ struct StressCase {
 // for larger pictures.
 inline constexpr std::size_t kStressBuildTexels = 1U << 13U;
 
+inline constexpr int kMoreRaysAtMost = 1000;  // about 20 MB for each thread
+
 struct StressOptions {
     double seconds = 20;                 // at least kStressCasesAtLeast cases are done, whatever the time
     std::optional<std::uint64_t> cases;  // number of cases from case 0, whatever the time
@@ -82,6 +84,9 @@ struct StressOptions {
     std::string folder = ".";             // for maps that only a file can hold, as the commands name it
     std::set<StressPart> parts;           // empty: all
     bool oracle = false;                  // also decides the rays in rational arithmetic
+    // Each method also traces this many times the rays of a family as one block, as pictures are traced, without logs;
+    // at most kMoreRaysAtMost. Families of few rays, which take long, are left out.
+    int moreRays = 0;
     std::optional<std::uint64_t> only;    // number of the only case to run, from 0
     std::size_t listed = 50;              // number of violations kept with a command; the others are only counted
     double hangSeconds = 60;              // limit for one ray, or for one frame with its repetitions

@@ -17,8 +17,14 @@ constexpr std::uint64_t kStepsPerFamily = 100'000;
 constexpr std::uint32_t kLoggedSteps = 4096;
 constexpr std::uint32_t kLongLoggedSteps = 131'072;
 constexpr int kLongLogs = 2;
+// Rays of a block: enough for packets of neighbouring rays, few enough to end early. Families with fewer rays in a case
+// than kManyRays have no blocks.
+constexpr std::size_t kBlockRays = 64;
+constexpr int kManyRays = 16;
+// A family's blocks end after kStepsPerFamily for each so many rays.
+constexpr std::size_t kRaysPerLimit = 1024;
 
-constexpr std::array<double, 5> kDepths{0.1, 0.5, 0.02, 4, 0};
+constexpr std::array<double, 6> kDepths{0.1, 0.5, 0.02, 4, 0, 1e-6};
 
 // Stream numbers for seedFor(); case numbers are below these.
 constexpr std::uint64_t kOrder = std::uint64_t{1} << 62;
@@ -59,12 +65,49 @@ class Turn {
             steps += answer.steps;
             ++coverage_.rays[std::string(familyRays.family)];
             note(answer, familyRays.rays[r]);
-            if (auto fault = answerFault(tracer_, familyRays.rays[r], answer, familyRays.truth[r])) report(*fault, r);
+            if (auto fault = answerFault(tracer_, familyRays.rays[r], answer, familyRays.truth[r])) {
+                report(*fault, familyRays.rays[r]);
+            }
             compareSinks(answer, r);
+        }
+        const auto longest = kStepsPerFamily * (1 + familyRays.more.size() / kRaysPerLimit);
+        steps = 0;
+        for (std::size_t at = 0; at < familyRays.more.size() && steps < longest; at += kBlockRays) {
+            steps += block(at, std::min(kBlockRays, familyRays.more.size() - at));
         }
     }
 
   private:
+    // Traces a block of the further rays; returns the number of steps.
+    std::uint64_t block(std::size_t at, std::size_t size) {
+        RayBlock rays(size);
+        for (std::size_t i = 0; i < size; ++i) rays.set(i, familyRays_->more[at + i]);
+        HitBlock hits, plain;
+        BlockCounts counts;
+        NullSink null;
+        watched_.begin({&of_, StressPart::Tracers, &method_.choice, familyRays_->family, rays[0]});
+        tracer_.trace(rays, hits, counts, work_);
+        tracer_.trace(rays, plain, null, work_);
+        watched_.end();
+        std::uint64_t steps = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            const CountedHit answer{hits[i], hits.steps[i], hits.reads[i]};
+            steps += answer.steps;
+            note(answer, rays[i]);
+            if (auto fault = answerFault(tracer_, rays[i], answer, familyRays_->moreTruth[at + i])) {
+                report(*fault, rays[i]);
+            }
+            if (!sameHit(answer.hit, plain[i])) report(sinksFault(answer.hit, plain[i]), rays[i]);
+        }
+        coverage_.rays[std::string(familyRays_->family)] += size;
+        return steps;
+    }
+
+    static StressFault sinksFault(const Hit& counted, const Hit& plain) {
+        return {"sinks", "the answer changes when reads are counted: lambda " + numberText(plain.lambda) +
+                             " without, " + numberText(counted.lambda) + " with"};
+    }
+
     template <class Sink>
     HitBlock traced(const ViewRay& ray, Sink& sink) {
         RayBlock rays(1);
@@ -85,11 +128,7 @@ class Turn {
     void compareSinks(const CountedHit& answer, std::size_t r) {
         NullSink null;
         const Hit plain = traced(familyRays_->rays[r], null)[0];
-        if (!sameHit(answer.hit, plain)) {
-            report({"sinks", "the answer changes when reads are counted: lambda " + numberText(plain.lambda) +
-                                 " without, " + numberText(answer.hit.lambda) + " with"},
-                   r);
-        }
+        if (!sameHit(answer.hit, plain)) report(sinksFault(answer.hit, plain), familyRays_->rays[r]);
         if (answer.steps > kLoggedSteps) {
             if (answer.steps > kLongLoggedSteps || longLogs_ == kLongLogs) return;
             ++longLogs_;
@@ -97,7 +136,7 @@ class Turn {
         StepLog log;
         const Hit logged = traced(familyRays_->rays[r], log)[0];
         ++coverage_.logs;
-        if (auto fault = logFault(answer, logged, log)) report(*fault, r);
+        if (auto fault = logFault(answer, logged, log)) report(*fault, familyRays_->rays[r]);
     }
 
     void note(const CountedHit& answer, const ViewRay& ray) {
@@ -107,9 +146,8 @@ class Turn {
         coverage_.worstWhere = std::string(familyRays_->family) + " over " + of_.map;
     }
 
-    void report(const StressFault& fault, std::size_t r) {
-        result_.report(
-            {fault, StressPart::Tracers, method_.choice, familyRays_->family, familyRays_->rays[r], nullptr});
+    void report(const StressFault& fault, const ViewRay& ray) {
+        result_.report({fault, StressPart::Tracers, method_.choice, familyRays_->family, ray, nullptr});
     }
 
     const Case& of_;
@@ -123,16 +161,25 @@ class Turn {
     int longLogs_ = 0;
 };
 
-std::vector<FamilyRays> raysOfFamilies(const Case& of, std::uint64_t seed, const Tracer& exact, Watched& watched,
-                                       Work& work) {
+// Adds the further rays of the family, whose random numbers follow those of its first rays.
+void addMore(FamilyRays& familyRays, const StressRayFamily& family, const Case& of, int moreRays, Random& random,
+             const Tracer& exact, Work& work) {
+    if (family.rays < kManyRays) return;
+    for (int r = 0; r < family.rays * moreRays; ++r) familyRays.more.push(family.make(of.field, random));
+    NullSink null;
+    exact.trace(familyRays.more, familyRays.moreTruth, null, work);
+}
+
+std::vector<FamilyRays> raysOfFamilies(const Case& of, const StressOptions& options, const Tracer& exact,
+                                       Watched& watched, Work& work) {
     const MethodChoice truth{exact.description().name, {}};
     std::vector<FamilyRays> all;
     const auto& families = stressRayFamilies();
     for (std::size_t f = 0; f < families.size(); ++f) {
         const StressRayFamily& family = families[f];
         if ((of.number + f) % static_cast<std::uint64_t>(family.every) != 0) continue;
-        Random random(seedFor(seed, kRays + of.number * families.size() + f));
-        FamilyRays familyRays{family.name, {}, {}};
+        Random random(seedFor(options.seed, kRays + of.number * families.size() + f));
+        FamilyRays familyRays{family.name, {}, {}, {}, {}};
         for (int r = 0; r < family.rays; ++r) {
             familyRays.rays.push_back(family.make(of.field, random));
             RayBlock rays(1);
@@ -144,6 +191,7 @@ std::vector<FamilyRays> raysOfFamilies(const Case& of, std::uint64_t seed, const
             watched.end();
             familyRays.truth.push_back(hits[0]);
         }
+        if (options.moreRays > 0) addMore(familyRays, family, of, options.moreRays, random, exact, work);
         all.push_back(std::move(familyRays));
     }
     return all;
@@ -208,7 +256,7 @@ CaseResult runCase(const Case& tried, const StressOptions& options, const std::v
     const auto enabled = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
     if (enabled(StressPart::Tracers) || enabled(StressPart::AnyHit) || options.oracle) {
         const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);
-        const std::vector<FamilyRays> familyRays = raysOfFamilies(tried, options.seed, *exact, watched, work);
+        const std::vector<FamilyRays> familyRays = raysOfFamilies(tried, options, *exact, watched, work);
         if (enabled(StressPart::Tracers)) traceRays(run, familyRays);
         if (enabled(StressPart::AnyHit)) stressAnyHit(run, familyRays);
         if (options.oracle) stressOracle(run, familyRays);

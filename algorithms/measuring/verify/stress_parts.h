@@ -11,6 +11,9 @@ struct FamilyRays {
     std::string_view family;
     std::vector<ViewRay> rays;
     std::vector<Hit> truth;
+    // Further rays, which are traced as blocks only; see StressOptions::moreRays.
+    RayBlock more;
+    HitBlock moreTruth;
 };
 
 // Data that the parts of one case share.

@@ -123,7 +123,8 @@ class ConeTracer {
     const std::shared_ptr<const ConeMap>& coneMap() const { return map_; }
     bool hasSimdMap() const { return packed_ || fitsLanes(map_->slopes); }
     std::size_t bytes() const { return packed_ ? packed_->bytes() : map_->bytes(); }
-    double stepBound(const ViewRay& ray) const { return GridRay(grid_, ray).cellBound() + 6; }
+    // With packed cones, float and double may each walk through every cell once (cone_walk.h, AmbiguousPart).
+    double stepBound(const ViewRay& ray) const { return (packed_ ? 2 : 1) * GridRay(grid_, ray).cellBound() + 6; }
     double segmentRecords() const { return 3; }
 
   private:

@@ -120,10 +120,13 @@ struct AmbiguousPart {
             return of.leave(axis, c.index, c.index + 1, c.base);
         };
         const double outX = leaves(ray.x, grid.x, cx), outY = leaves(ray.y, grid.y, cy);
-        const double in = std::max(enters(ray.x, grid.x, cx), enters(ray.y, grid.y, cy));
         const double first = std::min(outX, outY), last = std::max(outX, outY);
-        const double late = (std::abs(ray.x.inverse) + std::abs(ray.y.inverse)) * kLate + kLate;
-        from = std::max(std::min(in, first) - late, 0.0);
+        const double lateX = std::abs(ray.x.inverse) * kLate, lateY = std::abs(ray.y.inverse) * kLate;
+        // Each line with the lateness of its own axis: along an axis on which the ray hardly moves it can be longer
+        // than the whole ray.
+        const double in = std::max(enters(ray.x, grid.x, cx) - lateX, enters(ray.y, grid.y, cy) - lateY);
+        from = std::max(std::min({in, outX - lateX, outY - lateY}) - kLate, 0.0);
+        const double late = lateX + lateY + kLate;
         until = last - first < late ? last + late : std::numeric_limits<double>::infinity();
     }
 };
@@ -334,7 +337,7 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
     if (ray.fit == FloatFit::Gone) return miss(begin);
     double lambda = begin;
     constexpr double kEnd = std::numeric_limits<double>::infinity();
-    double from = 0, until = kEnd;
+    double from = 0, until = kEnd, verified = 0;
     int returns = 0;
     while (true) {
         if (ray.fit == FloatFit::Fit) {
@@ -343,7 +346,7 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
             if (end == End::Hit) return hit;
             if (end == End::Miss) return miss(lambda);
             const AmbiguousPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
-            from = part.from;
+            from = std::max(part.from, verified);  // not what double has walked before
             until = end == End::Fallback || ++returns > kMostReturns ? kEnd : part.until;
         }
         PackedWalk part(ground, {viewRay}, 0, from, until);
@@ -356,7 +359,8 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
         }
         if (begin != scene_.start) ray = ConeRay(scene_, exact, begin = scene_.start);
         ray.goTo(scene_, part.x(), part.y());
-        lambda = std::max(lambda, part.lambda());
+        verified = part.lambda();
+        lambda = std::max(lambda, verified);
     }
 }
 

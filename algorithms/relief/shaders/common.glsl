@@ -3,6 +3,8 @@
 //@header destroys green.
 //@header Addressing: every sampler as ADDRESS says (0 repeat, 1 clamp, 2 clamp, too, and what lies outside is
 //@header discarded); maps must be built with the same addressing. Linear filter, no MIP levels, unless said otherwise.
+//@header Between texels: INTERPOLATION 1 weights four texels in float, as the CPU does; 0 leaves it to the sampler, which is
+//@header one fetch for all channels, but a graphics card's weights have 8 bits only, so that hits move and cones may be crossed.
 //@header Axes: texel (0, 0) is the picture's upper left one; v grows with its rows, downwards, as in Direct3D and Vulkan.
 //@header If your pictures are stored with the last row first (OpenGL), flip them, or flip v and the signs of the tangent
 //@header frame's y. Tangent frame: x along u, y along v, z out of the polygon; lengths in widths of the texture on it.
@@ -10,6 +12,7 @@
 //@header depth buffer from 0 to 1. Sides: relief.size in texels, relief.depth in texture widths; texels are square.
 const int ADDRESS = 0;  // relief outside the map: 0 repeat, 1 clamp, 2 border (clamp the samplers; the rest is discarded)
 const int WHITE = 0;    // what white means in reliefMap: 0 high, 1 deep
+const int INTERPOLATION = 1;  // of reliefMap between texels: 0 by the sampler, 1 in float
 
 layout(std140, binding = 0) uniform Relief {
     vec2 size;             // of the height map, texels
@@ -51,9 +54,24 @@ float heightOf(float stored) {
     return WHITE == 0 ? stored : 1.0 - stored;
 }
 
-// Explicit level: the derivatives that texture() takes are wrong within loops and at silhouettes.
+// Red and green of reliefMap. Explicit level: the derivatives that texture() takes are wrong within loops and at
+// silhouettes.
+vec2 reliefAt(vec2 place) {
+    if (INTERPOLATION == 0) return textureLod(reliefMap, place / relief.size, 0.0).rg;
+    vec2 low = floor(place - 0.5);
+    vec2 share = place - 0.5 - low;
+    // Gathered at the corner that the four texels share, so that rounding cannot choose others: (x, y + 1),
+    // (x + 1, y + 1), (x + 1, y), (x, y).
+    vec2 corner = (low + 1.0) / relief.size;
+    vec4 red = textureGather(reliefMap, corner, 0);
+    vec4 green = textureGather(reliefMap, corner, 1);
+    vec2 above = mix(vec2(red.w, green.w), vec2(red.z, green.z), share.x);
+    vec2 below = mix(vec2(red.x, green.x), vec2(red.y, green.y), share.x);
+    return mix(above, below, share.y);
+}
+
 float heightAt(vec2 place) {
-    return heightOf(textureLod(reliefMap, place / relief.size, 0.0).r);
+    return heightOf(reliefAt(place).r);
 }
 
 // Surface minus ray, in heights: 0 or more where the ray has reached the surface.

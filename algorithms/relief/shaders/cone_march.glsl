@@ -10,7 +10,7 @@ Hit marchCones(Ray ray, out float above) {
     for (int n = 0; n < ITERATIONS; ++n) {
         vec2 place = placeAt(ray, lambda);
         if (!inside(place)) return Hit(false, lambda, steps);
-        vec2 stored = textureLod(reliefMap, place / relief.size, 0.0).rg;
+        vec2 stored = reliefAt(place);
         float gap = heightOf(stored.r) - (1.0 - lambda);
         if (gap >= 0.0 || lambda >= 1.0) break;
         above = lambda;

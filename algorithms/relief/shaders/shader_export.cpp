@@ -100,6 +100,17 @@ std::string_view shaderLanguageName(ShaderLanguage language) {
     return language == ShaderLanguage::Glsl ? "glsl" : "hlsl";
 }
 
+ShaderInterpolation parseShaderInterpolation(std::string_view text, const std::string& option) {
+    for (const auto interpolation : {ShaderInterpolation::Sampler, ShaderInterpolation::Float}) {
+        if (text == shaderInterpolationName(interpolation)) return interpolation;
+    }
+    throw InputError(option, unknownName({"what", MessageId::WordValue}, std::string(text), "float, sampler"));
+}
+
+std::string_view shaderInterpolationName(ShaderInterpolation interpolation) {
+    return interpolation == ShaderInterpolation::Sampler ? "sampler" : "float";
+}
+
 void setConeUnit(ShaderChoice& choice, std::string_view text, const std::string& option) {
     choice.texelSlopes = text == kTexelSlope;
     if (choice.texelSlopes) return;
@@ -156,6 +167,8 @@ Export exported(const ShaderChoice& choice, const ShaderText& shader, const Meth
     const ConeCoding& cones = choice.cones;
     set("ADDRESS", " --address ", static_cast<std::size_t>(choice.address), addressName(choice.address));
     set("WHITE", " --white ", static_cast<std::size_t>(choice.white), heightWhiteName(choice.white));
+    set("INTERPOLATION", " --interpolation ", static_cast<std::size_t>(choice.interpolation),
+        shaderInterpolationName(choice.interpolation));
     if (choice.texelSlopes) {
         set("CONE_UNIT", " --unit ", kConeUnits.size(), kTexelSlope);
     } else {

@@ -17,12 +17,20 @@ enum class ShaderLanguage : std::uint8_t { Glsl, Hlsl };
 ShaderLanguage parseShaderLanguage(std::string_view text, const std::string& option);
 std::string_view shaderLanguageName(ShaderLanguage language);
 
+// How heights and cones between texels are made: by the texture's sampler, in one fetch, whose weights have 8 bits on
+// graphics cards; or from four texels in float, as the CPU's methods do.
+enum class ShaderInterpolation : std::uint8_t { Sampler, Float };
+// Throws InputError naming the option.
+ShaderInterpolation parseShaderInterpolation(std::string_view text, const std::string& option);
+std::string_view shaderInterpolationName(ShaderInterpolation interpolation);
+
 struct ShaderChoice {
     MethodChoice method;
     Address address = Address::Repeat;
     ShaderLanguage language = ShaderLanguage::Glsl;
     HeightWhite white = HeightWhite::High;
     ConeCoding cones{};        // how the map stores its cones
+    ShaderInterpolation interpolation = ShaderInterpolation::Float;
     bool texelSlopes = false;  // in place of `cones`: as heights per texel, as in the maps that tracers read
 };
 // Sets the unit of the cones: that of `cones`, or "texel-slope". Throws InputError naming the option.

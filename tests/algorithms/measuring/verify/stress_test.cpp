@@ -2,6 +2,7 @@
 #include "measuring/verify/stress.h"
 
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -22,10 +23,11 @@ namespace {
 class StressTest : public ::testing::Test {
   protected:
     // A run with a fixed number of cases, which does not depend on time.
-    StressReport run(std::vector<MeasuredMethod> methods, int threads = 2) {
+    StressReport run(std::vector<MeasuredMethod> methods, int threads = 2, int moreRays = 0) {
         StressOptions options;
         options.seconds = 0;
         options.seed = 7;
+        options.moreRays = moreRays;
         options.methods = std::move(methods);
         options.parts = {StressPart::Tracers};
         options.folder = folder_ / ".";
@@ -111,6 +113,7 @@ TEST_F(StressTest, StepBoundsHoldOnThinMapsAndBeyondTheDomain) {
         {"spikes", 16384, 3, 92947, Surface::Bilinear, {13118.025225611165, 1.3913564, -65.5928651, -1057.4889}},
         {"checker", 3, 16384, 1, Surface::Bilinear, {2.3759816, 8894.6315, 0, 4.470321658288422e+299}},
         {"pits", 1, 1000, 1, Surface::Bilinear, {0.3768749, 995.814957, 12.2685, 0}},
+        {"spikes", 33, 2, 764250, Surface::Bilinear, {2.0428060188460733, 1.1852827161587962, -1e-9, -1282.2770637}},
     };
     Work work(1);
     for (const Found& found : all) {
@@ -148,6 +151,22 @@ TEST_F(StressTest, CasesDependOnTheSeedAlone) {
         EXPECT_EQ(coverage.forms, two.methods.at(name).forms) << name;
         EXPECT_EQ(coverage.worstBound, two.methods.at(name).worstBound) << name;
     }
+}
+
+// A fault that one ray in ten thousand shows is found among the further rays, which are traced as blocks.
+TEST_F(StressTest, MoreRaysFindRareFaults) {
+    const auto rarely = [](const ViewRay& ray, Hit& hit, std::uint32_t&, Overload) {
+        const std::uint64_t mixed = std::bit_cast<std::uint64_t>(ray.s0) ^
+                                    std::rotl(std::bit_cast<std::uint64_t>(ray.t0), 17) ^
+                                    std::rotl(std::bit_cast<std::uint64_t>(ray.a), 31);
+        if ((mixed * 0x9E3779B97F4A7C15U >> 40U) % 10'000 == 1) hit = Hit::none(Outcome::Limit);
+    };
+    const MeasuredMethod method = altered({"max-pyramid", {}}, rarely);
+    const StressReport few = run({method}), many = run({method}, 2, 40);
+    EXPECT_EQ(few.violationCount, 0U);
+    EXPECT_NE(find(many, "limit"), nullptr);
+    const auto rays = [](const StressReport& report) { return report.methods.at("max-pyramid").rays.at("ordinary"); };
+    EXPECT_EQ(rays(many), 41 * rays(few));
 }
 
 TEST_F(StressTest, AHitThatIsTooLateIsShownWithItsCommand) {

@@ -106,6 +106,24 @@ void partsOf(const HeightField& field) {
 }
 
 // A part ends with the hit of `exact`, or in the cell in which the ray is after `until`.
+// Along an axis on which the ray hardly moves, float knows the lines so badly that double once walked from the start
+// again.
+TEST(PackedWalk, aRayThatHardlyMovesAlongAnAxisIsWalkedOnce) {
+    const HeightField field(share(makeRelief("spikes", 33, 2, 764250)), Surface::Bilinear, Address::Repeat, 0.02);
+    Work work(1);
+    MapCache cache;
+    const auto tracer = makeTracer({"cone", {}}, field, cache, work);
+    for (const double run : {0.0, -1e-17, -1e-9, 1e-7}) {
+        RayBlock rays;
+        rays.push({2.0428060188460733, 1.1852827161587962, run, -1282.2770637867904});
+        HitBlock hits;
+        BlockCounts counts;
+        tracer->trace(rays, hits, counts, work);
+        EXPECT_TRUE(sameBits(hits[0], exactHits(field, rays)[0])) << run;
+        EXPECT_LE(hits.steps[0], GridRay(CellGrid(field), rays[0]).cellBound()) << run;
+    }
+}
+
 TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     const Heights heights = randomHeights(37, 24, kSeed);
