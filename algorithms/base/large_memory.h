@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "relief/memory.h"
@@ -56,7 +57,31 @@ struct LargePages {
     }
 };
 
+// Leaves new elements without a value, so that the threads that fill the vector touch its pages first: filling a map of
+// 128 MB with zeros beforehand takes one thread a third of the time of its build.
 template <class T>
-using LargeVector = std::vector<T, LargePages<T>>;
+struct UnfilledPages : LargePages<T> {
+    template <class U>
+    struct rebind {
+        using other = UnfilledPages<U>;
+    };
+
+    UnfilledPages() = default;
+    template <class U>
+    explicit UnfilledPages(const UnfilledPages<U>& /*other*/) {}
+
+    template <class U>
+    void construct(U* at) {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Values>
+    void construct(U* at, Values&&... values) {
+        ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
+    }
+};
+
+// Elements of UnfilledVector(n) and resize(n) must be written before they are read.
+template <class T>
+using UnfilledVector = std::vector<T, UnfilledPages<T>>;
 
 }  // namespace relief

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,21 @@ auto parallelReduce(Work& work, Index count, Index grain, const Of& of, const Jo
     auto all = std::move(parts.front());
     for (std::size_t n = 1; n < parts.size(); ++n) all = join(all, parts[n]);
     return all;
+}
+
+// Returns the smallest and the largest of the values, at least one, in parallel.
+template <class Value>
+std::pair<Value, Value> minMax(Work& work, std::span<const Value> values) {
+    using Pair = std::pair<Value, Value>;
+    const auto of = [&](std::size_t first, std::size_t last) -> Pair {
+        const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                                     values.begin() + static_cast<std::ptrdiff_t>(last));
+        return {*low, *high};
+    };
+    const auto join = [](const Pair& a, const Pair& b) -> Pair {
+        return {std::min(a.first, b.first), std::max(a.second, b.second)};
+    };
+    return parallelReduce(work, values.size(), std::size_t{1} << 16U, of, join);
 }
 
 }  // namespace relief

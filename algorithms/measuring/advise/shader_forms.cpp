@@ -137,7 +137,7 @@ std::shared_ptr<const ConeMap> texelCones(const EngineMap& map, ConeKind kind, c
     cones->address = field.address();
     cones->fieldWidth = field.width();
     cones->fieldHeight = field.height();
-    std::vector<float> slopes;
+    UnfilledVector<float> slopes;
     for (const float code : map.channel(EngineRole::Cone)->pixels()) {
         slopes.push_back(
             static_cast<float>(map.conventions.cone.slope(static_cast<double>(code), field.width(), field.height())));

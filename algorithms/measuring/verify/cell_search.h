@@ -20,7 +20,7 @@ class CellSearch {
   public:
     CellSearch(const HeightField& field, Work& work)
         : wraps_(field.address() == Address::Repeat),
-          cells_(field),
+          cells_(field, work),
           pyramid_(PyramidKind::Max, cells_.highest, work),
           width_(cells_.highest.width()),
           height_(cells_.highest.height()) {}

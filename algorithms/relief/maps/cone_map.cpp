@@ -58,8 +58,8 @@ ConeMap buildConeMap(ConeKind kind, const ConeParameters& parameters, const Heig
     map.kind = kind;
     map.parameters = parameters;
     setField(map, field);
-    std::vector<float> slopes(valuesOf(shape) * static_cast<std::size_t>(shape.sectors));
-    std::vector<float> apex;
+    UnfilledVector<float> slopes(valuesOf(shape) * static_cast<std::size_t>(shape.sectors), 0.0F);
+    UnfilledVector<float> apex;
     switch (kind) {
         case ConeKind::Conservative:
             conservativeCones(field, parameters.sectors, kConeSlack, apex, slopes, work);

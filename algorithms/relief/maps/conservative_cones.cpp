@@ -37,7 +37,7 @@ class BlockCones {
         for (auto& seeds : seeds_) seeds.clear();
     }
 
-    void build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes);
+    void build(int x0, int y0, UnfilledVector<float>& apex, UnfilledVector<float>& slopes);
 
   private:
     // Height above which a cell can matter, relative to every cell of the block, as a function of the gap.
@@ -270,7 +270,7 @@ void BlockCones::refine(std::size_t at, int sector) {
     for (std::size_t n = 0; n < found; ++n) open(at, nodes_.places[which_[n]], sector);
 }
 
-void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<float>& slopes) {
+void BlockCones::build(int x0, int y0, UnfilledVector<float>& apex, UnfilledVector<float>& slopes) {
     start(x0, y0);
     const std::size_t cells = scene_.cells.size();
     const auto index = [&](std::size_t n) {
@@ -305,8 +305,8 @@ void BlockCones::build(int x0, int y0, std::vector<float>& apex, std::vector<flo
 
 }  // namespace
 
-void conservativeCones(const HeightField& field, int sectors, double slack, std::vector<float>& apex,
-                       std::vector<float>& slopes, Work& work) {
+void conservativeCones(const HeightField& field, int sectors, double slack, UnfilledVector<float>& apex,
+                       UnfilledVector<float>& slopes, Work& work) {
     MapCache own;
     const auto map = maxPyramidMap(field, own, work);
     const ConeScene scene(field, *map, sectors, slack, work);

@@ -47,14 +47,15 @@ void overLayers(int layers, Work& work, const Body& body) {
     });
 }
 
-float* plane(std::vector<float>& values, const Shape& shape, int layer) {
+float* plane(UnfilledVector<float>& values, const Shape& shape, int layer) {
     return values.data() +
            static_cast<std::size_t>(layer) * static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny);
 }
 
 // Distances from each voxel's centre to the surface. The distance of the previous voxel of the row, and of the one
 // below, plus the distance between the centres, is an upper bound that shortens the search.
-void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
+void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, UnfilledVector<float>& values,
+               Work& work) {
     MapCache own;
     const SurfaceDistance distance(field, maxPyramidMap(field, own, work));
     const double across = static_cast<double>(field.width()) / shape.nx;
@@ -80,7 +81,8 @@ void toSurface(DistanceMap& map, const Shape& shape, const HeightField& field, s
 
 // A voxel is solid if its centre is not above the surface; everything below the slab is solid. The distance of a voxel
 // is that of its centre to the nearest solid centre.
-void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, std::vector<float>& values, Work& work) {
+void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, UnfilledVector<float>& values,
+             Work& work) {
     const int layers = map.layers();
     Image<int> top(shape.nx, shape.ny);  // the highest solid layer
     parallelFor(work, shape.ny, [&](int y) {
@@ -109,12 +111,12 @@ void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, std
 // The bound for whole boxes: the gap between box and cell, and the drop from the bottom of the box to the cell's
 // highest point.
 void euclideanConservative(DistanceMap& map, const Shape& shape, const CellHeights& cells, bool wraps, double slab,
-                           std::vector<float>& values, Work& work) {
+                           UnfilledVector<float>& values, Work& work) {
     const int layers = map.layers();
     const int f = map.parameters.footprint;
     // The rounding of squares and roots in float is far below this factor.
     constexpr float kShorter = 1 - 1e-6F;
-    const BoxHeights boxes(cells, f, shape.nx, shape.ny);
+    const BoxHeights boxes(cells, f, shape.nx, shape.ny, work);
     overLayers(layers, work, [&](int k, LayerScratch& scratch) {
         const double z0 = static_cast<double>(k) / layers;
         FloatImage& squares = scratch.squares;
@@ -180,30 +182,33 @@ int azimuthSector(double x, double y, int sectors) {
     return std::min(q, sectors - 1);
 }
 
-CellHeights::CellHeights(const HeightField& field) {
+CellHeights::CellHeights(const HeightField& field, Work& work) {
     const CellGrid grid(field);
     highest = FloatImage(grid.x.cells, grid.y.cells);
     lowest = highest;
-    for (int y = 0; y < grid.y.cells; ++y) {
+    const bool bilinear = field.surface() == Surface::Bilinear;
+    parallelFor(work, grid.y.cells, [&](int y) {
         for (int x = 0; x < grid.x.cells; ++x) {
-            const bool bilinear = field.surface() == Surface::Bilinear;
             highest(x, y) = bilinear ? cellMaximum<Surface::Bilinear>(field.heights(), grid, x, y)
                                      : cellMaximum<Surface::Columns>(field.heights(), grid, x, y);
             lowest(x, y) = bilinear ? cellMinimum<Surface::Bilinear>(field.heights(), grid, x, y)
                                     : cellMinimum<Surface::Columns>(field.heights(), grid, x, y);
         }
-    }
+    });
 }
 
-BoxHeights::BoxHeights(const CellHeights& cells, int footprint, int nx, int ny) : highest(nx, ny), lowest(nx, ny, 1) {
-    for (int y = 0; y < cells.highest.height(); ++y) {
-        for (int x = 0; x < cells.highest.width(); ++x) {
-            float& high = highest(x / footprint, y / footprint);
-            float& low = lowest(x / footprint, y / footprint);
-            high = std::max(high, cells.highest(x, y));
-            low = std::min(low, cells.lowest(x, y));
+BoxHeights::BoxHeights(const CellHeights& cells, int footprint, int nx, int ny, Work& work)
+    : highest(nx, ny), lowest(nx, ny, 1) {
+    parallelFor(work, ny, [&](int by) {
+        for (int y = by * footprint; y < std::min((by + 1) * footprint, cells.highest.height()); ++y) {
+            for (int x = 0; x < cells.highest.width(); ++x) {
+                float& high = highest(x / footprint, by);
+                float& low = lowest(x / footprint, by);
+                high = std::max(high, cells.highest(x, y));
+                low = std::min(low, cells.lowest(x, y));
+            }
         }
-    }
+    });
 }
 
 float BoxHeights::mark(int bx, int by, int layer, int layers) const {
@@ -292,8 +297,8 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
     if (map.rays() == RayClass::ViewRays) {
         map.maxRun = field.slabTexels() / std::tan(parameters.flattest * std::numbers::pi / 180);
     }
-    std::vector<float> values(static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
-                              static_cast<std::size_t>(shape.planes));
+    UnfilledVector<float> values(static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
+                                 static_cast<std::size_t>(shape.planes));
     const bool byRows = kind == DistanceKind::Euclidean && parameters.to == DistanceTo::Surface;
     work.progress().begin(std::string("map ") + std::string(distanceKindName(kind)), byRows ? shape.ny : map.layers());
     switch (kind) {
@@ -302,7 +307,7 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
                                                  : toVoxel(map, shape, field, values, work);
             break;
         case DistanceKind::EuclideanConservative:
-            euclideanConservative(map, shape, CellHeights(field), field.address() == Address::Repeat,
+            euclideanConservative(map, shape, CellHeights(field, work), field.address() == Address::Repeat,
                                   field.slabTexels(), values, work);
             break;
         case DistanceKind::RefinedSampled:
@@ -310,7 +315,7 @@ DistanceMap buildDistanceMap(DistanceKind kind, const DistanceParameters& parame
             refinedSampled(map, shape.nx, shape.ny, field, exactHits(field, work), values, work);
             break;
         case DistanceKind::Refined:
-            refinedConservative(map, shape.nx, shape.ny, field, CellHeights(field), values, work);
+            refinedConservative(map, shape.nx, shape.ny, field, CellHeights(field, work), values, work);
             break;
     }
     map.values =

@@ -93,7 +93,7 @@ class DummerSearch {
 
 }  // namespace
 
-void dummerCones(const HeightField& field, std::vector<float>& slopes, Work& work) {
+void dummerCones(const HeightField& field, UnfilledVector<float>& slopes, Work& work) {
     const Pyramid pyramid(PyramidKind::Max, field.heights(), work);
     const DummerSearch search(pyramid, field.address() == Address::Repeat);
     work.progress().begin("map cone-dummer", field.height());

@@ -274,7 +274,7 @@ std::optional<DistanceMap> distancesOfEngine(const EngineMap& map, const HeightF
     distances.slabTexels = field.slabTexels();
     distances.maxRun = volume.maxRun;
     distances.cap = volume.cap;
-    std::vector<float> values;
+    UnfilledVector<float> values;
     values.reserve(static_cast<std::size_t>(shape.nx) * static_cast<std::size_t>(shape.ny) *
                    static_cast<std::size_t>(shape.planes));
     const double unit = volume.scale * field.width();
@@ -300,7 +300,7 @@ std::optional<ConeMap> cellConesOfEngine(const EngineMap& map, const HeightField
     const ConeShape shape = coneMapShape(ConeKind::Conservative, cones.parameters, field);
     requireSize(path, *codes, shape.nx, shape.ny);
     setField(cones, field);
-    std::vector<float> slopes(codes->size());
+    UnfilledVector<float> slopes(codes->size());
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const double slope =
             map.conventions.cone.slope(static_cast<double>(codes->pixels()[i]), field.width(), field.height());

@@ -72,7 +72,7 @@ std::vector<Code> pictureOfLayers(const std::vector<const StoredValues*>& stacks
     std::vector<Code> pixels(atlas.pixels());
     int tile = 0;
     for (const StoredValues* stack : stacks) {
-        const Code* from = std::get<std::vector<Code>>(stack->codes()).data();
+        const Code* from = std::get<UnfilledVector<Code>>(stack->codes()).data();
         for (int layer = 0; layer < stack->layers(); ++layer, ++tile) {
             for (int y = 0; y < atlas.ny; ++y, from += atlas.nx) {
                 std::copy_n(from, atlas.nx, pixels.begin() + static_cast<std::ptrdiff_t>(atlas.at(tile, y)));
@@ -85,7 +85,7 @@ std::vector<Code> pictureOfLayers(const std::vector<const StoredValues*>& stacks
 // The stack of `layers` layers that begins with tile `first`.
 template <class Code>
 StoredValues layersOfPicture(const std::vector<Code>& pixels, const Atlas& atlas, int first, int layers, float unit) {
-    std::vector<Code> codes;
+    UnfilledVector<Code> codes;
     codes.reserve(static_cast<std::size_t>(atlas.nx) * static_cast<std::size_t>(atlas.ny) *
                   static_cast<std::size_t>(layers));
     for (int tile = first; tile < first + layers; ++tile) {

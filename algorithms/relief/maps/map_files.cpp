@@ -320,7 +320,7 @@ void saveMap(const std::string& path, const StoredMap& map, const FloatImage& he
     Json header = std::visit([&](const auto& m) { return headerOf(*m, stacks, atlas); }, map);
     requireMemory(mapBytes(map), path);
     const PictureCodes codes = std::visit(
-        [&]<class Code>(const std::vector<Code>&) { return PictureCodes(pictureOfLayers<Code>(stacks, atlas)); },
+        [&]<class Code>(const UnfilledVector<Code>&) { return PictureCodes(pictureOfLayers<Code>(stacks, atlas)); },
         stacks.front()->codes());
     header["heights checksum"] = checksumOf(heights).text();
     header["codes checksum"] = checksumText(codes);

@@ -274,10 +274,10 @@ DepthImage depthsOf(const FloatImage& cells, const PackedCones& map, Work& work)
 }
 
 // For each row of cells, pairs of nodes: the one before the row and the one after it.
-LargeVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
+UnfilledVector<float> nodesOf(const HeightField& field, const PackedCones& map, Work& work) {
     const CellGrid grid(field);
     const FloatImage& heights = *field.sharedHeights();
-    LargeVector<float> nodes(2 * map.quadrantEntries());
+    UnfilledVector<float> nodes(2 * map.quadrantEntries(), 0.0F);
     parallelFor(work, map.ny, [&](int cy) {
         const auto before = heights.row(grid.y.nodeBefore(cy)), after = heights.row(grid.y.nodeAfter(cy));
         float* to = nodes.data() + 2 * map.index(0, cy);
@@ -297,9 +297,9 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
     PackedCones map;
     map.nx = cells.width();
     map.ny = cells.height();
-    const auto [lowest, highest] = std::minmax_element(cells.pixels().begin(), cells.pixels().end());
-    map.lowest = static_cast<double>(*lowest);
-    map.highest = static_cast<double>(*highest);
+    const auto [lowest, highest] = minMax<float>(work, cells.pixels());
+    map.lowest = static_cast<double>(lowest);
+    map.highest = static_cast<double>(highest);
     map.unit = (map.highest - map.lowest) / kConeDepths;
     const DepthImage depths = depthsOf(cells, map, work);
     const auto tiles = [](int size, int tile) { return (size + tile - 1) / tile; };
@@ -310,7 +310,7 @@ PackedCones buildPackedCones(const HeightField& field, Work& work) {
         map.stride = (map.stride + kUnit - 1) / kUnit * kUnit;
     }
     constexpr std::size_t kQuadrants = 4;
-    map.entries.resize(kQuadrants * map.quadrantEntries());
+    map.entries.resize(kQuadrants * map.quadrantEntries(), 0U);
     for (std::size_t quadrant = 0; quadrant < kQuadrants; ++quadrant) {
         QuadrantCones cones(cells, depths, map, field.address() == Address::Repeat, static_cast<int>(quadrant));
         cones.build(map.entries.data() + quadrant * map.quadrantEntries(), work);

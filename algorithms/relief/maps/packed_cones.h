@@ -65,12 +65,12 @@ struct PackedCones {
     double lowest = 0;
     double unit = 0;  // height = highest - depth * unit, at or above the true one; 0 if the relief is flat
     // Quadrant by quadrant, row by row.
-    LargeVector<std::uint32_t> entries;
+    UnfilledVector<std::uint32_t> entries;
     // entries per row; nx + 1 or more on bilinear surfaces, so that entries and nodes of a cell have the same index
     int stride = 0;
     // Bilinear surfaces: the heights of a cell's nodes stored together, (i0, j0), (i0, j1), (i1, j0), (i1, j1) from
     // index 2 index(cx, cy) on. The nodes that neighbouring cells of a row share are stored once.
-    LargeVector<float> nodes;
+    UnfilledVector<float> nodes;
 
     std::size_t index(int cx, int cy) const {
         return static_cast<std::size_t>(cy) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(cx);

@@ -109,12 +109,12 @@ void collectGates(const GateAxis& axis, Span box, Span boxAcross, double cosBegi
 class Builder {
   public:
     Builder(const DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
-            std::vector<float>& values)
+            UnfilledVector<float>& values, Work& work)
         : map_(map),
           nx_(nx),
           ny_(ny),
           cells_(cells),
-          boxes_(cells, map.parameters.footprint, nx, ny),
+          boxes_(cells, map.parameters.footprint, nx, ny, work),
           tiles_(highestOfTiles(cells.highest, field.address() == Address::Repeat)),
           top_(static_cast<double>(*std::max_element(cells.highest.pixels().begin(), cells.highest.pixels().end())) *
                map.slabTexels),
@@ -168,7 +168,7 @@ class Builder {
     BoxHeights boxes_;
     FloatImage tiles_;
     double top_;  // highest point of the relief, in the metric
-    std::vector<float>& values_;
+    UnfilledVector<float>& values_;
     CellGrid grid_;
     AzimuthSectors sectors_;
     int radius_;
@@ -291,8 +291,8 @@ void Builder::box(int bx, int by, Scratch& scratch) const {
 }  // namespace
 
 void refinedConservative(DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
-                         std::vector<float>& values, Work& work) {
-    const Builder builder(map, nx, ny, field, cells, values);
+                         UnfilledVector<float>& values, Work& work) {
+    const Builder builder(map, nx, ny, field, cells, values, work);
     map.cap = builder.cap();
     ScratchPool<Builder::Scratch> scratch;
     work.progress().begin("map refined", ny);

@@ -13,7 +13,7 @@ struct CellHeights {
     FloatImage highest;
     FloatImage lowest;
 
-    explicit CellHeights(const HeightField& field);
+    CellHeights(const HeightField& field, Work& work);
 };
 
 // The same for nx x ny boxes of footprint x footprint cells, the last of a row clipped.
@@ -21,7 +21,7 @@ struct BoxHeights {
     FloatImage highest;
     FloatImage lowest;
 
-    BoxHeights(const CellHeights& cells, int footprint, int nx, int ny);
+    BoxHeights(const CellHeights& cells, int footprint, int nx, int ny, Work& work);
     // The mark of a box (StoredValues), or 0 if it is free.
     float mark(int bx, int by, int layer, int layers) const;
 };
@@ -31,7 +31,7 @@ struct BoxHeights {
 // smallest distance to the surface along the others, so never below the Euclidean distance. Not safe: a ray visits
 // points other than the centre, and directions in between may have nearer hits.
 void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, const ExactHits& exactHits,
-                    std::vector<float>& values, Work& work);
+                    UnfilledVector<float>& values, Work& work);
 // A hit above a point by at most this lambda is the point itself on the surface.
 inline constexpr double kReached = 1e-9;
 
@@ -52,6 +52,6 @@ std::vector<SampledDirection> sampledDirections(int count, double slabTexels, do
 // Forward: D = min over cells q, and over the sectors k in which q is visible from the box, of sqrt(t^2 + max(z0 - H_q,
 // t m_k, 0)^2), where t is the shortest distance from box to cell in that sector.
 void refinedConservative(DistanceMap& map, int nx, int ny, const HeightField& field, const CellHeights& cells,
-                         std::vector<float>& values, Work& work);
+                         UnfilledVector<float>& values, Work& work);
 
 }  // namespace relief

@@ -20,7 +20,7 @@ std::vector<SampledDirection> sampledDirections(int count, double slabTexels, do
 }
 
 void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& field, const ExactHits& exactHits,
-                    std::vector<float>& values, Work& work) {
+                    UnfilledVector<float>& values, Work& work) {
     const std::vector<SampledDirection> directions =
         sampledDirections(map.parameters.directions, map.slabTexels, map.maxRun);
     const std::size_t count = directions.size();

@@ -129,7 +129,7 @@ double relaxedSlope(const HeightField& field, int directions, int reach, int x, 
     return kappa;
 }
 
-void relaxedCones(const HeightField& field, int directions, int radius, std::vector<float>& slopes, Work& work) {
+void relaxedCones(const HeightField& field, int directions, int radius, UnfilledVector<float>& slopes, Work& work) {
     const int reach = std::min(radius, std::max(field.width(), field.height()));
     work.progress().begin("map relaxed-cone", field.height());
     ScratchPool<RelaxedStrip> strips([&] { return std::make_unique<RelaxedStrip>(field, directions, reach); });

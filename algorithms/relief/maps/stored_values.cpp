@@ -33,9 +33,9 @@ std::size_t bytesEach(Precision precision) {
 }
 
 template <class Code>
-std::vector<Code> StoredValues::encode(const std::vector<float>& values, Rounding rounding) const {
+UnfilledVector<Code> StoredValues::encode(const UnfilledVector<float>& values, Rounding rounding) const {
     constexpr int kLast = std::numeric_limits<Code>::max();
-    std::vector<Code> codes(values.size());
+    UnfilledVector<Code> codes(values.size());
     std::transform(values.begin(), values.end(), codes.begin(), [&](float value) {
         if (value < 0) return static_cast<Code>(value == kSurface ? 0 : 1);
         if (unit_ == 0) return static_cast<Code>(kMarks);
@@ -53,7 +53,7 @@ std::vector<Code> StoredValues::encode(const std::vector<float>& values, Roundin
     return codes;
 }
 
-StoredValues::StoredValues(int width, int height, int layers, std::vector<float> values, Precision precision,
+StoredValues::StoredValues(int width, int height, int layers, UnfilledVector<float> values, Precision precision,
                            Rounding rounding)
     : width_(width), height_(height), layers_(layers) {
     assert(values.size() == count());

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/large_memory.h"
+
 namespace relief {
 
 // How values are stored: as floats, or as codes of 16 or 8 bits.
@@ -28,9 +30,10 @@ class StoredValues {
 
     StoredValues() = default;
     // values: layer by layer, row by row; each finite, or a mark.
-    StoredValues(int width, int height, int layers, std::vector<float> values, Precision precision, Rounding rounding);
+    StoredValues(int width, int height, int layers, UnfilledVector<float> values, Precision precision,
+                 Rounding rounding);
     // The codes as stored in a file.
-    using Codes = std::variant<std::vector<float>, std::vector<std::uint16_t>, std::vector<std::uint8_t>>;
+    using Codes = std::variant<UnfilledVector<float>, UnfilledVector<std::uint16_t>, UnfilledVector<std::uint8_t>>;
     StoredValues(int width, int height, int layers, Codes codes, float unit);
 
     int width() const { return width_; }
@@ -66,7 +69,7 @@ class StoredValues {
         return code < kMarks ? static_cast<float>(-1 - code) : static_cast<float>(code - kMarks) * unit_;
     }
     template <class Code>
-    std::vector<Code> encode(const std::vector<float>& values, Rounding rounding) const;
+    UnfilledVector<Code> encode(const UnfilledVector<float>& values, Rounding rounding) const;
 
     int width_ = 0;
     int height_ = 0;

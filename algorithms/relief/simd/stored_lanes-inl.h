@@ -26,7 +26,7 @@ HWY_INLINE V addressedIndex(V i, double size, bool repeats) {
 class StoredLanes {
   public:
     explicit StoredLanes(const StoredValues& values) : values_(values) {
-        const auto* floats = std::get_if<std::vector<float>>(&values.codes());
+        const auto* floats = std::get_if<UnfilledVector<float>>(&values.codes());
         floats_ = floats == nullptr ? nullptr : floats->data();
     }
 

@@ -58,10 +58,9 @@ HorizonBounds::HorizonBounds(const HeightField& field, glm::dvec2 run, Work& wor
     f.rise = 1 / std::abs(along);
     f.stride = static_cast<std::size_t>(f.wraps ? f.ny : f.ny + 2);
 
-    const auto heights = field.heights().pixels();
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    lowest_ = static_cast<double>(*low);
-    const auto highest = static_cast<double>(*high);
+    const auto [low, high] = minMax<float>(work, field.heights().pixels());
+    lowest_ = static_cast<double>(low);
+    const auto highest = static_cast<double>(high);
     unit_ = (highest - lowest_) / kSteps;
     if (f.wraps) {
         // After that many lines a bound of `highest` has sunk to `lowest`; a shorter lead only loosens the bounds.

@@ -102,7 +102,7 @@ class HorizonBounds {
     double lowest_ = 0, unit_ = 0;
     float outside_ = 0;  // the highest that a ray may meet beyond the map
     int leadIn_ = 0;     // lines before the last one from which the sweep begins
-    LargeVector<std::uint32_t> entries_;
+    UnfilledVector<std::uint32_t> entries_;
 };
 
 // One line of the sweep over a run of strips; rows are read up to 3 values and a vector beyond `count`. Internal to

@@ -142,7 +142,7 @@ TEST(Certificate, CorrectedConesAreProvenAndRelaxedOnesRefuted) {
     EXPECT_FALSE(relaxed.safe());
     // A single wider cone is no longer proven.
     ConeMap map = buildConeMap(ConeKind::Robust, {}, field, *std::make_unique<Work>());
-    std::vector<float> slopes = std::get<0>(map.slopes.codes());
+    auto slopes = std::get<0>(map.slopes.codes());
     float& steepest = *std::max_element(slopes.begin(), slopes.end());
     steepest = 0;
     map.slopes = StoredValues(map.nx(), map.ny(), 1, std::move(slopes), Precision::Float, Rounding::Up);
@@ -227,8 +227,8 @@ TEST(Certificate, DamagedConesAreFound) {
         ConeMap whole = *std::get<1>(stored);
         if (precision == "float") {
             // Built without slack, so that a slope one step smaller is unsafe.
-            std::vector<float> apex;
-            std::vector<float> exact(static_cast<std::size_t>(whole.nx()) * static_cast<std::size_t>(whole.ny()));
+            UnfilledVector<float> apex;
+            UnfilledVector<float> exact(static_cast<std::size_t>(whole.nx()) * static_cast<std::size_t>(whole.ny()));
             conservativeCones(field, 1, 0, apex, exact, work);
             whole.slopes = StoredValues(whole.nx(), whole.ny(), 1, std::move(exact), Precision::Float, Rounding::Up);
         }
@@ -268,7 +268,7 @@ TEST(Certificate, EveryValueMadeFreeOrTooLargeIsFound) {
         for (int layer = 0; layer < parameters.layers; ++layer) {
             DistanceMap damaged = whole;
             auto codes = whole.values.codes();
-            std::vector<float>& all = std::get<0>(codes);
+            auto& all = std::get<0>(codes);
             const std::size_t each = static_cast<std::size_t>(whole.nx() * whole.ny());
             std::size_t marks = 0;
             for (std::size_t n = layer * each; n < (layer + 1) * each; ++n) {
@@ -290,9 +290,9 @@ TEST(Certificate, EveryValueMadeFreeOrTooLargeIsFound) {
         if (field.heights().pixels().front() == field.heights().pixels().back()) continue;
         const std::size_t cells = static_cast<std::size_t>(cones.nx() * cones.ny());
         cones.slopes =
-            StoredValues(cones.nx(), cones.ny(), 1, std::vector<float>(cells, 0), Precision::Float, Rounding::Up);
+            StoredValues(cones.nx(), cones.ny(), 1, UnfilledVector<float>(cells, 0.0F), Precision::Float, Rounding::Up);
         cones.apex =
-            StoredValues(cones.nx(), cones.ny(), 1, std::vector<float>(cells, 0), Precision::Float, Rounding::Up);
+            StoredValues(cones.nx(), cones.ny(), 1, UnfilledVector<float>(cells, 0.0F), Precision::Float, Rounding::Up);
         EXPECT_EQ(checkConeBounds(cones, field, work).broken, cells);
     }
 }

@@ -42,11 +42,11 @@ Heights walls(int width, int height, std::uint64_t seed) {
 }
 
 // Conservative slopes for one sector, with the given relative slack.
-std::vector<float> slopesWithin(double slack, const HeightField& field) {
+UnfilledVector<float> slopesWithin(double slack, const HeightField& field) {
     Work work(2);
     const CellGrid grid(field);
-    std::vector<float> apex;
-    std::vector<float> slopes(static_cast<std::size_t>(grid.x.cells) * static_cast<std::size_t>(grid.y.cells));
+    UnfilledVector<float> apex;
+    UnfilledVector<float> slopes(static_cast<std::size_t>(grid.x.cells) * static_cast<std::size_t>(grid.y.cells));
     conservativeCones(field, 1, slack, apex, slopes, work);
     return slopes;
 }
@@ -55,8 +55,8 @@ void expectTheSteepest(const HeightField& field) {
     const BruteCells cells(field);
     const ConeMap map = built(ConeKind::Conservative, 1, field);
     ASSERT_EQ(map.nx(), cells.nx);
-    const std::vector<float> exact = slopesWithin(0, field);
-    const std::vector<float> loose = slopesWithin(0.2, field);
+    const UnfilledVector<float> exact = slopesWithin(0, field);
+    const UnfilledVector<float> loose = slopesWithin(0.2, field);
     const double reach =
         cells.wraps ? std::max(1.0, 0.5 * std::min(cells.nx, cells.ny)) : std::hypot(cells.nx, cells.ny);
     for (int y = 0; y < cells.ny; ++y) {
@@ -222,9 +222,9 @@ TEST(DummersCones, AreTheSteepestOverAllTexelCentres) {
     }
 }
 
-std::vector<float> relaxedSlopes(const HeightField& field, int directions, int radius, int threads) {
+UnfilledVector<float> relaxedSlopes(const HeightField& field, int directions, int radius, int threads) {
     Work work(threads);
-    std::vector<float> slopes(field.heights().size());
+    UnfilledVector<float> slopes(field.heights().size());
     relaxedCones(field, directions, radius, slopes, work);
     return slopes;
 }
@@ -232,7 +232,7 @@ std::vector<float> relaxedSlopes(const HeightField& field, int directions, int r
 // Compares every texel with the reference, bit by bit, on every instruction set. Returns the smallest slope above 0.
 float expectTheReference(const HeightField& field, int directions, int radius) {
     SCOPED_TRACE(describe(field) + ", " + std::to_string(directions) + " azimuths, radius " + std::to_string(radius));
-    std::vector<float> expected;
+    UnfilledVector<float> expected;
     float least = 1;
     for (int y = 0; y < field.height(); ++y) {
         for (int x = 0; x < field.width(); ++x) {
@@ -311,7 +311,7 @@ TEST(RelaxedCones, EndBehindEverySpike) {
             FloatImage image(96, 1, 0.0F);
             image(48, 0) = top;
             const HeightField field(share(std::move(image)), surface, Address::Clamp, 0.3);
-            const std::vector<float> slopes = relaxedSlopes(field, 4, 64, 1);
+            const UnfilledVector<float> slopes = relaxedSlopes(field, 4, 64, 1);
             for (int away = 2; away <= 40; ++away) {
                 const double height = 1 + (static_cast<double>(top) - 1) / away * (away + 1);
                 const double needed = height / (away + 1);

@@ -12,9 +12,9 @@ constexpr int kWidth = 37;
 constexpr int kHeight = 29;
 constexpr int kLayers = 5;
 
-std::vector<float> mixedValues(float largest) {
+UnfilledVector<float> mixedValues(float largest) {
     Random random(3);
-    std::vector<float> values(static_cast<std::size_t>(kWidth * kHeight * kLayers));
+    UnfilledVector<float> values(static_cast<std::size_t>(kWidth * kHeight * kLayers));
     for (float& value : values) {
         const int kind = random.below(10);
         if (kind == 0) {
@@ -33,7 +33,7 @@ class RoundedValues : public testing::TestWithParam<std::tuple<Precision, Roundi
 
 TEST_P(RoundedValues, LieOnTheSafeSideWithinOneUnit) {
     const auto [precision, rounding, largest] = GetParam();
-    const std::vector<float> values = mixedValues(largest);
+    const UnfilledVector<float> values = mixedValues(largest);
     const StoredValues stored(kWidth, kHeight, kLayers, values, precision, rounding);
     EXPECT_EQ(stored.bytes(), values.size() * (precision == Precision::U8 ? 1 : 2));
     std::size_t i = 0;
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(All, RoundedValues,
                                           testing::Values(1e-6F, 0.37F, 1.0F, 51.3F, 12345.678F)));
 
 TEST(StoredValues, FloatsStayAsTheyAre) {
-    const std::vector<float> values = mixedValues(51.3F);
+    const UnfilledVector<float> values = mixedValues(51.3F);
     const StoredValues stored(kWidth, kHeight, kLayers, values, Precision::Float, Rounding::Down);
     EXPECT_EQ(std::get<0>(stored.codes()), values);
     EXPECT_EQ(stored(5, 7, 3), values[static_cast<std::size_t>((3 * kHeight + 7) * kWidth + 5)]);

@@ -152,8 +152,8 @@ TEST(Lanes, coneMapsFromFilesAreUsedAsTheyAre) {
     Work work(2);
     MapCache cache;
     ConeMap map = buildConeMap(ConeKind::Conservative, {}, field, work);
-    const std::vector<float> nothing(map.slopes.codes().index() == 0 ? std::get<0>(map.slopes.codes()).size() : 0,
-                                     0.0F);
+    const UnfilledVector<float> nothing(map.slopes.codes().index() == 0 ? std::get<0>(map.slopes.codes()).size() : 0,
+                                        0.0F);
     // These cones contain the whole space above the cell, so most of the relief is missed.
     map.slopes = StoredValues(map.nx(), map.ny(), 1, nothing, Precision::Float, Rounding::Up);
     cache.put(coneMapKey(ConeKind::Conservative, {}, field), std::make_shared<const ConeMap>(std::move(map)));
@@ -185,7 +185,7 @@ TEST(Lanes, traverseUnsafeMapsAsTheReferenceDoes) {
             parameters.layers = 9;
             Work work(2);
             DistanceMap map = buildDistanceMap(DistanceKind::EuclideanConservative, parameters, field, work);
-            std::vector<float> values = std::get<std::vector<float>>(map.values.codes());
+            auto values = std::get<0>(map.values.codes());
             for (float& value : values) value = value < 0 ? value : 1.7F * value + 0.4F;
             map.values = StoredValues(map.nx(), map.ny(), 9, std::move(values), Precision::Float, Rounding::Down);
             const DistanceWalk walk(field, std::make_shared<const DistanceMap>(std::move(map)), rule);
