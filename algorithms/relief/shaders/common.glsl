@@ -3,7 +3,7 @@
 //@header destroys green.
 //@header Addressing: every sampler as ADDRESS says (0 repeat, 1 clamp, 2 clamp, too, and what lies outside is
 //@header discarded); maps must be built with the same addressing. Linear filter, no MIP levels, unless said otherwise.
-//@header Between texels: INTERPOLATION 1 weights four texels in float, as the CPU does; 0 leaves it to the sampler, which is
+//@header Between texels: INTERPOLATION 1 weights texels in float, as the CPU does; 0 leaves it to the sampler, which is
 //@header one fetch for all channels, but a graphics card's weights have 8 bits only, so that hits move and cones may be crossed.
 //@header Axes: texel (0, 0) is the picture's upper left one; v grows with its rows, downwards, as in Direct3D and Vulkan.
 //@header If your pictures are stored with the last row first (OpenGL), flip them, or flip v and the signs of the tangent
@@ -12,7 +12,7 @@
 //@header depth buffer from 0 to 1. Sides: relief.size in texels, relief.depth in texture widths; texels are square.
 const int ADDRESS = 0;  // relief outside the map: 0 repeat, 1 clamp, 2 border (clamp the samplers; the rest is discarded)
 const int WHITE = 0;    // what white means in reliefMap: 0 high, 1 deep
-const int INTERPOLATION = 1;  // of reliefMap between texels: 0 by the sampler, 1 in float
+const int INTERPOLATION = 1;  // between texels: 0 by the sampler, 1 in float
 
 layout(std140, binding = 0) uniform Relief {
     vec2 size;             // of the height map, texels
