@@ -83,7 +83,8 @@ ExportKind addShaderExport(CLI::App& parser) {
             commaList(shaderTracers()) + ".",
         "  relief export shader --tracer layers-bisection --set layers=32 -o relief.frag\n"
         "  relief export shader --tracer relaxed-cone --unit sqrt-ratio --lang hlsl -o relief.hlsl",
-        {"--tracer", "--set", "--address", "--lang", "--white", "--interpolation", "--unit", "--length", "--cone-scale"},
+        {"--tracer", "--set", "--address", "--lang", "--white", "--interpolation", "--unit", "--length",
+         "--cone-scale"},
         [options](const ExportOptions& given, Session& session) { return runShader(*options, given, session); }};
 }
 

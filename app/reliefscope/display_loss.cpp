@@ -25,6 +25,7 @@
 #include <QtGlobal>
 
 #include "relief/messages.h"
+#include "windows/display_check.h"
 #include "workspace/language.h"
 
 // Included after Qt, because it defines the macro Bool.
@@ -178,13 +179,19 @@ DisplayLoss::DisplayLoss() {
     for (std::size_t n = 0; n < kCrashes.size(); ++n) {
         ::sigaction(kCrashes[n], &action, &handling->earlierActions[n]);
     }
+    XSetIOErrorHandler(onBrokenConnection);
 }
 
 void DisplayLoss::saveBy(std::function<bool()> save) {
     handling->save = std::move(save);
     // Lines from before there was an application.
     QMetaObject::invokeMethod(qApp, &printHeld, Qt::QueuedConnection);
-    XSetIOErrorHandler(onBrokenConnection);
+    XSetIOErrorHandler(onBrokenConnection);  // Qt may have set its own
+}
+
+int DisplayLoss::check() {
+    XSetIOErrorHandler([](Display*) -> int { ::_exit(kNoDisplay); });
+    return reliefui::displayProblem().empty() ? 0 : kNoDisplay;
 }
 
 // What the handlers use is kept, because other threads may be running them.

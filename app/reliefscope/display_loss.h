@@ -5,7 +5,7 @@
 
 namespace relief::app {
 
-// For one object at a time, on the window's thread, created before the QApplication.
+// For one object at a time, on the window's thread, created before the display is used.
 class DisplayLoss {
   public:
     // The status with which the program then ends.
@@ -17,6 +17,9 @@ class DisplayLoss {
     ~DisplayLoss();
     DisplayLoss(const DisplayLoss&) = delete;
     DisplayLoss& operator=(const DisplayLoss&) = delete;
+
+    // Tries the display, for `reliefscope --check-display`; returns 0 or kNoDisplay. Needs no object.
+    static int check();
 
     // Call it after the QApplication was created, which sets handlers of its own. save: saves the state of the window
     // on its thread, without the display; returns true if the next start finds it.

@@ -365,13 +365,14 @@ int run(int count, char** values, const Arguments& arguments) {
             return watch.exitStatus();
         }
     }
+    if (arguments.checkDisplay) return DisplayLoss::check();
+    DisplayLoss displayLoss;
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
         const Message fault(MessageId::WindowNone, {{"why", problem}});
         std::fprintf(stderr, "reliefscope: %s\n", sentence(fault, reliefui::uiLanguage()).c_str());
         return DisplayLoss::kNoDisplay;
     }
-    if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();
     // A screenshot neither restores nor stores a session.
     const bool shot = !arguments.screenshot.empty();
@@ -382,7 +383,6 @@ int run(int count, char** values, const Arguments& arguments) {
     Start start = startOfWindow(arguments, datasets, session ? &*session : nullptr);
 
     reliefui::prepareWindows();
-    DisplayLoss displayLoss;
     reliefui::Application application(count, values);
     reliefui::setUpApplication(application);
     if (!shot) reliefui::installTranslations(reliefui::chosenLanguage());

@@ -86,7 +86,7 @@ TEST_P(CertifyTest, DamagedMapsAreFound) {
         // builder's, so that one code more may still be safe there.
         const auto alter = [](const StoredValues& values, int by, double share) {
             auto codes = values.codes();
-            auto& all = std::get<std::vector<std::uint8_t>>(codes);
+            auto& all = std::get<UnfilledVector<std::uint8_t>>(codes);
             std::size_t at = all.size() / 2;
             const auto fits = [&](int code) { return code > 3 && code * share + by < 256; };
             for (std::size_t n = 0; n < all.size() && !fits(all[at]); ++n) at = (at + 1) % all.size();

@@ -29,7 +29,7 @@ struct ShaderChoice {
     Address address = Address::Repeat;
     ShaderLanguage language = ShaderLanguage::Glsl;
     HeightWhite white = HeightWhite::High;
-    ConeCoding cones{};        // how the map stores its cones
+    ConeCoding cones{};  // how the map stores its cones
     ShaderInterpolation interpolation = ShaderInterpolation::Float;
     bool texelSlopes = false;  // in place of `cones`: as heights per texel, as in the maps that tracers read
 };
