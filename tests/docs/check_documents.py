@@ -15,8 +15,10 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 LONG_SECONDS = 5
+SLOWEST = 12  # commands that are printed with their time
 FOLDERS = ["algorithms", "app", "datasets", "tests", "ui"]
 ENDINGS = r"\.(?:h|cpp|md|json|sh|py|csv|ts|png|jpg|exr|txt|def|inc|supp|qrc)"
 
@@ -51,7 +53,7 @@ class Checker:
     def __init__(self, root, bin_folder):
         self.root, self.bin = root, bin_folder
         self.faults, self.links, self.files, self.commands = [], 0, 0, 0
-        self.pages, self.names, self.words = {}, set(), set()
+        self.pages, self.names, self.words, self.seconds = {}, set(), set(), []
         for folder, folders, files in os.walk(root):
             folders[:] = [f for f in folders if f != ".git" and not f.startswith("build")]
             self.names.update(files)
@@ -127,6 +129,7 @@ class Checker:
         wanted = int((re.search(r"status (\d+)", comment) or [0, 0])[1])
         environment = dict(os.environ, PATH=f"{self.bin}:{os.environ['PATH']}", HOME=folder, QT_QPA_PLATFORM="offscreen")
         self.commands += 1
+        begun = time.monotonic()
         with tempfile.TemporaryFile() as said:
             process = subprocess.Popen(["bash", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                                        stdout=said, stderr=said, start_new_session=True)
@@ -139,6 +142,7 @@ class Checker:
                 status = process.wait()
             said.seek(0)
             text = said.read().decode(errors="replace").strip().split("\n")
+        self.seconds.append((time.monotonic() - begun, f"{page.path}:{number}: {command}"))
         if not stopped and status != wanted:
             self.fault(page, number, f"status {status}, not {wanted}: {command}\n    " + "\n    ".join(text[-3:]))
 
@@ -176,6 +180,8 @@ def main():
         checker.check_files(page)
         checker.check_names(page)
         checker.check_commands(page)
+    for seconds, command in sorted(checker.seconds, reverse=True)[:SLOWEST]:
+        print(f"{seconds:6.1f} s {command}")
     print("\n".join(checker.faults))
     print(f"{len(checker.pages)} pages: {checker.links} links, {checker.files} named files, {checker.commands} commands, "
           f"{len(checker.faults)} faults")
