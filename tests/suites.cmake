@@ -23,7 +23,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
     string(APPEND _script
       "add_test([=[${PREFIX}${_name}]=] ${_launcher} [=[${PROGRAM}]=] [=[--gtest_filter=${_suite}*]=])\n"
       "set_tests_properties([=[${PREFIX}${_name}]=] PROPERTIES ${PROPERTIES}")
-    if(_name IN_LIST _long)
+    list(FIND _long "${_name}" _place)
+    if(NOT _place EQUAL -1)
       string(APPEND _script " COST 100")
     endif()
     string(APPEND _script ")\n")
