@@ -57,15 +57,10 @@ struct LargePages {
     }
 };
 
-// Leaves new elements without a value, so that the threads that fill the vector touch its pages first: filling a map of
-// 128 MB with zeros beforehand takes one thread a third of the time of its build.
+// Leaves new elements without a value, so that the threads that fill the vector touch its pages first: with zeros
+// filled in by one thread, the build of a distance map of 128 MB had an efficiency of 17% on 16 threads instead of 56%.
 template <class T>
 struct UnfilledPages : LargePages<T> {
-    template <class U>
-    struct rebind {
-        using other = UnfilledPages<U>;
-    };
-
     UnfilledPages() = default;
     template <class U>
     explicit UnfilledPages(const UnfilledPages<U>& /*other*/) {}

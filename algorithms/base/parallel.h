@@ -64,7 +64,7 @@ auto parallelReduce(Work& work, Index count, Index grain, const Of& of, const Jo
     return all;
 }
 
-// Returns the smallest and the largest of the values, at least one, in parallel.
+// Returns the smallest and the largest value, in parallel. values: not empty.
 template <class Value>
 std::pair<Value, Value> minMax(Work& work, std::span<const Value> values) {
     using Pair = std::pair<Value, Value>;

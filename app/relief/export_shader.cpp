@@ -64,8 +64,9 @@ ExportKind addShaderExport(CLI::App& parser) {
     addText(parser, "--white", options->white, "high|deep",
             "what white means in your height map, high (default) or deep", group);
     addText(parser, "--interpolation", options->interpolation, "float|sampler",
-            "how heights and cones between texels are made. float: from four texels, as this program does (default); "
-            "sampler: by the texture's sampler, in one fetch, whose weights have 8 bits on graphics cards",
+            "how heights, cones and distances between texels are interpolated. float: from four texels, or eight "
+            "voxels, with weights in float, as this program does (default); sampler: by the texture's sampler, in one "
+            "fetch; graphics cards round its weights to 8 bits",
             group);
     addText(parser, "--unit", options->unit, "ratio|sqrt-ratio|slope|texel-slope",
             "numbers by which your map stores cones. ratio: radius per unit of height (default); sqrt-ratio: its root; "

@@ -204,8 +204,8 @@ void addAsked(CLI::App& parser, RecommendOptions& options) {
             "--outliers; with --form shader without exception. Default: no limit",
             group);
     addText(parser, "--fetches", options.fetches, "N",
-            "with --form shader: largest number of texture fetches per ray, a filtered one counted as one. Default: no "
-            "limit",
+            "with --form shader: largest number of texture fetches per ray, a filtered one counted as one (by the "
+            "sampler, --interpolation sampler, as the printed command sets). Default: no limit",
             group);
     addText(parser, "--step-cost", options.stepCost, "C",
             "cost of the arithmetic of a step, in height samples (--form scalar), default 2", group);

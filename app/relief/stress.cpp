@@ -213,8 +213,9 @@ void addStressCommand(CLI::App& program, Commands& commands) {
     addText(*parser, "--parts", options->parts, "NAME,...",
             "run only these parts of each case: tracers, any-hit, frames, homographies, rows; default: all", "Run");
     addText(*parser, "--more-rays", options->moreRays, "N",
-            "each method also traces N times as many view rays of each case, 0 (default) to 1000, as blocks, the way "
-            "pictures are traced, and without logs: most of the time is then spent on rays",
+            "each method also traces N times as many view rays of each case, 0 (default) to 1000, in blocks, the way "
+            "pictures are traced, and without logs: most of the time is then spent on rays. Families of rays that take "
+            "long, --oracle and any-hit queries are left out",
             "Run");
     addFlag(*parser, "--oracle", options->oracle,
             "also decide the first hit of every ray in rational arithmetic, without any rounding, and compare the hits "

@@ -25,7 +25,6 @@
 #include <QtGlobal>
 
 #include "relief/messages.h"
-#include "windows/display_check.h"
 #include "workspace/language.h"
 
 // Included after Qt, because it defines the macro Bool.
@@ -189,9 +188,9 @@ void DisplayLoss::saveBy(std::function<bool()> save) {
     XSetIOErrorHandler(onBrokenConnection);  // Qt may have set its own
 }
 
-int DisplayLoss::check() {
+void DisplayLoss::endQuietly() {
+    // Xlib's own handler would print and end with status 1.
     XSetIOErrorHandler([](Display*) -> int { ::_exit(kNoDisplay); });
-    return reliefui::displayProblem().empty() ? 0 : kNoDisplay;
 }
 
 // What the handlers use is kept, because other threads may be running them.

@@ -18,8 +18,9 @@ class DisplayLoss {
     DisplayLoss(const DisplayLoss&) = delete;
     DisplayLoss& operator=(const DisplayLoss&) = delete;
 
-    // Tries the display, for `reliefscope --check-display`; returns 0 or kNoDisplay. Needs no object.
-    static int check();
+    // From now on the process ends with kNoDisplay, without a line, when the display goes: for `reliefscope
+    // --check-display`. Needs no object.
+    static void endQuietly();
 
     // Call it after the QApplication was created, which sets handlers of its own. save: saves the state of the window
     // on its thread, without the display; returns true if the next start finds it.

@@ -365,14 +365,19 @@ int run(int count, char** values, const Arguments& arguments) {
             return watch.exitStatus();
         }
     }
-    if (arguments.checkDisplay) return DisplayLoss::check();
-    DisplayLoss displayLoss;
+    std::optional<DisplayLoss> displayLoss;
+    if (arguments.checkDisplay) {
+        DisplayLoss::endQuietly();
+    } else {
+        displayLoss.emplace();
+    }
     const std::string problem = reliefui::displayProblem();
     if (!problem.empty()) {
         const Message fault(MessageId::WindowNone, {{"why", problem}});
         std::fprintf(stderr, "reliefscope: %s\n", sentence(fault, reliefui::uiLanguage()).c_str());
         return DisplayLoss::kNoDisplay;
     }
+    if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();
     // A screenshot neither restores nor stores a session.
     const bool shot = !arguments.screenshot.empty();
@@ -399,7 +404,7 @@ int run(int count, char** values, const Arguments& arguments) {
                        [&] { return shown != nullptr ? shown->layoutNow() : layout; });
         QObject::connect(&*keeper, &reliefui::StateKeeper::problem, &workspace, &reliefui::Workspace::problem);
     }
-    displayLoss.saveBy([&] { return keeper && keeper->keepNow(); });
+    displayLoss->saveBy([&] { return keeper && keeper->keepNow(); });
     int status = 0;
     // The page of the open lesson, which the window in the other language opens again.
     std::optional<reliefui::LessonPlayer::Place> lesson;

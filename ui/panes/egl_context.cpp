@@ -42,8 +42,8 @@ EGLContext contextOf(EGLDisplay display, int major, int minor) {
     return EGL_NO_CONTEXT;
 }
 
-// Returns the displays to try, in this order: the screen, where it is wanted and there is one; none; the graphics
-// cards, since not every driver offers a context without a display of its own accord.
+// Returns what to try, in this order: the X screen, if wanted and present; no display (Mesa); then each graphics card,
+// since some drivers give a context without a display only for a device.
 std::vector<EGLDisplay> displays(EglPlace place) {
     std::vector<EGLDisplay> found;
     const auto add = [&](EGLenum platform, void* native) {

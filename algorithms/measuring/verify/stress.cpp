@@ -59,22 +59,24 @@ void nameHeights(Scenario& scenario, const Case& of, const StressOptions& option
     scenario.surface = of.field.surface();
 }
 
-// Returns the command that reproduces the violation. Any-hit queries, homographies and rows have no command of their
-// own, so the case is run again.
+// Returns the command that reproduces the violation. Blocks of rays, any-hit queries, homographies and rows have no
+// command of their own, so the case is run again.
 std::string reproduction(const Running& what, const StressOptions& options) {
     if (what.part == StressPart::Frames) {
         Scenario scenario = *what.frame;
         nameHeights(scenario, *what.of, options);
         return renderCommand(scenario);
     }
-    if (what.part == StressPart::Tracers) {
+    if (what.part == StressPart::Tracers && !what.block) {
         Scenario scenario;
         nameHeights(scenario, *what.of, options);
         scenario.method = *what.method;
         return traceCommand(scenario, what.ray);
     }
     return "relief stress --seed " + std::to_string(options.seed) + " --case " + std::to_string(what.of->number) +
-           " --parts " + std::string(stressPartName(what.part));
+           " --parts " + std::string(stressPartName(what.part)) +
+           (what.block ? " --tracers " + methodText(*what.method) + " --more-rays " + std::to_string(options.moreRays)
+                       : "");
 }
 
 std::string methodOf(const MethodChoice& method, const Scenario* frame) {
@@ -194,7 +196,8 @@ class StressRun {
             if (!of) of = makeCase(options_.seed, result.number);
             result.violations.push_back(
                 {found.fault, methodOf(found.method, found.frame.get()), std::string(found.rays), result.map,
-                 reproduction({&*of, found.part, &found.method, found.rays, found.ray, found.frame.get()}, options_),
+                 reproduction({&*of, found.part, &found.method, found.rays, found.ray, found.frame.get(), found.block},
+                              options_),
                  std::move(kind)});
         }
         if (options_.onCase) options_.onCase(result);

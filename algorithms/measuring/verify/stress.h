@@ -84,12 +84,13 @@ struct StressOptions {
     std::string folder = ".";             // for maps that only a file can hold, as the commands name it
     std::set<StressPart> parts;           // empty: all
     bool oracle = false;                  // also decides the rays in rational arithmetic
-    // Each method also traces this many times the rays of a family as one block, as pictures are traced, without logs;
-    // at most kMoreRaysAtMost. Families of few rays, which take long, are left out.
+    // Each method also traces this many times the rays of a family, in blocks, as pictures are traced, without logs; at
+    // most kMoreRaysAtMost. Families of few rays, which take long, are left out; --oracle and any-hit queries do not
+    // use these rays.
     int moreRays = 0;
     std::optional<std::uint64_t> only;  // number of the only case to run, from 0
     std::size_t listed = 50;            // number of violations kept with a command; the others are only counted
-    double hangSeconds = 60;            // limit for one ray, or for one frame with its repetitions
+    double hangSeconds = 60;            // limit for one ray, one block of rays, or one frame with its repetitions
     // The functions to test besides the tracers (stress_subjects.h); null: the program's own.
     std::shared_ptr<const StressSubjects> subjects;
     // Called once, from another thread, for a ray that exceeds the limit; the tracer cannot be stopped.

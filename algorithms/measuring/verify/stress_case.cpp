@@ -21,7 +21,7 @@ constexpr int kLongLogs = 2;
 // than kManyRays have no blocks.
 constexpr std::size_t kBlockRays = 64;
 constexpr int kManyRays = 16;
-// A family's blocks end after kStepsPerFamily for each so many rays.
+// A family's blocks end after kStepsPerFamily steps, and as many again for each this number of further rays.
 constexpr std::size_t kRaysPerLimit = 1024;
 
 constexpr std::array<double, 6> kDepths{0.1, 0.5, 0.02, 4, 0, 1e-6};
@@ -30,6 +30,10 @@ constexpr std::array<double, 6> kDepths{0.1, 0.5, 0.02, 4, 0, 1e-6};
 constexpr std::uint64_t kOrder = std::uint64_t{1} << 62;
 constexpr std::uint64_t kRays = std::uint64_t{1} << 61;
 constexpr std::uint64_t kParts = std::uint64_t{1} << 60;
+
+bool enabled(const StressOptions& options, StressPart part) {
+    return options.parts.empty() || options.parts.contains(part);
+}
 
 // Returns the map family at a position of a round; a round contains each family once, in random order.
 std::size_t mapAt(std::uint64_t seed, std::uint64_t round, std::size_t place) {
@@ -85,7 +89,7 @@ class Turn {
         HitBlock hits, plain;
         BlockCounts counts;
         NullSink null;
-        watched_.begin({&of_, StressPart::Tracers, &method_.choice, familyRays_->family, rays[0]});
+        watched_.begin({&of_, StressPart::Tracers, &method_.choice, familyRays_->family, rays[0], nullptr, true});
         tracer_.trace(rays, hits, counts, work_);
         tracer_.trace(rays, plain, null, work_);
         watched_.end();
@@ -95,9 +99,9 @@ class Turn {
             steps += answer.steps;
             note(answer, rays[i]);
             if (auto fault = answerFault(tracer_, rays[i], answer, familyRays_->moreTruth[at + i])) {
-                report(*fault, rays[i]);
+                report(*fault, rays[i], true);
             }
-            if (!sameHit(answer.hit, plain[i])) report(sinksFault(answer.hit, plain[i]), rays[i]);
+            if (!sameHit(answer.hit, plain[i])) report(sinksFault(answer.hit, plain[i]), rays[i], true);
         }
         coverage_.rays[std::string(familyRays_->family)] += size;
         return steps;
@@ -146,8 +150,8 @@ class Turn {
         coverage_.worstWhere = std::string(familyRays_->family) + " over " + of_.map;
     }
 
-    void report(const StressFault& fault, const ViewRay& ray) {
-        result_.report({fault, StressPart::Tracers, method_.choice, familyRays_->family, ray, nullptr});
+    void report(const StressFault& fault, const ViewRay& ray, bool block = false) {
+        result_.report({fault, StressPart::Tracers, method_.choice, familyRays_->family, ray, nullptr, block});
     }
 
     const Case& of_;
@@ -163,11 +167,14 @@ class Turn {
 
 // Adds the further rays of the family, whose random numbers follow those of its first rays.
 void addMore(FamilyRays& familyRays, const StressRayFamily& family, const Case& of, int moreRays, Random& random,
-             const Tracer& exact, Work& work) {
+             const Tracer& exact, Watched& watched, Work& work) {
     if (family.rays < kManyRays) return;
+    const MethodChoice truth{exact.description().name, {}};
     for (int r = 0; r < family.rays * moreRays; ++r) familyRays.more.push(family.make(of.field, random));
     NullSink null;
+    watched.begin({&of, StressPart::Tracers, &truth, family.name, familyRays.more[0], nullptr, true});
     exact.trace(familyRays.more, familyRays.moreTruth, null, work);
+    watched.end();
 }
 
 std::vector<FamilyRays> raysOfFamilies(const Case& of, const StressOptions& options, const Tracer& exact,
@@ -191,7 +198,9 @@ std::vector<FamilyRays> raysOfFamilies(const Case& of, const StressOptions& opti
             watched.end();
             familyRays.truth.push_back(hits[0]);
         }
-        if (options.moreRays > 0) addMore(familyRays, family, of, options.moreRays, random, exact, work);
+        if (options.moreRays > 0 && enabled(options, StressPart::Tracers)) {
+            addMore(familyRays, family, of, options.moreRays, random, exact, watched, work);
+        }
         all.push_back(std::move(familyRays));
     }
     return all;
@@ -253,17 +262,16 @@ CaseResult runCase(const Case& tried, const StressOptions& options, const std::v
     static const StressSubjects own;
     const StressSubjects& subjects = options.subjects ? *options.subjects : own;
     const CaseRun run{tried, options, groups, subjects, std::make_shared<MapCache>(), watched, result, work};
-    const auto enabled = [&](StressPart part) { return options.parts.empty() || options.parts.contains(part); };
-    if (enabled(StressPart::Tracers) || enabled(StressPart::AnyHit) || options.oracle) {
+    if (enabled(options, StressPart::Tracers) || enabled(options, StressPart::AnyHit) || options.oracle) {
         const auto exact = makeTracer({"exact", {}}, tried.field, *run.maps, work);
         const std::vector<FamilyRays> familyRays = raysOfFamilies(tried, options, *exact, watched, work);
-        if (enabled(StressPart::Tracers)) traceRays(run, familyRays);
-        if (enabled(StressPart::AnyHit)) stressAnyHit(run, familyRays);
+        if (enabled(options, StressPart::Tracers)) traceRays(run, familyRays);
+        if (enabled(options, StressPart::AnyHit)) stressAnyHit(run, familyRays);
         if (options.oracle) stressOracle(run, familyRays);
     }
-    if (enabled(StressPart::Frames)) stressFrames(run);
-    if (enabled(StressPart::Homographies)) stressHomographies(run);
-    if (enabled(StressPart::Rows)) stressRows(run);
+    if (enabled(options, StressPart::Frames)) stressFrames(run);
+    if (enabled(options, StressPart::Homographies)) stressHomographies(run);
+    if (enabled(options, StressPart::Rows)) stressRows(run);
     return result;
 }
 

@@ -32,8 +32,9 @@ struct Running {
     StressPart part = StressPart::Tracers;
     const MethodChoice* method = nullptr;
     std::string_view rays;
-    ViewRay ray;
+    ViewRay ray;                      // of a block: the first
     const Scenario* frame = nullptr;  // frames only: the scenario without its pictures
+    bool block = false;               // one of the blocks of StressOptions::moreRays
     std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
 };
 
@@ -67,6 +68,7 @@ struct Found {
     std::string_view rays;
     ViewRay ray;
     std::shared_ptr<const Scenario> frame;  // frames only: the scenario without its pictures
+    bool block = false;                     // among other rays, without which it may not be found
 };
 
 // `violations` is empty until commands for `found` are made.

@@ -122,8 +122,8 @@ struct AmbiguousPart {
         const double outX = leaves(ray.x, grid.x, cx), outY = leaves(ray.y, grid.y, cy);
         const double first = std::min(outX, outY), last = std::max(outX, outY);
         const double lateX = std::abs(ray.x.inverse) * kLate, lateY = std::abs(ray.y.inverse) * kLate;
-        // Each line with the lateness of its own axis: along an axis on which the ray hardly moves it can be longer
-        // than the whole ray.
+        // Each crossing minus the lateness of its own axis: where the ray hardly moves along an axis, that exceeds the
+        // whole ray.
         const double in = std::max(enters(ray.x, grid.x, cx) - lateX, enters(ray.y, grid.y, cy) - lateY);
         from = std::max(std::min({in, outX - lateX, outY - lateY}) - kLate, 0.0);
         const double late = lateX + lateY + kLate;
@@ -346,7 +346,7 @@ Hit ConeWalk::trace(const ViewRay& viewRay, double begin, Sink& sink, DoubleSink
             if (end == End::Hit) return hit;
             if (end == End::Miss) return miss(lambda);
             const AmbiguousPart part(scene_.grid, exact, ray.x.cell(scene_.grid.x), ray.y.cell(scene_.grid.y));
-            from = std::max(part.from, verified);  // not what double has walked before
+            from = std::max(part.from, verified);  // double has verified the ray up to here
             until = end == End::Fallback || ++returns > kMostReturns ? kEnd : part.until;
         }
         PackedWalk part(ground, {viewRay}, 0, from, until);

@@ -2,9 +2,10 @@
 //@header floor; the number is the height (WHITE 0), or one minus it (WHITE 1). 8 bits give terraces; block compression
 //@header destroys green.
 //@header Addressing: every sampler as ADDRESS says (0 repeat, 1 clamp, 2 clamp, too, and what lies outside is
-//@header discarded); maps must be built with the same addressing. Linear filter, no MIP levels, unless said otherwise.
-//@header Between texels: INTERPOLATION 1 weights texels in float, as the CPU does; 0 leaves it to the sampler, which is
-//@header one fetch for all channels, but a graphics card's weights have 8 bits only, so that hits move and cones may be crossed.
+//@header discarded); maps must be built with the same addressing. No MIP levels, unless said otherwise; for
+//@header INTERPOLATION 0, linear filter. reliefMap must have relief.size texels: let no quality setting drop levels.
+//@header Between texels: INTERPOLATION 1 weights texels in float, as Reliefscope's tracers do; 0 uses the sampler, one fetch for
+//@header all channels, but graphics cards round its weights to 8 bits: hits move, and steps may pass the surface.
 //@header Axes: texel (0, 0) is the picture's upper left one; v grows with its rows, downwards, as in Direct3D and Vulkan.
 //@header If your pictures are stored with the last row first (OpenGL), flip them, or flip v and the signs of the tangent
 //@header frame's y. Tangent frame: x along u, y along v, z out of the polygon; lengths in widths of the texture on it.

@@ -171,7 +171,7 @@ class Canceller {
     std::jthread thread_;
 };
 
-// A level that does not depend on how fast the machine is, as the renderer's own choice does.
+// Returns a random level; the renderer's own choice depends on the machine's speed.
 MovingLevel anyLevel(const FrameRequest& request, Random& random) {
     const int filter = static_cast<int>(random.below(kCoarsestFilter + 1));
     const int factor = kFactors[random.below(std::size(kFactors))];

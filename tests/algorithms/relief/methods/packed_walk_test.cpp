@@ -105,9 +105,8 @@ void partsOf(const HeightField& field) {
     EXPECT_LT(ended, parts.size());
 }
 
-// A part ends with the hit of `exact`, or in the cell in which the ray is after `until`.
-// Along an axis on which the ray hardly moves, float knows the lines so badly that double once walked from the start
-// again.
+// Where the ray hardly moves along an axis, crossings in float are imprecise; the walk in double must still not begin
+// at the ray's start again.
 TEST(PackedWalk, aRayThatHardlyMovesAlongAnAxisIsWalkedOnce) {
     const HeightField field(share(makeRelief("spikes", 33, 2, 764250)), Surface::Bilinear, Address::Repeat, 0.02);
     Work work(1);
@@ -124,6 +123,7 @@ TEST(PackedWalk, aRayThatHardlyMovesAlongAnAxisIsWalkedOnce) {
     }
 }
 
+// A part ends with the hit of `exact`, or in the cell in which the ray is after `until`.
 TEST(PackedWalk, partsEndAtTheHitOrWhereTheRayIs) {
     std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
     const Heights heights = randomHeights(37, 24, kSeed);
