@@ -127,10 +127,8 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
         "A --map for engines, by its description or by options of the group Maps of engines, is certified as a shader "
         "reads it: its numbers are decoded, heights interpolated, cones fetched as told, and the ray steps to the edge "
         "of the cone on the surface below it. Weights are taken in float; that a graphics card's sampler rounds them "
-        "is "
-        "not covered. The "
-        "picture's own heights are the surface if it has any; then no height "
-        "map need be given. The first violation is printed with its ray and "
+        "is not covered. The picture's own heights are the surface if it has any; then no height map need be given. "
+        "The first violation is printed with its ray and "
         "the command that traces it. Methods without a guarantee may end up to half a texel past the hit.\n"
         "Exit status: 0 proven safe, 1 not safe, 2 wrong usage or input, 3 not decided: neither proof nor violation, "
         "or the check could not be carried out.",

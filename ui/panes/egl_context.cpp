@@ -42,25 +42,28 @@ EGLContext contextOf(EGLDisplay display, int major, int minor) {
     return EGL_NO_CONTEXT;
 }
 
-// Returns what to try, in this order: the X screen, if wanted and present; no display (Mesa); then each graphics card,
-// since some drivers give a context without a display only for a device.
-std::vector<EGLDisplay> displays(EglPlace place) {
-    std::vector<EGLDisplay> found;
-    const auto add = [&](EGLenum platform, void* native) {
-        const EGLDisplay display = eglGetPlatformDisplay(platform, native, nullptr);
-        if (display != EGL_NO_DISPLAY) found.push_back(display);
-    };
+// The X screen, if wanted and present; then none, which Mesa can do without.
+std::vector<EGLDisplay> displaysOf(EglPlace place) {
+    std::vector<EGLDisplay> all;
     const char* const screen = std::getenv("DISPLAY");
-    if (place == EglPlace::Screen && screen != nullptr && *screen != '\0')
-        add(EGL_PLATFORM_X11_KHR, EGL_DEFAULT_DISPLAY);
-    add(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+    if (place == EglPlace::Screen && screen != nullptr && *screen != '\0') {
+        all.push_back(eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, EGL_DEFAULT_DISPLAY, nullptr));
+    }
+    all.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    return all;
+}
+
+// The graphics cards: some drivers give a context without a display only for a card.
+std::vector<EGLDisplay> displaysOfCards() {
     const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    std::array<EGLDeviceEXT, 8> devices{};
+    std::array<EGLDeviceEXT, 8> cards{};
     EGLint count = 0;
-    if (query == nullptr || query(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE)
-        return found;
-    for (EGLint d = 0; d < count; ++d) add(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(d)]);
-    return found;
+    if (query == nullptr || query(static_cast<EGLint>(cards.size()), cards.data(), &count) == EGL_FALSE) return {};
+    std::vector<EGLDisplay> all;
+    for (EGLint n = 0; n < count; ++n) {
+        all.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, cards[static_cast<std::size_t>(n)], nullptr));
+    }
+    return all;
 }
 
 }  // namespace
@@ -69,15 +72,18 @@ EglContext::EglContext(std::unique_ptr<Handles> handles) : handles_(std::move(ha
 
 std::unique_ptr<EglContext> EglContext::make(int major, int minor, EglPlace place, EglProblem& problem) {
     problem = EglProblem::NoEgl;
-    for (const EGLDisplay display : displays(place)) {
-        auto handles = std::make_unique<Handles>();
-        handles->display = display;
-        if (eglInitialize(handles->display, nullptr, nullptr) == EGL_FALSE) continue;
-        problem = EglProblem::NoVersion;
-        handles->context = contextOf(handles->display, major, minor);
-        if (handles->context != EGL_NO_CONTEXT) return std::unique_ptr<EglContext>(new EglContext(std::move(handles)));
-    }
-    return nullptr;
+    const auto madeOn = [&](const std::vector<EGLDisplay>& displays) -> std::unique_ptr<EglContext> {
+        for (const EGLDisplay display : displays) {
+            if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) continue;
+            problem = EglProblem::NoVersion;
+            const EGLContext context = contextOf(display, major, minor);
+            if (context == EGL_NO_CONTEXT) continue;
+            return std::unique_ptr<EglContext>(new EglContext(std::make_unique<Handles>(Handles{display, context})));
+        }
+        return nullptr;
+    };
+    auto made = madeOn(displaysOf(place));
+    return made ? std::move(made) : madeOn(displaysOfCards());
 }
 
 EglContext::~EglContext() {

@@ -165,8 +165,8 @@ TEST(Exactness, agreesWithLongDouble) {
                 SCOPED_TRACE(name);
                 const RayBlock rays = randomRays(99, field, perField, 1);
                 HitBlock hits;
-                NullSink sink;
-                makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, sink, work);
+                BlockCounts counts;
+                makeTracer({"max-pyramid", {}}, field, cache, work)->trace(rays, hits, counts, work);
                 std::vector<Compared> parts((rays.size() + kPart - 1) / kPart);
                 parallelFor(work, parts.size(), [&](std::size_t n) {
                     for (std::size_t i = n * kPart; i < std::min((n + 1) * kPart, rays.size()); ++i) {
