@@ -1,5 +1,7 @@
 // An allocator for large maps with random access: it requests 2 MB pages where the system supports them. With small
-// pages, random reads over many megabytes miss the TLB nearly every time.
+// pages, random reads over many megabytes miss the TLB nearly every time. New elements have no value, so that the
+// threads that fill the map touch its pages first: with zeros filled in by one thread, the build of a distance map of
+// 128 MB had an efficiency of 17% on 16 threads instead of 56%.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +19,12 @@
 namespace relief {
 
 template <class T>
-struct LargePages {
+struct UnfilledPages {
     using value_type = T;
 
-    LargePages() = default;
+    UnfilledPages() = default;
     template <class U>
-    explicit LargePages(const LargePages<U>& /*other*/) {}
+    explicit UnfilledPages(const UnfilledPages<U>& /*other*/) {}
 
     T* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(T);
@@ -44,7 +46,15 @@ struct LargePages {
             ::operator delete(memory);
         }
     }
-    bool operator==(const LargePages& /*other*/) const {
+    template <class U>
+    void construct(U* at) {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Values>
+    void construct(U* at, Values&&... values) {
+        ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
+    }
+    bool operator==(const UnfilledPages& /*other*/) const {
         return true;
     }
 
@@ -54,24 +64,6 @@ struct LargePages {
     // much.
     static bool isLarge(std::size_t bytes) {
         return bytes >= 4 * kPage;
-    }
-};
-
-// Leaves new elements without a value, so that the threads that fill the vector touch its pages first: with zeros
-// filled in by one thread, the build of a distance map of 128 MB had an efficiency of 17% on 16 threads instead of 56%.
-template <class T>
-struct UnfilledPages : LargePages<T> {
-    UnfilledPages() = default;
-    template <class U>
-    explicit UnfilledPages(const UnfilledPages<U>& /*other*/) {}
-
-    template <class U>
-    void construct(U* at) {
-        ::new (static_cast<void*>(at)) U;
-    }
-    template <class U, class... Values>
-    void construct(U* at, Values&&... values) {
-        ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
     }
 };
 
