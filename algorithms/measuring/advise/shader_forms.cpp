@@ -159,7 +159,9 @@ std::vector<ShaderForm> shaderForms(const ShaderAdviceOptions& options, int bits
         form.map = technique.map;
         form.bits = bits;
         form.fetchKind = technique.kind;
-        form.guarantee = findTracer(form.method.name).guarantee;
+        // Samplers round the weights of texels to 8 bits, so that a fetch between texels guarantees nothing.
+        form.guarantee =
+            technique.kind == FetchKind::Texels ? findTracer(form.method.name).guarantee : Guarantee::Approximate;
         form.textures = texturesOf(form, options.field);
         if (!technique.loop.empty()) {
             form.bounded = true;

@@ -88,10 +88,9 @@ TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
 }
 
 TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
-    // The documented limits: median 10%, worst 30%, against the full table on other rays.
-    constexpr double kMedian = 0.10;
-    constexpr double kWorst = 0.30;
-    std::vector<double> regrets;
+    // Against the full table on other rays, measured 0 on each relief. Steps are counted, so that there is no noise;
+    // two forms whose counts differ by less on the rays of the trial may change places on others.
+    constexpr double kMost = 0.01;
     for (const ReliefRecipe& recipe : reliefRecipes()) {
         AdviceOptions options =
             optionsFor(std::string(recipe.name), Form::Scalar, recipe.anySize ? kSide : recipe.defaultSize);
@@ -107,12 +106,9 @@ TEST(Recommend, ScalarRegretIsSmallOnEveryProceduralRelief) {
         EXPECT_TRUE(result.keepsBound) << recipe.name << ": " << methodText(result.chosen);
         EXPECT_EQ(result.measured, options.forms.size()) << recipe.name;
         EXPECT_GE(result.regret(), 0) << recipe.name;
-        EXPECT_LE(result.regret(), kWorst)
+        EXPECT_LE(result.regret(), kMost)
             << recipe.name << ": " << methodText(result.chosen) << ", best " << methodText(result.best);
-        regrets.push_back(result.regret());
     }
-    std::sort(regrets.begin(), regrets.end());
-    EXPECT_LE(regrets[regrets.size() / 2], kMedian);
 }
 
 // The full table, too, contains only forms within the step budget; without any such form there is no regret.
