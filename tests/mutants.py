@@ -7,9 +7,10 @@ FOLDER receives a copy of the sources (source/), their build (source/build/) and
 in seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): an interrupted run resumes from there, unless the sources have
 changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; one that
 does not compile is replaced by another. Each fault is built separately and tried with the tests whose files match it by
-name, then with those of the same folder, until one fails. The undetected faults are then inserted together and all tests
-are run once; the suites that fail are run again with each fault separately. A suite that passes with all faults is
-assumed to pass with each. If faults mask each other this is wrong, so the number of survivors may be too high.
+name, then with those of the same folder or related by name, until one fails. The undetected faults are then inserted
+together and all tests are run once; the suites that fail are run again with each fault separately. A suite that passes
+with all faults is assumed to pass with each. If faults mask each other this is wrong, so the number of survivors may be
+too high.
 """
 
 import filecmp
@@ -115,7 +116,10 @@ def suites_of(source):
 
 
 def fitting(source, suites, mutated):
-    """Returns two lists of suites: those whose file matches the mutated one by name or includes it; the others of the same folder."""
+    """Returns two lists of suites: those whose file matches the mutated one by name or includes it; others that are related.
+
+    Related are those of the same folder, or if that has no tests of its own, those of its parents that share a word with it.
+    """
     file = Path(mutated)
     stem = re.sub(r"(_lanes|-inl)$", "", file.stem)
     header = str(Path(*file.parts[1:]).with_suffix(".h")).removeprefix("include/")
@@ -123,15 +127,17 @@ def fitting(source, suites, mutated):
     if not any((source / "algorithms" / top / header).exists() for top in ("", "include")):
         header = "relief/" + file.with_suffix(".h").name
     include = '"' + header + '"'
-    folder = source / "tests" / str(file.parent).replace("algorithms/include/", "algorithms/")
-    # A folder without tests of its own is tested by those of its parent.
+    top = PROGRAMS[file.parts[0]][1]
+    folder = source / "tests" / top / Path(*file.parent.parts[1:]).relative_to("include" if "include" in file.parts else "")
+    words = None
     while folder not in {path.parent for path in suites.values()} and folder != source / "tests":
+        words = (words or set(stem.split("_"))) | {folder.name}
         folder = folder.parent
     near, beside = [], []
     for suite, path in suites.items():
         if path.stem.startswith(stem) or include in path.read_text():
             near.append(suite)
-        elif path.parent == folder:
+        elif path.parent == folder and (words is None or words & set(path.stem.split("_"))):
             beside.append(suite)
     return near, beside
 
