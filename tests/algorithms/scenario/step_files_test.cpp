@@ -120,6 +120,19 @@ TEST(StepFiles, ATexelLargerThanThePictureEndsWithIt) {
     }
 }
 
+TEST(StepFiles, ATexelsPlaceOfTheRayNeedsBothCoordinates) {
+    const std::string known = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,test,0.2,texel,";
+    const auto placeOf = [&](const std::string& coordinates) {
+        const StepLog log = parseSteps(kHeader + known + coordinates + ",,,,,\n", "s.csv", 1);
+        return std::get<subject::Texel>(log.steps.at(0).subject).ray;
+    };
+    const std::optional<subject::LevelPoint> both = placeOf("1.5,2.25");
+    ASSERT_TRUE(both);
+    EXPECT_EQ(both->x, 1.5);
+    EXPECT_EQ(both->y, 2.25);
+    for (const char* coordinates : {",", "1.5,", ",2.25"}) EXPECT_FALSE(placeOf(coordinates)) << coordinates;
+}
+
 TEST(StepFiles, FaultsNameTheLine) {
     const std::string good = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,test,0.2\n";
     EXPECT_EQ(refusal(kFewColumns + good), "");

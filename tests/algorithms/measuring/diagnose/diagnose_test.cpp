@@ -199,6 +199,46 @@ TEST_P(DiagnoseOn, AForeignFaultIsUnknown) {
     EXPECT_TRUE(diagnosis.unknown()) << listed(namesIn(diagnosis));
 }
 
+// Refined layers that pass the top of a peak miss it if the ray goes through it, not if it barely touches it.
+TEST(Diagnose, LayersThatPassATouchMissNothing) {
+    FloatImage heights(64, 64);
+    // Rows of other heights, so that the layers are not off by the same everywhere.
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) heights(x, y) = 0.2F + 0.0015F * static_cast<float>(y);
+    }
+    heights(32, 32) = 0.75F;
+    const HeightField field(share(std::move(heights)), Surface::Bilinear, Address::Repeat, 0.3);
+    constexpr double kPeak = 32.5;
+    ASSERT_EQ(field.at(kPeak, kPeak), 0.75);
+    constexpr double kRun = 20, kLayer = 1.0 / 22;
+    constexpr double kThrough = 0.01;  // below the peak's top
+    constexpr std::size_t kRaysThrough = 20;
+    TracerRecord record;
+    for (std::size_t n = 0; n < 10 * kRaysThrough; ++n) {
+        const bool through = n % 10 == 0, touching = n % 10 == 5;
+        const double lambda = 0.25 + (through ? kThrough : kTouchDepth / 2);
+        const double t = through || touching ? kPeak : 2 + 0.1 * static_cast<double>(n);
+        record.rays.push({kPeak - lambda * kRun, t, kRun, 0});
+    }
+    record.hits = HitBlock(record.rays.size());
+    for (std::size_t r = 0; r < record.rays.size(); ++r) {
+        const ViewRay ray = record.rays[r];
+        const auto below = [&](double at) { return field.at(ray.s0 + at * ray.a, ray.t0) >= 1 - at; };
+        double at = 0;
+        while (!below(at)) at += kLayer;
+        double step = kLayer;
+        for (int n = 0; n < 8; ++n) {
+            step /= 2;
+            if (below(at - step)) at -= step;
+        }
+        record.hits.set(r, Hit::at(ray, at));
+    }
+    Work work;
+    const Diagnosis diagnosis = diagnose(record, field, work);
+    ASSERT_EQ(listed(namesIn(diagnosis)), "missed-spike ");
+    EXPECT_EQ(diagnosis.findings[0].rays, kRaysThrough);
+}
+
 TEST(Diagnose, ReportsLimitsAndMisses) {
     const HeightField field = specimenField("bricks");
     const RayBlock rays = specimenRays(field, 400);
