@@ -159,6 +159,10 @@ TEST(Variation, TheTruthOfFiltersHasNoFewerSamplesThanAnyOfThem) {
     scenario.comparison.filters = {{"supersample", {{kSamples, "16"}, {kPixelModel, "gaussian"}}}};
     EXPECT_EQ(referenceVariation(scenario).options.at(kSamples), "16");
     EXPECT_EQ(referenceVariation(scenario).options.at(kPixelModel), "gaussian");
+    // Other filters have no model of a pixel.
+    scenario.comparison.filters = {{"supersample", {{kSamples, "4"}, {kPixelModel, "gaussian"}}}, {"trilinear", {}}};
+    EXPECT_EQ(referenceVariation(scenario).options.at(kSamples), "8");
+    EXPECT_EQ(referenceVariation(scenario).options.at(kPixelModel), "gaussian");
 }
 
 }  // namespace
