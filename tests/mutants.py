@@ -67,7 +67,8 @@ RULES = [
     ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Lower|LeastRun|Round\w*|Late|Away|Aside|"
                r"Nudge|Unsure|Clearance) = [^;]+(?=;)",
      lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
-    ("swapped", rf"(?<=[\w>]\()({NAME}), ({NAME})(?=\))", r"\2, \1"),
+    # Of functions whose arguments may be swapped, it would be no fault.
+    ("swapped", rf"(?!(?:min|max|hypot|swap|Add|Mul|And|Or|Xor|Min|Max)\b)(\b\w+(?:<[^()]*>)?\()({NAME}), ({NAME})(?=\))", r"\1\3, \2"),
     ("key", rf" (?:\|\||&&|\|) {NAME}(?:\([\w:]*\))?(?: == {NAME})?(?=[;)])", ""),
     ("check", r"^ *if \([^{}]*\) (?:return\b[^;]*|continue|break|throw [^;]*);$", ""),
 ]
