@@ -200,6 +200,24 @@ TEST(Rays, behindBricksTheErrorIsAtMostHalfOfPlain) {
     EXPECT_LT(rows[1].rmse, rows[2].rmse);
 }
 
+// Rays and the grid serve uniform and Gaussian weights only.
+TEST(Rays, withOtherWeightsTheTexelsAreReadInstead) {
+    const Picture picture = randomPicture(128, 96, kSeed);
+    const HeightField field = reliefOf("bricks");
+    const FilterBlock block = queries(field, 100, kSeed);
+    for (const char* weights : {"texel-distance", "box", "crt"}) {
+        const auto made = [&](const char* form) {
+            return MadeFilter({"elliptical-visible", {{"form", form}, {"weights", weights}}}, picture, field);
+        };
+        MadeFilter texels = made("position-area"), rays = made("rays"), grid = made("grid");
+        for (std::size_t i = 0; i < block.size(); ++i) {
+            const Color expected = texels.at(block[i]);
+            ASSERT_EQ(rays.at(block[i]), expected) << weights << " " << i;
+            ASSERT_EQ(grid.at(block[i]), expected) << weights << " " << i;
+        }
+    }
+}
+
 // The logged samples sum up to the colour, whether or not the pixel was treated as a plane.
 TEST(Rays, theLogSumsUpToTheColour) {
     const Picture picture = randomPicture(128, 96, kSeed);

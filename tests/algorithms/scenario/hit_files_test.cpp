@@ -32,6 +32,13 @@ TEST(HitFiles, TwoColumnsAreEnough) {
     EXPECT_EQ(parseHits("outcome,lambda\n", "hits.csv").size(), 0U);
 }
 
+TEST(HitFiles, TheLastLineNeedsNoEnd) {
+    const HitBlock read = parseHits("outcome,lambda\nhit,0.5\nhit,0.25", "hits.csv");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read.outcome[1], Outcome::Hit);
+    EXPECT_EQ(read.lambda[1], 0.25);
+}
+
 TEST(HitFiles, WhatIsWrongIsNamedWithItsLine) {
     const auto said = [](const std::string& text) -> std::string {
         try {
