@@ -72,6 +72,21 @@ TEST(Compare, WhatStandsAroundThePicturesIsAsStored) {
     expectGoldens(paint, 420, 260, "compare");
 }
 
+// A figure is as high as its tiles: the pictures fill their rooms.
+TEST(Compare, TheHeightOfAFigureIsThatOfItsRows) {
+    constexpr double kWidth = 800, kPixels = 0.5;
+    for (std::size_t count = 2; count <= relief::kMostCompared; ++count) {
+        for (int columns = 1; columns <= 3; ++columns) {
+            CompareSource source = madeUp(count, relief::CompareMode::Tiles);
+            source.columns = columns;
+            const double height = compareHeight(source, kWidth, {});
+            for (const Box& room : compareLayout(source, kWidth, height, {}).rooms) {
+                EXPECT_NEAR(room.height(), room.width() * source.aspect, kPixels) << count << " in " << columns;
+            }
+        }
+    }
+}
+
 // A lecturer reads the title; what to type stands below, with its options.
 TEST(Compare, TitlesHeadTheTilesAndIdentifiersStandBelow) {
     const CompareSource source = madeUp(3, relief::CompareMode::Tiles);
