@@ -123,6 +123,16 @@ TEST(Writing, RefusesFormatsThatItDoesNotWrite) {
     EXPECT_EQ(folder.files(), 0);
 }
 
+// What the library of a format refuses is said, and no file is left. JPEG holds 65,500 pixels a side, TGA 65,535.
+TEST(Writing, RefusesPicturesThatAFormatCannotHold) {
+    const TemporaryFolder folder;
+    const ColorImage wide(70'000, 1);
+    for (const char* name : {"a.jpg", "a.tga"}) {
+        EXPECT_NE(faultOf([&] { writeColor(folder / name, wide); }), "") << name;
+        EXPECT_EQ(folder.files(), 0) << name;
+    }
+}
+
 TEST(Writing, NowhereToWrite) {
     const TemporaryFolder folder;
     const ColorImage image(2, 2);
