@@ -86,6 +86,10 @@ with tempfile.TemporaryDirectory() as folder:
     # Readable without scripts: the chosen step is drawn, the answer is in the file.
     if page.count("<svg") < 4 or "<details>" not in page or page.index("<svg") > page.index("<script"):
         fail("the page shows nothing without scripts")
+    # Texts keep their paragraphs, in both languages.
+    blocks = [page.count(f'<div class="{language}" lang="{language}">') for language in ("en", "uk")]
+    if blocks[0] < 5 or blocks[0] != blocks[1] or page.count("<p>") < sum(blocks):
+        fail(f"texts in English and Ukrainian: {blocks}, paragraphs: {page.count('<p>')}")
     view = write([os.path.join(root, "ui/lessons/missed_spike.json"), "--export", "profile"], os.path.join(folder, "profile.html"))
     if "type=\"range\"" not in view:
         fail("the pane's page has no slider")
