@@ -137,6 +137,12 @@ TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {
         offered = offered || action->text().contains(QString::fromUtf8("шпиль"));
     }
     EXPECT_TRUE(offered);
+    // Enter goes there, as the list's tip says.
+    BookmarkDialog opened(workspace_.get());
+    opened.show();
+    opened.list()->setCurrentRow(1);
+    QTest::keyClick(opened.list(), Qt::Key_Return);
+    EXPECT_EQ(scenario().pixel, elsewhere.pixel);
 }
 
 TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
