@@ -227,6 +227,14 @@ TEST_F(DistanceTest, HoverReadsTheVoxel) {
     EXPECT_TRUE(text.contains(QStringLiteral("texels")));
 }
 
+TEST_F(DistanceTest, ARefinedMapHasItsSectors) {
+    for (const std::string sectors : {"1", "8"}) {
+        openPane(walled("distance-refined", {{"sectors", sectors}, {"layers", "8"}}));
+        ASSERT_NE(view()->shown(), nullptr);
+        EXPECT_EQ(std::to_string(view()->shown()->frame.sectors), sectors);
+    }
+}
+
 TEST_F(DistanceTest, EveryMapOfEveryAddressingIsShown) {
     for (const relief::Address address : {relief::Address::Repeat, relief::Address::Clamp, relief::Address::Border}) {
         relief::Scenario scenario = walled("max-pyramid");

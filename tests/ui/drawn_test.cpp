@@ -183,6 +183,16 @@ TEST_F(DrawnPane, ADraggedTexelIsFollowedAndOneStepOfUndo) {
     EXPECT_EQ(scenario().pictures, after.pictures);
 }
 
+TEST_F(DrawnPane, ADragFromBesideTheGridMovesNothing) {
+    openPane();
+    view()->startFlat();
+    waitForFull();
+    const relief::Scenario before = scenario();
+    const QPointF corner = grid()->placeOf(0, 0), next = grid()->placeOf(1, 1);
+    drag(corner - 2 * (next - corner), next);
+    EXPECT_EQ(scenario(), before);
+}
+
 TEST_F(DrawnPane, AnotherSizeKeepsTheReliefInPlace) {
     openPane();
     view()->startFromRecipe(QStringLiteral("hills"));

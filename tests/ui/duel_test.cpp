@@ -78,6 +78,27 @@ TEST_F(DuelTest, MethodsAreComparedOnTheRay) {
     EXPECT_EQ(window_->pane<DuelView>()->duel()->runs[0].name, "layers:layers=4");
 }
 
+// In each method's column of the table every step stands once, in order; where a method waits, nothing stands.
+TEST_F(DuelTest, EachStepStandsOnce) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "8"}}};
+    openDuel(scenario);
+    const auto* const table = window_->pane<DuelView>()->findChild<QTableView*>();
+    ASSERT_NE(table, nullptr);
+    const QAbstractItemModel& model = *table->model();
+    const Duel& duel = *window_->pane<DuelView>()->duel();
+    ASSERT_EQ(model.columnCount(), static_cast<int>(duel.runs.size()));
+    for (int column = 0; column < model.columnCount(); ++column) {
+        std::size_t steps = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QString cell = model.index(row, column).data().toString();
+            if (cell.isEmpty()) continue;
+            EXPECT_EQ(cell.section(QLatin1Char(' '), 0, 0).toULong(), ++steps) << column;
+        }
+        EXPECT_EQ(steps, duel.runs[static_cast<std::size_t>(column)].steps.size()) << column;
+    }
+}
+
 TEST_F(DuelTest, TheFirstDivergenceIsShownAndNamed) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "4"}}};
