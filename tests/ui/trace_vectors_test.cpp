@@ -122,25 +122,27 @@ TEST_P(TraceMeshLaw, theReliefHidesWhatLiesBelowIt) {
     const auto snapshot = snapshotOf(GetParam());
     const TraceScene scene(*snapshot, 1);
     const TraceMesh mesh(scene);
-    const TraceEye eye(cameraFrom(scene, 0.4, 0.6), kPage);
-    const auto faces = mesh.faces(eye, Theme::Light);
     std::mt19937 random(2);
-    std::uniform_real_distribution<double> s(scene.patch.x0 + 1, scene.patch.x1 - 1);
-    std::uniform_real_distribution<double> t(scene.patch.y0 + 1, scene.patch.y1 - 1);
+    std::uniform_real_distribution<double> s(scene.patch.x0, scene.patch.x1);
+    std::uniform_real_distribution<double> t(scene.patch.y0, scene.patch.y1);
     std::uniform_real_distribution<double> z(scene.bottom, scene.scale * 1.1);
     int hidden = 0, seen = 0;
-    for (int n = 0; n < 300; ++n) {
-        const Place place{s(random), -t(random), z(random)};
-        const double clearance = mesh.clearance(place, eye);
-        double nearest = 1e300;
-        for (const TraceMesh::Face& face : faces) {
-            nearest = std::min(nearest, depthAt(face, eye, eye.project(place)).value_or(1e300));
+    for (const double azimuth : {0.4, 2.0, 3.5, 5.1}) {
+        const TraceEye eye(cameraFrom(scene, azimuth, 0.6), kPage);
+        const auto faces = mesh.faces(eye, Theme::Light);
+        for (int n = 0; n < 300; ++n) {
+            const Place place{s(random), -t(random), z(random)};
+            const double clearance = mesh.clearance(place, eye);
+            double nearest = 1e300;
+            for (const TraceMesh::Face& face : faces) {
+                nearest = std::min(nearest, depthAt(face, eye, eye.project(place)).value_or(1e300));
+            }
+            // What the painted faces hide, apart from places close to them.
+            const double behind = eye.depth(place) - nearest;
+            if (std::abs(behind) < 0.03 * scene.diagonal() || std::abs(clearance) < 0.5 * mesh.tolerance()) continue;
+            EXPECT_EQ(clearance<0, behind> 0) << place[0] << " " << place[1] << " " << place[2] << ": " << clearance;
+            ++(clearance < 0 ? hidden : seen);
         }
-        // What the painted faces hide, apart from places close to them.
-        const double behind = eye.depth(place) - nearest;
-        if (std::abs(behind) < 0.03 * scene.diagonal() || std::abs(clearance) < 0.5 * mesh.tolerance()) continue;
-        EXPECT_EQ(clearance<0, behind> 0) << place[0] << " " << place[1] << " " << place[2] << ": " << clearance;
-        ++(clearance < 0 ? hidden : seen);
     }
     EXPECT_GT(hidden, 20);
     EXPECT_GT(seen, 20);
