@@ -106,13 +106,13 @@ def candidates(source):
 
 
 def suites_of(source):
-    """Maps each suite, named as in ctest, to its test file."""
+    """Maps each suite, named as in ctest, to its test files."""
     suites = {}
     for path in sorted((source / "tests").rglob("*_test.cpp")):
         if path.parent.name == "guest":
             continue
-        for name in re.findall(r"^(?:TEST|TEST_F|TEST_P)\((\w+),", path.read_text(), re.MULTILINE):
-            suites[name] = path
+        for name in set(re.findall(r"^(?:TEST|TEST_F|TEST_P)\((\w+),", path.read_text(), re.MULTILINE)):
+            suites.setdefault(name, []).append(path)
     return suites
 
 
@@ -131,14 +131,14 @@ def fitting(source, suites, mutated):
     top = PROGRAMS[file.parts[0]][1]
     folder = source / "tests" / top / Path(*file.parent.parts[1:]).relative_to("include" if "include" in file.parts else "")
     words = None
-    while folder not in {path.parent for path in suites.values()} and folder != source / "tests":
+    while folder not in {path.parent for paths in suites.values() for path in paths} and folder != source / "tests":
         words = (words or set(stem.split("_"))) | {folder.name}
         folder = folder.parent
     near, beside = [], []
-    for suite, path in suites.items():
-        if path.stem.startswith(stem) or include in path.read_text():
+    for suite, paths in suites.items():
+        if any(path.stem.startswith(stem) or include in path.read_text() for path in paths):
             near.append(suite)
-        elif path.parent == folder and (words is None or words & set(path.stem.split("_"))):
+        elif any(path.parent == folder and (words is None or words & set(path.stem.split("_"))) for path in paths):
             beside.append(suite)
     return near, beside
 
@@ -214,7 +214,7 @@ def likely_first(source, suites, tests, mutated):
     """Splits the tests into three groups: those of the mutated file's folder, of its library, all others."""
     groups = [[], [], []]
     for test in tests:
-        path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test), source)
+        path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test), [source])[0]
         near = [source / "tests" / Path(mutated).parent, source / "tests" / PROGRAMS[Path(mutated).parts[0]][1]]
         groups[next((k for k in (0, 1) if path.is_relative_to(near[k])), 2)].append(test)
     return groups
@@ -224,9 +224,10 @@ def programs_of(source, suites, tests):
     """Returns the targets to build for these tests; an empty list (ninja builds everything) if a test has no program of its own."""
     programs = set()
     for test in tests:
-        path = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test))
-        if path is None:
+        paths = suites.get(re.sub(r"^(window\.)?(\w+/)?", "", test))
+        if paths is None:
             return []
+        path = paths[0]
         of = next(program for program, folder in PROGRAMS.values() if path.is_relative_to(source / "tests" / folder))
         programs.add(of)
     return sorted(programs)
