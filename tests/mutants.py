@@ -6,7 +6,7 @@
 FOLDER receives a copy of the sources (source/), their build (source/build/) and the results, one line of JSON per fault,
 in seed-SEED.jsonl (with a rule, seed-SEED-RULE.jsonl): an interrupted run resumes from there, unless the sources have
 changed. Faults are drawn by RULES, or by one of them, from the .cpp and .h files of algorithms/, app/ and ui/; one that
-does not compile is replaced by another. Each fault is built separately and tried with the tests whose files match it by
+does not compile without a warning is replaced by another. Each fault is built separately and tried with the tests whose files match it by
 name, then with those of the same folder or related by name, until one fails. The undetected faults are then inserted
 together and all tests are run once; the suites that fail are run again with each fault separately. A suite that passes
 with all faults is assumed to pass with each. If faults mask each other this is wrong, so the number of survivors may be
@@ -67,7 +67,7 @@ RULES = [
     ("margin", r"(?<=constexpr )(?:float|double) k\w*(?:Margin|Slack|Shorter\w*|Steeper|Lower|LeastRun|Round\w*|Late|Away|Aside|"
                r"Nudge|Unsure|Clearance) = [^;]+(?=;)",
      lambda m: m.group().split("=")[0] + ("= 1" if re.search(r"= 1 [+-]", m.group()) else "= 0")),
-    # Of functions whose arguments may be swapped, it would be no fault.
+    # Not in calls of symmetric functions, where it is no fault.
     ("swapped", rf"(?!(?:min|max|hypot|swap|Add|Mul|And|Or|Xor|Min|Max)\b)(\b\w+(?:<[^()]*>)?\()({NAME}), ({NAME})(?=\))", r"\1\3, \2"),
     ("key", rf" (?:\|\||&&|\|) {NAME}(?:\([\w:]*\))?(?: == {NAME})?(?=[;)])", ""),
     ("check", r"^ *if \([^{}]*\) (?:return\b[^;]*|continue|break|throw [^;]*);$", ""),
@@ -171,7 +171,7 @@ def configure(source, build):
 
 
 def named(suites):
-    # ctest's expressions know no \w.
+    # CMake's regular expressions have no \w.
     return r"^(window\.)?([A-Za-z0-9_]+/)?(" + "|".join(re.escape(suite) for suite in sorted(suites)) + ")$"
 
 

@@ -136,10 +136,11 @@ void writeWithOpenImageIo(const std::string& path, const std::string& format, co
     for (const auto& [name, text] : block.attributes) spec.attribute(name, text);
     if (format == "tiff" || format == "openexr") setDate(spec);
     const OIIO::TypeDesc given = type == OIIO::TypeDesc::HALF ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT) : type;
-    // libjpeg ends the program if asked for more.
-    constexpr int kMostOfJpeg = 65500;
-    if (format == "jpeg" && std::max(block.width, block.height) > kMostOfJpeg) {
-        throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", "JPEG: at most 65500 pixels a side"}}));
+    // libjpeg ends the process at a longer side.
+    constexpr int kLongestSideOfJpeg = 65500;
+    if (format == "jpeg" && std::max(block.width, block.height) > kLongestSideOfJpeg) {
+        const std::string why = "JPEG: at most " + std::to_string(kLongestSideOfJpeg) + " pixels per side";
+        throw WorkError(path, Message(MessageId::FileUnwritable, {{"why", why}}));
     }
     AtomicFile file(path);
     CheckedOutput sink(file.temporaryPath());

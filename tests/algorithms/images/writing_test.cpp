@@ -123,7 +123,7 @@ TEST(Writing, RefusesFormatsThatItDoesNotWrite) {
     EXPECT_EQ(folder.files(), 0);
 }
 
-// What the library of a format refuses is said, and no file is left. JPEG holds 65,500 pixels a side, TGA 65,535.
+// A picture that its format cannot hold is an error and leaves no file. JPEG holds 65,500 pixels per side, TGA 65,535.
 TEST(Writing, RefusesPicturesThatAFormatCannotHold) {
     const TemporaryFolder folder;
     const ColorImage wide(70'000, 1);

@@ -50,6 +50,18 @@ void expectFaults(const std::vector<Specimen>& faults, const std::string& relief
     }
 }
 
+// Returns the first of evenly spaced layers that is below the surface, after halving the last layer so often.
+double halvedLayers(const HeightField& field, const ViewRay& ray, double layer, int halvings) {
+    const auto below = [&](double at) { return field.at(ray.s0 + at * ray.a, ray.t0 + at * ray.b) >= 1 - at; };
+    double at = 0;
+    while (!below(at)) at += layer;
+    for (int n = 0; n < halvings && at > 0; ++n) {
+        layer /= 2;
+        if (below(at - layer)) at -= layer;
+    }
+    return at;
+}
+
 class DiagnoseOn : public testing::TestWithParam<std::string> {
   protected:
     DiagnoseOn() : field_(specimenField(GetParam())), rays_(specimenRays(field_, kRays)) {}
@@ -124,18 +136,10 @@ TEST_P(DiagnoseOn, LayersThatAreHalvedTooSeldom) {
         TracerRecord record{rays_, HitBlock(rays_.size()), {}};
         for (std::size_t r = 0; r < rays_.size(); ++r) {
             const ViewRay ray = rays_[r];
-            const auto below = [&](double at) { return field_.at(ray.s0 + at * ray.a, ray.t0 + at * ray.b) >= 1 - at; };
             const double slab = field_.slabTexels();
-            double step = 1 / (one.plane + (one.normal - one.plane) * slab / std::hypot(ray.a, ray.b, slab));
-            double at = 0;
-            while (!below(at)) at += step;
-            if (at > 0) {
-                for (int n = 0; n < one.halvings; ++n) {
-                    step /= 2;
-                    if (below(at - step)) at -= step;
-                }
-                if (one.middle) at -= step / 2;
-            }
+            const double layer = 1 / (one.plane + (one.normal - one.plane) * slab / std::hypot(ray.a, ray.b, slab));
+            double at = halvedLayers(field_, ray, layer, one.halvings);
+            if (one.middle && at > 0) at -= std::ldexp(layer, -one.halvings - 1);
             record.hits.set(r, Hit::at(ray, std::min(1.0, at)));
         }
         const Diagnosis diagnosis = diagnose(record, field_, work_);
@@ -211,6 +215,7 @@ TEST(Diagnose, LayersThatPassATouchMissNothing) {
     constexpr double kPeak = 32.5;
     ASSERT_EQ(field.at(kPeak, kPeak), 0.75);
     constexpr double kRun = 20, kLayer = 1.0 / 22;
+    constexpr int kHalvings = 8;
     constexpr double kThrough = 0.01;  // below the peak's top
     constexpr std::size_t kRaysThrough = 20;
     TracerRecord record;
@@ -223,15 +228,7 @@ TEST(Diagnose, LayersThatPassATouchMissNothing) {
     record.hits = HitBlock(record.rays.size());
     for (std::size_t r = 0; r < record.rays.size(); ++r) {
         const ViewRay ray = record.rays[r];
-        const auto below = [&](double at) { return field.at(ray.s0 + at * ray.a, ray.t0) >= 1 - at; };
-        double at = 0;
-        while (!below(at)) at += kLayer;
-        double step = kLayer;
-        for (int n = 0; n < 8; ++n) {
-            step /= 2;
-            if (below(at - step)) at -= step;
-        }
-        record.hits.set(r, Hit::at(ray, at));
+        record.hits.set(r, Hit::at(ray, halvedLayers(field, ray, kLayer, kHalvings)));
     }
     Work work;
     const Diagnosis diagnosis = diagnose(record, field, work);
