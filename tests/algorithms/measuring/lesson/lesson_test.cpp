@@ -238,6 +238,10 @@ TEST_F(LessonFiles, AreMadeOfAScenario) {
     EXPECT_EQ(shownScenario(read, 0, scenes, work).step, 3);
     EXPECT_TRUE(checkLesson(read, scenes, work).holds());
     EXPECT_THROW(writeLesson(made, lesson), InputError) << "nothing is overwritten";
+    lesson.datasets.clear();
+    writeLesson(folder_ + "/alone", lesson);
+    EXPECT_EQ(readTextFile(folder_ + "/alone/lesson.json").find("\"datasets/"), std::string::npos);
+    EXPECT_EQ(readLesson(folder_ + "/alone", "").scenarioOf(0).pictures.height, lesson.scenario.pictures.height);
 }
 
 }  // namespace

@@ -111,6 +111,27 @@ TEST_F(Quantities, MeanWhatTheySay) {
     EXPECT_EQ(number("picture.rmse(2)"), 0) << "the truth itself";
 }
 
+// Of a picture of few pixels every ray counts.
+TEST_F(Quantities, ChildrenAreThoseOfAllRays) {
+    scenario_.method = {"max-pyramid", {}};
+    MeasuredScene& scene = scenes_.scene(scenario_);
+    const RayStage& rays = *scene.frame(work_).rays;
+    StepLog log;
+    HitBlock hits;
+    ChildrenByLevel levels;
+    RayBlock covered;
+    for (std::size_t n = 0; n < rays.polygon.size(); ++n) {
+        if (rays.polygon[n] != kNoPolygon) covered.push(rays.rays[n]);
+    }
+    scene.tracer(work_).trace(covered, hits, log, work_);
+    for (std::size_t ray = 0; ray < log.rays(); ++ray) {
+        addChildren(log.steps, log.begin[ray], log.begin[ray + 1], levels);
+    }
+    EXPECT_EQ(scene.children(work_).finished, sumOf(levels).finished);
+    EXPECT_EQ(scene.children(work_).ended, sumOf(levels).ended);
+    EXPECT_GT(scene.children(work_).descents(), 100);
+}
+
 TEST_F(Quantities, RefuseWhatTheyCannotMeasure) {
     for (const char* const text : {"frame.eror.mean",
                                    "frame.error",

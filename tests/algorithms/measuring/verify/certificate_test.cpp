@@ -10,6 +10,7 @@
 
 #include "algorithms/relief/fields.h"
 #include "algorithms/relief/maps/brute_cells.h"
+#include "measuring/verify/azimuth_geometry.h"
 #include "measuring/verify/certificate_rays.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/tracers/map_choice.h"
@@ -86,6 +87,39 @@ TEST(Certificate, RaysThroughAPlaceGoThroughIt) {
         EXPECT_NEAR(std::remainder(ray->s0 + (1 - z) * a - s, 40), 0, 1e-9);
         EXPECT_NEAR(std::remainder(ray->t0 + (1 - z) * b - t, 12), 0, 1e-9);
     }
+}
+
+// On ground that rises to the right and down, those are the ways up.
+TEST(Certificate, RaysIntoWallsComeFromTheLowSide) {
+    FloatImage image(16, 16);
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) image(x, y) = static_cast<float>(x + y) / 32;
+    }
+    const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 0.3);
+    const CertificateRays rays(field, 4);
+    ASSERT_EQ(CertificateRays::families()[3], "into walls");
+    Random random(9);
+    for (int n = 0; n < 100; ++n) {
+        const ViewRay ray = rays.ray(random, 3);
+        EXPECT_TRUE(ray.a > 0 || ray.b > 0) << describe(ray);
+    }
+}
+
+TEST(Certificate, ARectangleOfVectorsMeetsTheSectorsOfItsVectors) {
+    for (const int sectors : {3, 8}) {
+        for (int x = -4; x <= 4; ++x) {
+            for (int y = -4; y <= 4; ++y) {
+                const AzimuthRange range({x + 0.0, x + 2.0, y + 0.0, y + 1.0});
+                for (const double right : {0.01, 1.0, 1.99}) {
+                    for (const double down : {0.01, 0.5, 0.99}) {
+                        const int sector = azimuthSector(x + right, y + down, sectors);
+                        EXPECT_TRUE(range.meets(sector, sectors)) << x << " " << y << " sector " << sector;
+                    }
+                }
+            }
+        }
+    }
+    for (int sector = 1; sector < 8; ++sector) EXPECT_FALSE(AzimuthRange({4, 6, 1, 2}).meets(sector, 8)) << sector;
 }
 
 TEST(Certificate, ConservativeMapsAreProvenOnEveryRelief) {

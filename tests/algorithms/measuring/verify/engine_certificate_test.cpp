@@ -2,6 +2,7 @@
 // nearest code, published cones and altered codes are refuted by a ray.
 #include "measuring/verify/engine_certificate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -145,6 +146,32 @@ TEST(EngineCertificate, TheSlopeOfTheSurfaceItselfIsABound) {
     EXPECT_EQ(found.bounds->open, 16U) << "the cells of those texels";
     EXPECT_NEAR(found.bounds->first->needed, std::sqrt(2), 1e-6);
     EXPECT_FALSE(found.proven());
+}
+
+// A spike of height 1 at the corner of a picture that repeats, and cones that are safe only farther than 1 / 0.3 texels
+// from it: all nearer cells and texels are found, on every side of the spike and of the picture's edges.
+TEST(EngineCertificate, ConesAroundASpikeAreFoundOnAllSides) {
+    constexpr int kWidth = 24, kHeight = 16;
+    FloatImage image(kWidth, kHeight);
+    image(0, 0) = 1;
+    const HeightField field(share(std::move(image)), Surface::Bilinear, Address::Repeat, 0.5);
+    ConeCoding coding;
+    coding.unit = ConeUnit::Slope, coding.length = ConeLength::Width, coding.scale = kWidth;
+    const FloatImage codes(kWidth, kHeight, 0.3F);
+    std::uint64_t cells = 0, texels = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const int right = std::min(x, kWidth - x), down = std::min(y, kHeight - y);
+            if (right + down > 0 && 0.3 * std::hypot(right, down) < 1) ++texels;
+            // Cell x lies between the texels x and x + 1; the spike's cells are the last and the first.
+            const int gapX = std::max(0, std::min(x - 1, kWidth - 2 - x));
+            const int gapY = std::max(0, std::min(y - 1, kHeight - 2 - y));
+            if (0.3 * std::hypot(gapX, gapY) < 1) ++cells;
+        }
+    }
+    Work work(1);
+    EXPECT_EQ(checkEngineCones(field, codes, coding, work).open, cells);
+    EXPECT_EQ(violationsOfTexels(field, codes, coding, 100, work).texels, texels);
 }
 
 TEST(EngineCertificate, ConesWithoutWidthAreCounted) {

@@ -370,6 +370,7 @@ TEST_F(StressFaultsTest, ATexelThatIsNoNumberIsReported) {
     const auto fault = roundTripFault(map, Homography{}, 400.5, 310.5);
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->check, "not-finite");
+    EXPECT_FALSE(derivativeFault(map, derivativeTerms<double>(map), 400.5, 310.5)) << "right, but without differences";
 }
 
 // --- Rows

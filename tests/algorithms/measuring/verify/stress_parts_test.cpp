@@ -156,6 +156,23 @@ TEST_F(StressPartsTest, AWrongVisibilityIsFound) {
     EXPECT_EQ(checkOf(anyHitFault(*query, ray, answer, hit)), "steps");
 }
 
+TEST_F(StressPartsTest, AClearAnswerIsRefutedOnlyByASurePlaceOfTheSurface) {
+    const auto check = [](Surface surface, Address address, const ViewRay& ray) {
+        const HeightField field(std::make_shared<FloatImage>(FloatImage(16, 16, 0.5F)), surface, address);
+        MapCache maps;
+        Work work(1);
+        CountedVisibility clear;
+        clear.visibility = Visibility::Clear;
+        return checkOf(
+            anyHitFault(*makeAnyHit({"max-pyramid-any", {}}, field, maps, work), ray, clear, Hit::at(ray, 0.5)));
+    };
+    EXPECT_EQ(check(Surface::Columns, Address::Repeat, {8.3, 8.2, 3, 2}), "any-hit");
+    EXPECT_EQ(check(Surface::Columns, Address::Repeat, {8.3, 8, 3, 0}), "") << "between two columns";
+    EXPECT_EQ(check(Surface::Columns, Address::Repeat, {8, 8.2, 0, 2}), "") << "between two columns";
+    EXPECT_EQ(check(Surface::Bilinear, Address::Border, {8.3, 8.2, 3, 2}), "any-hit");
+    EXPECT_EQ(check(Surface::Bilinear, Address::Border, {8, 8.2, 16, 2}), "") << "no surface outside the picture";
+}
+
 TEST_F(StressPartsTest, AWrongPixelIsFound) {
     const auto frame = smallFrame();
     EXPECT_FALSE(finiteFault(*frame));
