@@ -140,6 +140,18 @@ TEST(BenchRows, TablesHaveTheirColumns) {
     EXPECT_NE(rowBenchText(rows).find("64 pixels per row, elevation 8 degrees, double"), std::string::npos);
 }
 
+TEST(BenchRows, TextHasABlockForEachWidthElevationPrecisionAndNumberOfRows) {
+    std::vector<RowBenchRow> rows(5);
+    rows[1].width = rows[2].width = rows[3].width = rows[4].width = 64;
+    rows[2].elevation = rows[3].elevation = rows[4].elevation = 8;
+    rows[3].precision = rows[4].precision = RowPrecision::Double;
+    rows[4].rows = 2;
+    for (std::size_t n = 1; n < rows.size(); ++n) {
+        const std::string text = rowBenchText(std::span(rows).subspan(n - 1, 2));
+        EXPECT_NE(text.find("pixels per row"), text.rfind("pixels per row")) << text;
+    }
+}
+
 TEST(BenchRows, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
