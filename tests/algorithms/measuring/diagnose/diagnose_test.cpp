@@ -1,11 +1,15 @@
 // diagnose() names every fault that specimens have, alone and in pairs, and no other.
 #include "measuring/diagnose/diagnose.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "measuring/diagnose/error_picture.h"
+#include "measuring/diagnose/searched_rays.h"
+#include "measuring/diagnose/surface_match.h"
 #include "measuring/random_rays.h"
 #include "specimens.h"
 
@@ -247,6 +251,111 @@ TEST(Diagnose, ReportsLimitsAndMisses) {
     EXPECT_EQ(diagnosis.findings[0].fault.fault, Fault::StepLimit);
     EXPECT_EQ(diagnosis.findings[0].rays, 60U);
     EXPECT_TRUE(std::isinf(diagnosis.findings[0].texels));
+    TracerRecord missed = record({}, field, specimenRays(field, 100));
+    for (std::size_t r = 0; r < 20; ++r) missed.hits.set(r, Hit::none(Outcome::Miss));
+    EXPECT_EQ(listed(namesIn(diagnose(missed, field, work))), "missed-spike ");
+}
+
+TEST(Diagnose, AFewOddAnswersAreNoFurtherFault) {
+    const HeightField field = specimenField("bricks");
+    TracerRecord inverted = record({specimen("inverted-heights")}, field, specimenRays(field, 100));
+    for (const std::size_t r : {std::size_t{20}, std::size_t{60}}) inverted.hits.set(r, Hit::none(Outcome::Limit));
+    Work work;
+    const Diagnosis diagnosis = diagnose(inverted, field, work);
+    EXPECT_EQ(listed(namesIn(diagnosis)), "inverted-heights ");
+    EXPECT_EQ(diagnosis.unexplained, 2U);
+}
+
+TEST(Diagnose, ShiftsToTheOtherSide) {
+    const HeightField field = specimenField("bricks");
+    const auto moved = [](Patient& p) {
+        for (double& s : p.rays.s0) s -= 0.5;
+        for (double& t : p.rays.t0) t -= 0.5;
+    };
+    Work work;
+    const TracerRecord shifted = record({{"shifted", moved, {}}}, field, specimenRays(field, 40));
+    EXPECT_EQ(listed(namesIn(diagnose(shifted, field, work))), "half-texel-shift ");
+}
+
+// The direction is not divided by its height, but the surface is searched.
+TEST(Diagnose, OffsetLimitingBesideSwappedAxes) {
+    const HeightField field = specimenField("bricks");
+    const auto limit = [slab = field.slabTexels()](Patient& p) {
+        for (std::size_t r = 0; r < p.rays.size(); ++r) {
+            const ViewRay ray = p.rays[r];
+            const double share = slab / std::hypot(ray.a, ray.b, slab);
+            p.rays.set(r, {ray.s0, ray.t0, ray.a * share, ray.b * share});
+        }
+    };
+    Work work;
+    const std::vector<Specimen> both{{"limited", limit, {}}, specimen("swapped-axes")};
+    const Diagnosis diagnosis = diagnose(record(both, field, specimenRays(field, 60)), field, work);
+    EXPECT_EQ(namesIn(diagnosis), (std::set<std::string>{"swapped-axes", "offset-limiting"}));
+}
+
+TEST(Diagnose, TurnsAreAlsoTriedAsRoundNumbers) {
+    const HeightField field = specimenField("fractal");
+    constexpr double kTurn = 25 * std::numbers::pi / 180;
+    const auto turn = [](Patient& p) {
+        const double c = std::cos(kTurn), s = std::sin(kTurn);
+        for (std::size_t r = 0; r < p.rays.size(); ++r) {
+            const ViewRay ray = p.rays[r];
+            p.rays.set(r, {ray.s0, ray.t0, c * ray.a - s * ray.b, s * ray.a + c * ray.b});
+        }
+    };
+    const TracerRecord turned = record({{"turned", turn, {}}}, field, specimenRays(field, 12));
+    AnsweredRays given{turned.rays, {}};
+    for (std::size_t r = 0; r < turned.rays.size(); ++r) given.answers.push_back(turned.hits[r]);
+    Work work;
+    ModelFields fields(field, work);
+    const auto models = surfaceMatches(given, {}, fields, 8, 0, work);
+    EXPECT_TRUE(std::any_of(models.begin(), models.end(),
+                            [](const TracerModel& model) { return std::abs(model.turn - kTurn) < 1e-12; }));
+}
+
+// Answers to rays along s, on a flat surface at 0.5.
+class AnswersOnAPlane : public testing::Test {
+  protected:
+    void answer(double run, double lambda) {
+        given_.rays.push({0.5, 0.5 + static_cast<double>(given_.size()), run, 0});
+        given_.answers.push_back({Outcome::Hit, lambda});
+    }
+    // Returns the fault of each ray by the kind of the errors.
+    std::vector<std::optional<Fault>> causes() {
+        SearchedRays rays(given_, {}, fields_, work_);
+        std::vector<std::optional<Fault>> causes;
+        for (const RayVerdict& ray : explanationByShape(rays, {}).rays) causes.push_back(ray.cause);
+        return causes;
+    }
+
+    Work work_{1};
+    ModelFields fields_{{share(FloatImage(64, 64, 0.5F)), Surface::Bilinear, Address::Repeat, 0.3}, work_};
+    AnsweredRays given_;
+};
+
+TEST_F(AnswersOnAPlane, AfterTheSameTexelsAreThoseOfALimit) {
+    for (int n = 0; n < 10; ++n) answer(50 + n, 20.0 / (50 + n));
+    for (const auto& cause : causes()) EXPECT_EQ(cause, Fault::StepLimit);
+}
+
+TEST_F(AnswersOnAPlane, AtTheSameDepthDoNotFollowTheHeight) {
+    for (int n = 0; n < 40; ++n) answer(16, 0.5 + 1.0 / 16);
+    for (const auto& cause : causes()) EXPECT_EQ(cause, Fault::StairSteps);
+}
+
+TEST_F(AnswersOnAPlane, ThatAreRightHaveNoFault) {
+    for (int n = 0; n < 20; ++n) answer(16, n % 5 == 0 ? 0.6 : 0.5);
+    const auto found = causes();
+    for (std::size_t r = 0; r < found.size(); ++r) {
+        EXPECT_EQ(found[r], r % 5 == 0 ? std::optional(Fault::UnsafeMap) : std::nullopt);
+    }
+}
+
+TEST_F(AnswersOnAPlane, ThatAreScatteredHaveNoBias) {
+    for (int n = 0; n < 40; ++n) answer(2, 0.47 - 0.03 * std::fmod(0.618 * n, 1.0));
+    for (const Explanation& one : explanations(given_, {}, {}, false, fields_, work_)) {
+        EXPECT_TRUE(one.model.bias == 0 && one.model.biasTexels == 0);
+    }
 }
 
 TEST(Diagnose, LinesBeginWithTheNameInBothLanguages) {
