@@ -308,7 +308,7 @@ TEST(Diagnose, TurnsAreAlsoTriedAsRoundNumbers) {
     for (std::size_t r = 0; r < turned.rays.size(); ++r) given.answers.push_back(turned.hits[r]);
     Work work;
     ModelFields fields(field, work);
-    const auto models = surfaceMatches(given, {}, fields, 8, 0, work);
+    const auto models = surfaceMatches(given, {}, fields, 2, 0, work);
     EXPECT_TRUE(std::any_of(models.begin(), models.end(),
                             [](const TracerModel& model) { return std::abs(model.turn - kTurn) < 1e-12; }));
 }
