@@ -2,9 +2,12 @@
 #include "relief/maps/distance_map.h"
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "brute_cells.h"
 #include "relief/errors.h"
@@ -158,6 +161,51 @@ TEST(EuclideanMap, IsTheDistanceToTheSurface) {
     });
     EXPECT_GT(widest, 0.5);
 }
+
+// Beside a wall, and farther from the floor: no rounding adds up along the row.
+TEST(EuclideanMap, GrowsEvenlyAlongARowAwayFromAWall) {
+    FloatImage image(1301, 1, 0.0F);
+    image(0, 0) = 1;
+    const HeightField field(share(std::move(image)), Surface::Columns, Address::Clamp, 10);
+    const DistanceMap map = built(DistanceKind::Euclidean, 2, 1, field);
+    for (int x = 1; x < map.nx(); ++x) ASSERT_EQ(map.at(x, 0, 0, 0), static_cast<float>(map.centreS(x) - 1)) << x;
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers reserve terabytes
+// The gigabytes that building a map of 2048 x 2048 texels is refused for, when 32 MiB are free.
+std::string gigabytesRefused(DistanceKind kind) {
+    const HeightField field(constantHeights(2048, 2048, 0.5F), Surface::Bilinear, Address::Repeat, 0.1);
+    DistanceParameters parameters;
+    parameters.footprint = 64;
+    Work work(2);
+    MapCache cache;
+    rlimit before{};
+    getrlimit(RLIMIT_DATA, &before);
+    std::ifstream statm("/proc/self/statm");
+    rlim_t pages = 0;
+    for (int n = 0; n < 6; ++n) statm >> pages;
+    rlimit limit = before;
+    limit.rlim_cur =
+        std::min<rlim_t>(before.rlim_max, pages * static_cast<rlim_t>(getpagesize()) + (rlim_t{32} << 20U));
+    std::string text = "not refused";
+    setrlimit(RLIMIT_DATA, &limit);
+    try {
+        distanceMap(kind, parameters, field, cache, work, &exactHits);
+    } catch (const MemoryError& error) {
+        text = error.what();
+    }
+    setrlimit(RLIMIT_DATA, &before);
+    const auto begin = text.find(": ") + 2;
+    return text.substr(begin, text.find(" GB") - begin);
+}
+
+// Both Euclidean kinds keep pictures of a layer for each thread.
+TEST(DistanceMap, EuclideanKindsAreRefusedForTheMemoryOfTheirLayers) {
+    const std::string needed = gigabytesRefused(DistanceKind::Euclidean);
+    EXPECT_EQ(needed, gigabytesRefused(DistanceKind::EuclideanConservative));
+    EXPECT_GT(std::stod(needed), 1.5 * std::stod(gigabytesRefused(DistanceKind::RefinedSampled)));
+}
+#endif
 
 // [DIST17]: the distance along the remaining rays is never smaller than the distance to the surface.
 TEST(RefinedSampledMap, IsNowhereSmallerThanTheEuclideanOne) {

@@ -60,6 +60,14 @@ EngineMap cones(const HeightField& field, const EngineConventions& c, int levels
     return buildEngineCones(kind, {}, field, c, levels, work);
 }
 
+// The slope of a stored cone, heights per texel, as a shader computes it.
+float slopeInFloat(const ConeCoding& coding, float stored, int width, int height) {
+    const auto scale = static_cast<float>(coding.scale), texels = static_cast<float>(coding.texels(width, height));
+    if (coding.unit == ConeUnit::Slope) return stored * scale / texels;
+    const float share = coding.unit == ConeUnit::SqrtRatio ? stored * stored : stored;
+    return 1 / (share * scale * texels);
+}
+
 TEST(EngineCodes, ConesAreNeverStoredWider) {
     for (const int bits : kBits) {
         for (const ConeCoding& coding : codings()) {
@@ -69,6 +77,7 @@ TEST(EngineCodes, ConesAreNeverStoredWider) {
                 const double slope = anySlope(random);
                 const float outward = coding.encode(slope, 100, 40, bits, EngineRounding::Outward);
                 ASSERT_GE(coding.slope(static_cast<double>(outward), 100, 40), slope) << nameOf(coding, bits);
+                ASSERT_GE(static_cast<double>(slopeInFloat(coding, outward, 100, 40)), slope) << nameOf(coding, bits);
                 // No wider code would do, but for the margin.
                 const float next = coding.unit == ConeUnit::Slope ? codeBelow(outward, bits) : codeAbove(outward, bits);
                 if (outward > 0 && outward < 1 && bits != 32) {

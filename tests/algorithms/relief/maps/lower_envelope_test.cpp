@@ -33,14 +33,15 @@ TEST_P(Envelope, IsTheLeastOverAllPlaces) {
     const Case c = GetParam();
     const double dx = c.gaps ? 1 : 0.75;
     const double dy = c.gaps ? 1 : 1.5;
-    for (const float largest : {2.0F, 60.0F, 900.0F, 4e6F}) {
+    for (const float largest : {2.0F, 60.0F, 900.0F, 1000.0F, 4e6F}) {
         FloatImage f(c.width, c.height);
         Random random(static_cast<std::uint64_t>(c.width * 100 + c.height));
         // Many values are equal or zero.
         for (float& v : f.pixels()) v = random.below(3) == 0 ? 0.0F : largest * static_cast<float>(random.unit());
         if (largest > 100) {
             for (float& v : f.pixels()) v = largest;
-            f(c.width / 2, c.height / 3) = 0;
+            const bool atCorner = largest == 1000.0F;  // as far away as a place can be
+            f(atCorner ? c.width - 1 : c.width / 2, atCorner ? c.height - 1 : c.height / 3) = 0;
         }
         const FloatImage given = f;
         EnvelopeScratch scratch;

@@ -118,6 +118,10 @@ void expectLaw(const HeightField& field, int every) {
             const double own = map.heightAt(coneOwnDepth(entry));
             ASSERT_GE(own, highest) << x << ", " << y;
             ASSERT_LE(own, highest + map.unit * 1.000001) << x << ", " << y;
+            if (map.unit > 0 && coneOwnDepth(entry) < kConeDepths) {
+                ASSERT_LT(map.heightAt(coneOwnDepth(entry) + 1), highest)
+                    << "a deeper one would do: " << x << ", " << y;
+            }
             ASSERT_LE(coneApexDepth(entry), coneOwnDepth(entry)) << x << ", " << y;
             const Need need = needOf(cells, map, x, y, {q});
             ASSERT_LE(need.above, 0) << x << ", " << y << " quadrant " << q;
@@ -222,10 +226,13 @@ TEST(PackedCones, AreKeptOnceForAllReliefDepths) {
 
 TEST(PackedCones, ReportProgressStopAndRefuse) {
     const HeightField field(needles(400, 300, 35), Surface::Bilinear, Address::Repeat, 0.1);
-    double reported = 0;
-    Work reporting(2, {}, [&](std::string_view, double fraction) { reported = std::max(reported, fraction); });
-    buildPackedCones(field, reporting);
-    EXPECT_EQ(reported, 1);
+    // The second consists of whole tiles.
+    for (const HeightField& whole : {field, HeightField(needles(256, 64, 35), Surface::Columns)}) {
+        double reported = 0;
+        Work reporting(2, {}, [&](std::string_view, double fraction) { reported = std::max(reported, fraction); });
+        buildPackedCones(whole, reporting);
+        EXPECT_EQ(reported, 1) << describe(whole);
+    }
     std::stop_source source;
     source.request_stop();
     Work stopped(2, source.get_token());

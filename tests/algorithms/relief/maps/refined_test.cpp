@@ -315,6 +315,16 @@ TEST(PointDistances, OfThePapersExample) {
     EXPECT_EQ(distancesAt(field, 4, 4.5, 0.1, 10, cache, work).euclidean, 0);
 }
 
+// Every row is the same gentle ramp, thousands of texels below the point.
+TEST(PointDistances, TheNearestPointOfEqualRowsLiesInTheSameRow) {
+    Work work(1);
+    MapCache cache;
+    FloatImage ramp(8, 8);
+    for (int n = 0; n < 64; ++n) ramp(n % 8, n / 8) = 1e-4F * static_cast<float>(n % 8);
+    const HeightField field(share(std::move(ramp)), Surface::Bilinear, Address::Border, 1000);
+    for (const double t : {2.75, 4.5, 6.125}) EXPECT_EQ(distancesAt(field, 4, t, 1, 10, cache, work).t, t);
+}
+
 // Never smaller than the Euclidean distance.
 TEST(PointDistances, RefinedIsNeverTheSmaller) {
     Work work(1);
