@@ -70,7 +70,8 @@ TEST(LessonExpression, Compares) {
                                    "! a > 3",
                                    "'4,-5' == 4, -5",
                                    "sum(4,5) == 9",
-                                   "-2,3 != 2,3"}) {
+                                   "-2,3 != 2,3",
+                                   "nothing == 0"}) {
         EXPECT_TRUE(holds(text)) << text;
     }
     for (const char* const text :

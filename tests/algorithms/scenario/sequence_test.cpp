@@ -1,6 +1,8 @@
 // The frames of a moving picture: each differs from the scenario in one value.
 #include "scenario/sequence.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "relief/errors.h"
@@ -74,6 +76,16 @@ TEST(Sequence, ProposedSweepsAreSweeps) {
             EXPECT_NE(all.front().value, all.back().value) << method << " " << option.name << "=" << option.values;
         }
     }
+}
+
+TEST(Sequence, ProposedSweepsLieAroundThePresentValue) {
+    Scenario scenario;
+    scenario.camera.azimuth = 25;
+    scenario.light.ambient = 0.2;
+    std::map<std::string, std::string> proposed;
+    for (const SweptOption& option : sweptOptions(scenario)) proposed[option.name] = option.values;
+    EXPECT_EQ(proposed["azimuth"], "-5..55");
+    EXPECT_EQ(proposed["ambient"], "0.1..0.4");
 }
 
 TEST(Sequence, AnOrbitLeadsAroundOnce) {

@@ -56,9 +56,8 @@ TEST(StepFiles, EveryMethodsLogReadsBackTheSame) {
             ASSERT_EQ(readObjects.begin, log.begin) << method.name;
             EXPECT_EQ(read.steps, readObjects.steps) << method.name;
             for (std::size_t r = 0; r < rays.size(); ++r) {
-                const auto first = static_cast<std::ptrdiff_t>(read.begin[r]);
-                std::vector<Step> steps(read.steps.begin() + first,
-                                        read.steps.begin() + static_cast<std::ptrdiff_t>(read.begin[r + 1]));
+                const std::span<const Step> ofRay = stepsOf(read, r);
+                std::vector<Step> steps(ofRay.begin(), ofRay.end());
                 placeSteps(steps, rays[r], field, "s.csv", r);
                 const Hit answer = answerOf(steps, rays[r]);
                 EXPECT_EQ(answer.outcome, hits.outcome[r]) << method.name;
@@ -154,7 +153,11 @@ TEST(StepFiles, FaultsNameTheLine) {
     EXPECT_EQ(with("0,1,search", "5,1,search"),
               "s.csv: line 2: there is no ray 5; the rays file has 2, numbered from 0");
     EXPECT_EQ(with("0,1,search", "0,2,search"), "s.csv: line 2: step 2 of ray 0 is out of order");
-    EXPECT_EQ(with("search,0", "search,99"), "s.csv: line 2: \"99\" is not a whole number from 0 to 32");
+    EXPECT_EQ(with("search,0", "search,32"), "");
+    for (const std::string level : {"-1", "33"}) {
+        EXPECT_EQ(with("search,0", "search," + level),
+                  "s.csv: line 2: \"" + level + "\" is not a whole number from 0 to 32");
+    }
     // A step's subject, and additional columns of other names.
     const std::string known = "0,1,search,0,1,2,0,0.1,0.2,0.9,0.8,0.5,advance,0.2";
     EXPECT_EQ(refusal(kHeader + known + ",sphere,1,2,0.9,,,,\n"), "");

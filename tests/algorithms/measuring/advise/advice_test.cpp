@@ -78,6 +78,11 @@ TEST(Advice, OfNoneThatKeepsTheBoundsIsTheNearest) {
     long_[0].facts.overSteps = 0;
     long_[1].facts.overSteps = 0.9;
     EXPECT_EQ(names(adviceOf(within, long_)).chosen, "worse");
+    // Methods without any error are compared by the rays that exceed the step budget.
+    auto longest = trial("longest", 1, 0, Verdict::Steps), longer = trial("longer", 2, 0, Verdict::Steps);
+    longest.facts.overSteps = 0.9;
+    longer.facts.overSteps = 0.3;
+    EXPECT_EQ(names(adviceOf(within, {longest, longer})).chosen, "longer");
 }
 
 TEST(Advice, OfAFlatMapNeedsNoMap) {
@@ -89,6 +94,10 @@ TEST(Advice, OfAFlatMapNeedsNoMap) {
     const Advice rough = adviceOf(options(), all);
     EXPECT_FALSE(rough.relief.flat);
     EXPECT_EQ(names(rough), (Names{"map", "map", "plain", "plain"}));
+    // If no method without a map keeps the bounds, the choice is the same as for any map.
+    const std::vector<AdviceTrial> maps{trial("large", 1, 100), trial("small", 1, 50),
+                                        trial("plain", 2, 0, Verdict::Steps)};
+    EXPECT_EQ(names(adviceOf(options(constantHeights(8, 8, 0.5F)), maps)), (Names{"small", "large", "small", ""}));
 }
 
 // If the heights change after every few pictures, the build time of a map must pay off within those pictures.
@@ -157,6 +166,10 @@ TEST(Advice, PieceIsTheMiddleOfTheMap) {
     EXPECT_DOUBLE_EQ(piece.slabTexels(), field.slabTexels());
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 10; ++x) EXPECT_EQ(piece.texel(x, y), field.texel(x + 5, y));
+    }
+    const HeightField small = middlePiece(field, 3);
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 3; ++x) EXPECT_EQ(small.texel(x, y), field.texel(x + 8, y + 3));
     }
 }
 
