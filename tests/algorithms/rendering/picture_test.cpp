@@ -128,6 +128,22 @@ TEST(Picture, framesAndPicturesInTurn) {
     EXPECT_TRUE(first->light->color == kept);
 }
 
+// Counting traces each ray again, but the picture is made once.
+TEST(Picture, progressEndsAtOne) {
+    FrameRequest request = bricks();
+    request.width = request.height = 64;
+    for (const bool counts : {false, true}) {
+        std::vector<double> reported;  // the listener is called by one thread at a time
+        Work work(2, {}, [&](std::string_view what, double fraction) {
+            if (what == "frame") reported.push_back(fraction);
+        });
+        FrameRenderer(std::make_shared<MapCache>()).picture(request, work, {counts, {}, 32});
+        ASSERT_FALSE(reported.empty());
+        EXPECT_EQ(reported.back(), 1) << counts;
+        EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end())) << counts;
+    }
+}
+
 template <class T>
 std::size_t bytesOf(const std::vector<T>& column) {
     return column.capacity() * sizeof(T);

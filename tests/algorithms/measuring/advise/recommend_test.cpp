@@ -74,6 +74,16 @@ TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
         // Options that are in vain without the refined map.
         EXPECT_FALSE(form.name == "distance-conservative" && form.options.contains("sectors")) << methodText(form);
     }
+    // When time runs out, the forms that promise most and need no map have been measured. What a method with another
+    // inside promises depends on the inner one.
+    std::vector<MethodChoice> plain = forms;
+    std::erase_if(plain, [](const MethodChoice& form) { return innerMethod(form).has_value(); });
+    const auto place = [](const MethodChoice& form) {
+        const bool approximate = findTracer(form.name).guarantee == Guarantee::Approximate;
+        return std::pair(approximate, measuredMethod(form).buildsMaps);
+    };
+    EXPECT_TRUE(std::is_sorted(plain.begin(), plain.end(),
+                               [&](const MethodChoice& a, const MethodChoice& b) { return place(a) < place(b); }));
     // A shader has no other maps than those that can be stored.
     const std::vector<MethodChoice> scalar = adviceForms(options.field, 10, 0, Form::Scalar);
     for (const std::string text : {"cone:layout=texel", "cone:layout=texel:sectors=8"}) {
@@ -188,6 +198,15 @@ TEST(Recommend, BuildTimesAreThoseOfTheMap) {
     EXPECT_GE(built("distance-conservative:rule=classic"), distance);
     EXPECT_GE(built("hybrid"), distance);
     EXPECT_GE(built("hybrid:level=2"), distance);
+    // With no time left, forms whose map exists are still measured, and no other map is built.
+    for (const auto& [text, verdict] :
+         {std::pair("cone", Verdict::Kept), std::pair("max-pyramid", Verdict::BuildTime)}) {
+        AdviceTrial late;
+        late.facts.method = choices({text})[0];
+        maps.make(late, 0);
+        EXPECT_EQ(late.facts.verdict, verdict) << text;
+        EXPECT_EQ(late.tracer != nullptr, verdict == Verdict::Kept) << text;
+    }
 }
 
 TEST(Recommend, MapsNotBuiltAreNamed) {
@@ -240,6 +259,16 @@ TEST(Recommend, LanesAreTimedInRoundsAndTheSlowerDropped) {
             EXPECT_NE(form.verdict, Verdict::Kept);
         }
     }
+}
+
+TEST(Recommend, FormsThatStayAreTimedThriceEvenWithoutTime) {
+    AdviceOptions options = optionsFor("hills", Form::Simd, 16);
+    options.views = parseViews("60", "--views");
+    options.seconds = 1e-9;
+    // The same form several times: all stay.
+    options.forms = choices({"exact", "exact", "exact", "exact"});
+    Work work;
+    EXPECT_EQ(recommend(options, work).best().rounds, 3);
 }
 
 TEST(Recommend, FlatMapsAreNamedAndNeedNoMap) {
@@ -389,6 +418,21 @@ TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {
     EXPECT_EQ(json["form"], "scalar");
     EXPECT_EQ(json["chosen"]["memory_bytes"], advice.best().bytes);
     EXPECT_EQ(json["relief"]["roughness"], advice.relief.roughness);
+}
+
+TEST(Recommend, NamesAFilterForStillPicturesOnlyIfItIsAnother) {
+    const AdviceOptions options = optionsFor("bricks");
+    AdviceTrial exact;
+    exact.facts.method = {"exact", {}};
+    Advice advice = adviceOf(options, {exact});
+    advice.filter.emplace();
+    advice.filter->filters.assign(3, {{}, 0.01, 4, 1e6});
+    for (const std::size_t still : {0U, 1U}) {
+        advice.filter->still = still;
+        const std::string text = adviceText(options, advice);
+        EXPECT_NE(text.find("\nFilter: "), std::string::npos) << text;
+        EXPECT_EQ(text.find("still pictures") != std::string::npos, still == 1) << text;
+    }
 }
 
 TEST(Recommend, ViewRanges) {
