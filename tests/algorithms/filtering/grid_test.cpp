@@ -19,6 +19,7 @@ constexpr double kTapRounding = 1e-4;
 constexpr double kOtherSide = 2e-3;
 
 TEST(Grid, latticesAreUniformAndKeepTheMean) {
+    double blurred = 0;
     for (const int points : {2, 3, 4, 5, 7, 10, 16}) {
         const PointLattice lattice = PointLattice::of(points);
         ASSERT_EQ(lattice.places.size(), static_cast<std::size_t>(points));
@@ -42,6 +43,12 @@ TEST(Grid, latticesAreUniformAndKeepTheMean) {
         }
         // A point and its mirror image both count.
         EXPECT_LT(glm::length(mean) / total, 1e-6) << points;
+        // Whatever its shape, a point's blur is in proportion to its share of the pixel.
+        const PointBlur& blur = lattice.blur;
+        const double area = points * (blur.xx * blur.yy - blur.xy * blur.xy);
+        if (points == 2) blurred = area;
+        EXPECT_GT(blur.xx, 0) << points;
+        EXPECT_NEAR(area, blurred, 1e-12) << points;
     }
 }
 

@@ -114,5 +114,50 @@ TEST(TangentFootprint, ABlockHasTheBitsOfItsPixels) {
     }
 }
 
+HeightField fieldOf(double (*height)(int x, int y)) {
+    FloatImage image(128, 128);
+    for (int y = 0; y < 128; ++y) {
+        for (int x = 0; x < 128; ++x) image(x, y) = static_cast<float>(height(x, y));
+    }
+    return {std::make_shared<const FloatImage>(std::move(image)), Surface::Bilinear, Address::Clamp};
+}
+
+// Far from the field's ends, where the surface is level. perColor: texels of the height map per texel of the picture.
+TangentFootprint footprintOn(const HeightField& field, const Jacobian& j, const ViewRay& ray, glm::dvec2 perColor) {
+    Work work(1);
+    MapCache maps;
+    const auto bounds = heightBoundsMap(field, maps, work);
+    const EllipticalSettings settings = EllipticalSettings::of({});
+    return tangentFootprint({*bounds, field, settings, perColor}, j, {40, 88}, ray, 1 - field.at(40, 88));
+}
+
+TEST(TangentFootprint, OnAPlaneItIsSeenWhereThePixelsAre) {
+    const glm::dvec2 slope(0.003, -0.002), run(60, 40);
+    const HeightField field = fieldOf([](int x, int y) { return 0.4 + 0.003 * x - 0.002 * y; });
+    const Jacobian j{2, 0.7, -0.5, 1.5};
+    const TangentFootprint got = footprintOn(field, j, {0, 0, run.x, run.y}, {1, 1});
+    EXPECT_TRUE(got.planar && got.clear);
+    for (const glm::dvec2 pixel : {glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+        const Jacobian& to = got.jacobian;
+        const glm::dvec2 at(to.ux * pixel.x + to.uy * pixel.y, to.vx * pixel.x + to.vy * pixel.y);
+        const glm::dvec2 seen = at + (slope.x * at.x + slope.y * at.y) * run;
+        EXPECT_NEAR(seen.x, j.ux * pixel.x + j.uy * pixel.y, 1e-3);
+        EXPECT_NEAR(seen.y, j.vx * pixel.x + j.vy * pixel.y, 1e-3);
+    }
+}
+
+// Ripples that move the surface by up to a texel in the pixel.
+TEST(TangentFootprint, OnlyTexelsThatAreLargeAlongBothAxesHideRipples) {
+    const HeightField field = fieldOf([](int x, int) { return x % 2 == 0 ? 0.5 : 0.51; });
+    const auto planar = [&](double run, glm::dvec2 perColor) {
+        return footprintOn(field, Jacobian{10, 0, 0, 0.2}, {0, 0, 0, run}, perColor).planar;
+    };
+    EXPECT_TRUE(planar(2, {1, 1}));
+    EXPECT_FALSE(planar(5, {1, 1}));
+    EXPECT_FALSE(planar(5, {1, 8}));
+    EXPECT_FALSE(planar(5, {8, 1}));
+    EXPECT_TRUE(planar(5, {8, 8}));
+}
+
 }  // namespace
 }  // namespace relief::test

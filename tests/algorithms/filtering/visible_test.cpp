@@ -171,6 +171,26 @@ TEST(Visible, nearerToTheTruthBehindRelief) {
     }
 }
 
+// Rows of columns, every second one higher by a tenth. A ray that runs four texels per slab sees 0.4 texels of each
+// wall.
+TEST(Visible, wallsCountUnderPixelsOfThousandsOfColumns) {
+    FloatImage heights(128, 128);
+    ColorImage colors(128, 128);
+    for (int y = 0; y < 128; ++y) {
+        for (int x = 0; x < 128; ++x) {
+            heights(x, y) = x % 2 == 0 ? 0.5F : 0.4F;
+            colors(x, y) = x % 2 == 0 ? Color(1, 0, 0) : Color(0, 1, 0);
+        }
+    }
+    const HeightField field(std::make_shared<const FloatImage>(heights), Surface::Columns, Address::Repeat);
+    const Picture picture = std::make_shared<const ColorImage>(colors);
+    MadeFilter visible({"elliptical-visible", {{"form", "position-area"}, {"levels", "exhaustive"}}}, picture, field);
+    for (const double size : {5.0, 26.0, 36.0}) {
+        const Color color = visible.at({{64.5, 64}, jacobian(size, size, 0), {62.5, 64, 4, 0}, 0.5});
+        EXPECT_NEAR(color.r, 1.4 / 2.4, 0.02) << size;
+    }
+}
+
 TEST(Visible, boundsHoldEveryHeight) {
     Random random(9);
     for (const auto& [w, h] : std::vector<std::pair<int, int>>{{64, 64}, {37, 21}, {1, 5}, {3, 1}}) {

@@ -397,6 +397,9 @@ TEST(PageWatch, PagesThatAreGoneAreZeros) {
         EXPECT_EQ(first[kPage], 'x');
     }
     EXPECT_FALSE(PageWatch(second, kBytes).lost()) << "a range that is used again is not marked";
+    struct sigaction handler {};
+    ::sigaction(SIGBUS, nullptr, &handler);
+    EXPECT_NE(handler.sa_flags & SA_ONSTACK, 0) << "threads may have too small a stack, and another for handlers";
     ::munmap(first, kBytes);
     ::munmap(second, kBytes);
 }

@@ -146,13 +146,19 @@ TEST(Rows, AffineIsWrongByTheClosedForm) {
         for (const bool mirrored : {false, true}) {
             // The closed form applies between the centres of the first and last pixel, half a pixel inside the ends.
             const int width = 4001;
-            const Homography map = rowOfRatio(width, 1 / ratio, 1000, 0, 0, mirrored);
+            const Homography map = rowOfRatio(width, 1 / ratio, 1000, 70, 900, mirrored);
             const double first = map.denominator(0.5, 0.5), last = map.denominator(width - 0.5, 0.5);
             const AffineError closed = affineError(std::max(first, last) / std::min(first, last));
             const double change =
                 static_cast<double>(std::abs(truthAt(map, 0.5, width - 1).s - truthAt(map, 0.5, 0).s));
             std::vector<double> u(width), v(width);
             evaluateRow(map, 0.5, {0, width}, {RowVariant::Affine}, u.data(), v.data());
+            // The other coordinate is also right at the ends, and halfway in the middle.
+            const auto firstV = static_cast<double>(truthAt(map, 0.5, 0).t);
+            const auto lastV = static_cast<double>(truthAt(map, 0.5, width - 1).t);
+            EXPECT_NEAR(v.front(), firstV, 1e-6) << ratio;
+            EXPECT_NEAR(v[width / 2], (firstV + lastV) / 2, 1e-6) << ratio;
+            EXPECT_NEAR(v.back(), lastV, 1e-6) << ratio;
             double worst = 0, place = 0;
             for (int n = 0; n < width; ++n) {
                 const double error =

@@ -348,5 +348,28 @@ TEST(Margins, aGrazingJumpEndsBeforeTheCorner) {
     EXPECT_GE(tightOnes, 20);
 }
 
+// Rays side by side that hit the top of a wall just before its far side, on which they would otherwise be above it. The
+// wall's height is one that packed cones store exactly.
+TEST(Margins, packetsHitAWallBeforeItsFarSide) {
+    constexpr int kWall = 40;
+    FloatImage image(64, 64, 0.0F);
+    image(0, 0) = 1023 / 1024.0F;
+    for (int y = 0; y < 64; ++y) image(kWall, y) = 410 / 1024.0F;
+    const double lambda = 1 - 410 / 1024.0;
+    RayBlock rays;
+    for (int p = 0; p < 64; ++p) {
+        const double a = 3 + 0.37 * p;
+        for (int k = 0; k < 16; ++k) rays.push({kWall + 1 - (lambda + 1e-10) * a, 32.3 + 0.02 * k, a, 0.01});
+    }
+    for (const Address address : allAddresses()) {
+        MapCache cache;
+        const HeightField field(share(FloatImage(image)), Surface::Columns, address, 0.5);
+        expectSameBits(field, {"cone", {}}, rays, cache);
+        Work work(1);
+        const HitBlock hits = scalarHits(*makeTracer({"cone", {}}, field, cache, work), rays);
+        EXPECT_EQ(std::ranges::count(hits.lambda, lambda), std::ssize(hits.lambda)) << describe(field);
+    }
+}
+
 }  // namespace
 }  // namespace relief::test
