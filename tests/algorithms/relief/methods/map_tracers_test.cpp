@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/relief/fields.h"
+#include "relief/cell_grid.h"
 #include "relief/files.h"
 #include "relief/tracers/map_choice.h"
 
@@ -155,6 +156,21 @@ TEST(DropIn, AStoredRefinedMapServesTheUnchangedTracers) {
         EXPECT_THROW((void)useMap("map.tif", map, wanted, field, cache), InputError);
     }
     EXPECT_GT(flat, 100U);
+}
+
+// A ray flatter than the domain of exactness ends after as many steps as DistanceWalk::records() allows, besides its
+// start and its end.
+TEST(DropIn, ARayThatIsTooFlatGivesUpInTime) {
+    const HeightField field(share(FloatImage(4, 4, 0.0F)), Surface::Bilinear, Address::Repeat, 1);
+    MapCache cache;
+    Work work(1);
+    RayBlock rays;
+    rays.push({0.5, 0.5, 2 * kMaxRun, 1});
+    HitBlock hits;
+    BlockCounts counts;
+    makeTracer({"distance-conservative", {{"layers", "8"}}}, field, cache, work)->trace(rays, hits, counts, work);
+    EXPECT_EQ(hits.outcome[0], Outcome::Limit);
+    EXPECT_EQ(hits.steps[0], 2 * static_cast<std::uint32_t>(kFlatCells) + 8 + 4 + 2);
 }
 
 // The march that ends at the surface, on the shipped pictures with their own depth.
