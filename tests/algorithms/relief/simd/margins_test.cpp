@@ -348,8 +348,8 @@ TEST(Margins, aGrazingJumpEndsBeforeTheCorner) {
     EXPECT_GE(tightOnes, 20);
 }
 
-// Rays side by side that hit the top of a wall just before its far side, on which they would otherwise be above it. The
-// wall's height is one that packed cones store exactly.
+// Rays side by side that come down to the top of a wall just before its far side. The wall's height is one that packed
+// cones store exactly.
 TEST(Margins, packetsHitAWallBeforeItsFarSide) {
     constexpr int kWall = 40;
     FloatImage image(64, 64, 0.0F);
