@@ -55,6 +55,22 @@ TEST(Frame, movingTheLightTracesNoRayAgain) {
     EXPECT_FALSE(lit->light->color == first->light->color);
 }
 
+// Buffers of older frames are reused, but those of larger pictures are freed.
+TEST(Frame, aSmallerPictureTakesLessMemory) {
+    Work work(1);
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    FrameRequest request = brickRequest();
+    for (const int width : {160, 160, 160, 80, 80}) {
+        request.width = width;
+        request.camera.azimuth += 5;
+        const auto frame = renderer.render(request, work);
+        const std::size_t pixels = frame->light->color.size();
+        EXPECT_EQ(frame->rays->rays.s0.capacity(), pixels);
+        EXPECT_EQ(frame->rays->polygon.capacity(), pixels);
+        EXPECT_EQ(frame->hits->hits.lambda.capacity(), pixels);
+    }
+}
+
 TEST(Frame, changingTheDepthKeepsTheMaxPyramid) {
     Work work;
     FrameRenderer renderer(std::make_shared<MapCache>());

@@ -74,16 +74,6 @@ TEST(Recommend, TriesEveryTracerOfTheListInMoreFormsThanOne) {
         // Options that are in vain without the refined map.
         EXPECT_FALSE(form.name == "distance-conservative" && form.options.contains("sectors")) << methodText(form);
     }
-    // When time runs out, the forms that promise most and need no map have been measured. What a method with another
-    // inside promises depends on the inner one.
-    std::vector<MethodChoice> plain = forms;
-    std::erase_if(plain, [](const MethodChoice& form) { return innerMethod(form).has_value(); });
-    const auto place = [](const MethodChoice& form) {
-        const bool approximate = findTracer(form.name).guarantee == Guarantee::Approximate;
-        return std::pair(approximate, measuredMethod(form).buildsMaps);
-    };
-    EXPECT_TRUE(std::is_sorted(plain.begin(), plain.end(),
-                               [&](const MethodChoice& a, const MethodChoice& b) { return place(a) < place(b); }));
     // A shader has no other maps than those that can be stored.
     const std::vector<MethodChoice> scalar = adviceForms(options.field, 10, 0, Form::Scalar);
     for (const std::string text : {"cone:layout=texel", "cone:layout=texel:sectors=8"}) {
