@@ -1,6 +1,7 @@
 // Pictures for one use: all stages but light are kept only for a band of rows, the light stage for all rows made.
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "relief/memory.h"
@@ -49,7 +50,7 @@ class BandMaker {
     }
 
     // Makes rows [begin, end) and keeps the stages of `halo` more rows on either side.
-    void make(RowRange rows, int halo, bool reportProgress) {
+    void make(RowRange rows, int halo, std::optional<WholeProgress>& progress) {
         Frame& frame = *setup_.frame;
         const RowRange stored{std::max(0, rows.begin - halo), std::min(frame.height, rows.end + halo)};
         shiftBand(band_, frame, stored.begin - frame.stored.begin);
@@ -61,9 +62,10 @@ class BandMaker {
             firstUntraced_ = stored.end;
         }
         const std::vector<PixelArea> tiles = tilesOf(frame.width, rows);
-        overTiles(tiles, reportProgress, work_, [&](const PixelArea& tile) {
+        overTiles(tiles, false, work_, [&](const PixelArea& tile) {
             if (halo == 0) worker.findHits(tile, work_);
             worker.shade(tile, work_);
+            if (progress) progress->advance();
         });
         if (!counts_) return;
         const auto begin = Clock::now();
@@ -137,13 +139,16 @@ std::shared_ptr<const Frame> FrameRenderer::picture(const FrameRequest& request,
     frame.rays = band_->rays, frame.hits = band_->hits, frame.color = band_->color, frame.shadows = band_->shadows;
     frame.lit = parts.onlyRows.orAll(frame.height);
     frame.light = fitLight(band_->light, frame);
-    if (!partOfMore_) work.progress().begin("frame", tilesAcross(frame.width) * tilesDown(made.count()));
+    // What is done with the bands may trace as well, which would replace the stage.
+    std::optional<WholeProgress> progress;
+    if (!partOfMore_) progress.emplace(work.progress(), "frame", tilesAcross(frame.width) * tilesDown(made.count()));
     BandMaker maker(request, *setup, *band_, std::max(0, made.begin - halo), counts && !mesh, work);
     for (int y = made.begin; y < made.end; y += rows) {
-        maker.make({y, std::min(made.end, y + rows)}, halo, !partOfMore_);
+        maker.make({y, std::min(made.end, y + rows)}, halo, progress);
         requireHeights(request.field);
         if (parts.done) parts.done(frame);
     }
+    progress.reset();
     frame.rows = frame.stored = {0, frame.height};
     frame.rays = nullptr, frame.hits = nullptr, frame.color = nullptr, frame.shadows = nullptr;
     maker.totals.nanoseconds[static_cast<std::size_t>(Stage::Shadows)] += setup->horizonTime.count();

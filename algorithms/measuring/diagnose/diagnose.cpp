@@ -220,7 +220,7 @@ class Doctor {
         takePool();
         TracerModel begin;
         for (int n = 0; n < kRounds; ++n) {
-            if (open() <= allowed()) return;
+            if (open() <= kFewWrong) return;
             takeSample();
             Round round;
             offer(begin, begin, true, round);
@@ -268,13 +268,10 @@ class Doctor {
         pool_.explained = earlier;
         return false;
     }
-    // Number of wrong rays of the pool that are not explained; and up to which there is no further fault.
+    // Number of wrong rays of the pool that are not explained.
     std::size_t open() const {
         return static_cast<std::size_t>(std::count(
             pool_.explained.begin(), pool_.explained.begin() + static_cast<std::ptrdiff_t>(wrongPool_), false));
-    }
-    std::size_t allowed() const {
-        return std::max(kFewWrong, static_cast<std::size_t>(kShareWrong * static_cast<double>(pool_.ids.size())));
     }
 
     // The share of the faults in all rays.
