@@ -8,6 +8,7 @@
 
 #include "painting/cell_image.h"
 #include "painting/range_legend.h"
+#include "workspace/layers.h"
 
 namespace reliefui {
 
@@ -130,12 +131,46 @@ TEST(ColorRange, ImagesOfCellsHaveTheColoursOfTheScale) {
                 EXPECT_NEAR(at[0], one.r, 1) << i;
                 EXPECT_NEAR(at[1], one.g, 1) << i;
                 EXPECT_NEAR(at[2], one.b, 1) << i;
-                if (std::abs((*values)(i, 0)) <= 0.01F && (cells.scale.twoSided || (*values)(i, 0) <= 0.01F)) {
-                    EXPECT_EQ(one, Style::under(map)) << i;
-                }
+                const float size = cells.scale.twoSided ? std::abs((*values)(i, 0)) : (*values)(i, 0);
+                EXPECT_EQ(one == Style::under(map), size <= 0.01F) << i;
             }
         }
     }
+}
+
+// The pixels of a layer have the colours of the bar next to it, up to its ends.
+TEST(ColorRange, LayersHaveTheColoursOfTheScale) {
+    LayerPicture layer;
+    layer.layer = Layer::Steps;
+    auto values = std::make_shared<relief::FloatImage>(4, 1);
+    for (int x = 1; x < 4; ++x) (*values)(x, 0) = std::ldexp(1.0F, x);
+    layer.values = values;
+    layer.spread = std::make_shared<const ValueSpread>(spreadOf({0, 2, 4, 8}));
+    layer.ends = {0, 8};
+    colorLayer(layer, {});
+    const Style style;
+    for (int x = 0; x < 4; ++x) {
+        const Rgba expected = style.cell(colorMapOf(Layer::Steps), static_cast<double>((*values)(x, 0)), layer.scale);
+        const QColor seen = layer.image.pixelColor(x, 0);
+        EXPECT_NEAR(seen.red(), expected.r, 1) << x;
+        EXPECT_NEAR(seen.green(), expected.g, 1) << x;
+        EXPECT_NEAR(seen.blue(), expected.b, 1) << x;
+    }
+}
+
+// The number in a cell is as large as its width and height permit.
+TEST(ColorRange, NumbersFitIntoTheirCells) {
+    const Style style;
+    for (const double width : {20.0, 30.0, 45.0, 80.0}) {
+        for (const double height : {20.0, 60.0}) {
+            const CellText text = cellText(width, height, style);
+            if (text.pixels > 0) {
+                EXPECT_TRUE(textFits(text, width, height)) << width << " x " << height;
+            }
+        }
+    }
+    EXPECT_EQ(cellText(5, 60, style).pixels, 0);
+    EXPECT_GT(cellText(60, 60, style).pixels, 0);
 }
 
 // A count of one uses the singular, in English as well.
@@ -171,6 +206,11 @@ TEST(ColorRange, LegendsSayWhatIsCutOffAndHowMuchIsAboveTheThreshold) {
     EXPECT_TRUE(has("4100")) << all;
     EXPECT_TRUE(has(std::to_string(values.spread->above(values.scale.high)))) << all;
     EXPECT_TRUE(has(std::to_string(values.spread->above(20)))) << all;
+    // Of a two-sided scale, the threshold cuts off both sides.
+    RangedValues both = values;
+    both.spread = std::make_shared<const ValueSpread>(spreadOf({-50, -40, -30, -3, 0, 5, 21, 40}));
+    both.scale = colorScale(both.range, *both.spread, {0, 50, true, 0});
+    EXPECT_NE(rangeTexts(both).back().find("(5 pixel"), std::string::npos) << rangeTexts(both).back();
     if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
     // The numbers stand at the bar's positions of their values.
     const Drawing legend = rangeLegend(values, 400);
