@@ -106,6 +106,17 @@ TEST(Compare, TitlesHeadTheTilesAndIdentifiersStandBelow) {
     }
 }
 
+// The pictures do not move when their numbers arrive.
+TEST(Compare, RoomIsReservedForNumbersThatAreNotThereYet) {
+    const CompareSource measured = madeUp(3, relief::CompareMode::Tiles);
+    const CompareLayout later = compareLayout(measured, 400, 300, {});
+    CompareSource before = measured;
+    for (CompareTile& tile : before.tiles) tile.rmse = tile.psnr = tile.flip = tile.rate = tile.steps = std::nullopt;
+    ASSERT_NE(compareLayout(before, 400, 300, {}).rooms, later.rooms);
+    before.lines = later.lines;
+    EXPECT_EQ(compareLayout(before, 400, 300, {}).rooms, later.rooms);
+}
+
 // Even in narrow tiles, no line of numbers overlaps the next one.
 TEST(Compare, NumbersStayBelowTheirPicture) {
     for (const relief::Language language : {relief::Language::English, relief::Language::Ukrainian}) {

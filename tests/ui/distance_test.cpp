@@ -265,6 +265,16 @@ TEST_F(DistanceTest, EveryMapOfEveryAddressingIsShown) {
     }
 }
 
+TEST_F(DistanceTest, WhileItIsHiddenItDropsTheMapOfAnEarlierRay) {
+    openPane(walled("distance-conservative"));
+    window_->findChild<QWidget*>(QStringLiteral("distance-pane"))->hide();
+    ASSERT_NE(view()->shown(), nullptr);
+    workspace_->choosePixel(scenario().pixel->x + 9, scenario().pixel->y + 5);
+    waitForFull();
+    EXPECT_EQ(view()->shown(), nullptr);
+    EXPECT_TRUE(view()->image(100).isNull());
+}
+
 TEST_F(DistanceTest, ItIsExportedAsItIsShown) {
     openPane(walled("distance-conservative"));
     const QTemporaryDir folder;

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
 
@@ -241,6 +242,22 @@ TEST_F(DuelTest, TitlesOfFaultsKeepClearOfTheAxisTitle) {
     EXPECT_GT(titles, 2);
 }
 
+TEST_F(DuelTest, TheTableBelowTheDrawingHasAQuarterOfAHighPane) {
+    openDuel(smallScenario());
+    DuelView high(workspace_.get());
+    high.first();  // before there is a duel, there is no moment to go to
+    high.forward();
+    EXPECT_EQ(high.moment(), 0U);
+    high.resize(300, 950);
+    high.show();
+    auto* const table = high.findChild<QTableView*>();
+    const auto* const split = qobject_cast<QSplitter*>(table->parentWidget());
+    ASSERT_NE(split, nullptr);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return table->isVisible() && split->orientation() == Qt::Vertical; }, 5000));
+    QTest::qWait(50);
+    EXPECT_GE(5 * table->height(), split->height());
+}
+
 TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "64"}}};
@@ -258,6 +275,22 @@ TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
     ASSERT_TRUE(duel.firstMoment());
     DuelSource source = duel.source();
     const ProfileFrame whole = duelFrame(source, {}, 500, 300);
+    // A step without a mark of its own lies next to one.
+    constexpr double kNext = 4;  // in points
+    const std::vector<std::size_t> first(duel.runs.size(), 0);
+    const Drawing marks = duelMarks(source, whole, first);
+    for (std::size_t r = 0; r < duel.runs.size(); ++r) {
+        for (const relief::Step& step : duel.runs[r].steps) {
+            const double x = whole.xAt(duelPlace(step));
+            const bool marked =
+                duelPlace(step) > whole.lambdaEnd || std::ranges::any_of(marks.items, [&](const Item& item) {
+                    const auto* const mark = std::get_if<Marker>(&item.primitive);
+                    return mark != nullptr && item.id.kind == ItemKind::Step && item.id.level == static_cast<int>(r) &&
+                           std::abs(mark->at.x - x) <= kNext;
+                });
+            EXPECT_TRUE(marked) << duel.runs[r].name << " at " << duelPlace(step);
+        }
+    }
     source.upTo = duel.closeUp();
     EXPECT_TRUE(duel.within(source.upTo, *duel.firstMoment()));
     EXPECT_GE(source.upTo, duel.exact.lambda);
@@ -269,7 +302,6 @@ TEST_F(DuelTest, WhatIsSeenFromNearHoldsTheDivergenceAndNothingBeyond) {
     source.upTo = duel.exact.lambda / 1000;
     const ProfileFrame little = duelFrame(source, {}, 500, 300);
     ASSERT_LT(little.lambdaEnd, duel.exact.lambda);
-    const std::vector<std::size_t> first(duel.runs.size(), 0);
     int steps = 0;
     for (const Item& item : duelMarks(source, little, first).items) {
         if (item.id.kind != ItemKind::Step) continue;

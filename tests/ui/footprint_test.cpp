@@ -200,6 +200,24 @@ TEST_F(FootprintTest, TexelsAreNumberedAtTwoSides) {
     }
     EXPECT_GT(columns, 1);
     EXPECT_GT(rows, 1);
+    // Over the seam of the picture, near and from afar.
+    for (const double reach : {3.0, 40.0}) {
+        constexpr double kPoints = 700, kLeastApart = 20;
+        const Box over{side - reach, side - reach, side + reach, side + reach};
+        const double scale = kPoints / over.width();
+        double before = -1;
+        int found = 0;
+        for (const Item& item : footprintMarks(*view()->shown(), {}, over, scale).drawing.items) {
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            if (label == nullptr || item.role != Role::Background || label->anchor != Anchor::Top) continue;
+            const int texel = static_cast<int>(std::floor(label->at.x));
+            EXPECT_EQ(labelText(*label, relief::Language::English), std::to_string(texel % side));
+            EXPECT_GE((label->at.x - before) * scale, kLeastApart);
+            before = label->at.x;
+            ++found;
+        }
+        EXPECT_GT(found, 4);
+    }
 }
 
 TEST_F(FootprintTest, TheTextureIsThePictureTheFilterReads) {
@@ -397,11 +415,25 @@ TEST_F(FootprintTest, RaysOfSupersampleAreShownWhereTheyHit) {
 }
 
 TEST_F(FootprintTest, NeighboursAreShownOnRequest) {
-    openPane(filtered("elliptical"));
+    relief::Scenario far = filtered("elliptical");
+    far.camera.distance *= 4;
+    far.pictures.recipeWidth = far.pictures.recipeHeight = 512;
+    openPane(far);
+    ASSERT_TRUE(choose([](const PixelFootprint& f) { return f.level() > 0 && f.neighbours.size() == 8; }));
     EXPECT_EQ(marksOf<Polyline>(Role::Neighbour).size(), 0U);
     for (const int count : {4, 8}) {
         view()->setOptions({count});
         EXPECT_EQ(marksOf<Polyline>(Role::Neighbour).size(), static_cast<std::size_t>(count));
+    }
+    // Each around its own place, in the level's texels, in any periodic copy of the picture.
+    const PixelFootprint& f = *view()->shown();
+    for (std::size_t n = 0; n < f.neighbours.size(); ++n) {
+        const auto& line = std::get<Polyline>(marksOf<Polyline>(Role::Neighbour)[n]->primitive);
+        Box box;
+        for (const Point& p : line.points) box = box.joined({p.x, p.y, p.x, p.y});
+        const glm::dvec2 place = f.neighbours[n].centre * f.perHeight;
+        EXPECT_NEAR(std::remainder(box.center().x - place.x, f.across.extent), 0, 1e-6);
+        EXPECT_NEAR(std::remainder(box.center().y - place.y, f.down.extent), 0, 1e-6);
     }
 }
 
@@ -499,6 +531,10 @@ TEST_F(FootprintTest, TheFigureIsThePane) {
     }
     const QImage picture = view()->image(900);
     EXPECT_GT(colorsIn(picture), 10);
+    // It lists the derivatives, since a figure has no tool tips.
+    QFile svg(folder.filePath(QStringLiteral("f.svg")));
+    ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(QString::fromUtf8(svg.readAll()).contains(QStringLiteral("on the top plane")));
     EXPECT_FALSE(QImage(folder.filePath(QStringLiteral("f.png"))).isNull());
 }
 

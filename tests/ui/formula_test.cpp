@@ -310,6 +310,24 @@ TEST(Formula, StepsAreSetAsTheirRecordsSay) {
     }
 }
 
+TEST(Formula, EveryStepOfABisectionIsTheMiddleOfItsInterval) {
+    Maker make;
+    relief::Scenario scenario = tiny();
+    scenario.method = {"layers-bisection", {}};
+    const auto snapshot = make(scenario);
+    const auto& steps = snapshot->trace.steps;
+    int atLow = 0, atHigh = 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (steps[k].decision != relief::Decision::Refine) continue;
+        std::map<std::string, int> seen;
+        expectTheRecord(stepFormulas(*snapshot, static_cast<int>(k), Language::English), *snapshot, steps[k], seen);
+        EXPECT_EQ(seen["λ′ = (λ_0 + λ_1) / 2"], 1) << k;
+        ++(steps[k].lambdaAfter == steps[k].lambdaIn ? atLow : atHigh);
+    }
+    EXPECT_GT(atLow, 0);
+    EXPECT_GT(atHigh, 0);
+}
+
 // [MIP18]: if the ray has not advanced, the doubled coordinates of a descent are those at which the next one begins.
 TEST(Formula, CoordinatesDoubleFromLevelToLevel) {
     Maker make;

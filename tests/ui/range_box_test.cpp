@@ -71,7 +71,12 @@ TEST_F(RangeChoice, TheResultFollowsItAndUndo) {
     QTest::keyClick(scale, Qt::Key_Up);
     ends->setCurrentIndex(2);
     Q_EMIT ends->activated(2);
-    control<QDoubleSpinBox>(button, "range-high")->setValue(9);
+    auto* const high = control<QDoubleSpinBox>(button, "range-high");
+    high->setValue(0.05);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return snapshot()->layer.range == chosen(RangeOf::Steps); }, 20000));
+    EXPECT_EQ(high->value(), 0.05);
+    EXPECT_GE(high->singleStep() * std::pow(10, high->decimals()), 1) << "a step of the wheel is seen";
+    high->setValue(9);
     control<QCheckBox>(button, "range-threshold-on")->click();
     control<QDoubleSpinBox>(button, "range-threshold")->setValue(5);
     ASSERT_TRUE(QTest::qWaitFor([&] { return snapshot()->layer.range == chosen(RangeOf::Steps); }, 20000));

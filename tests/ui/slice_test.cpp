@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "panes/distance/distance_drawing.h"
 #include "panes/distance/distance_slice.h"
 #include "relief/tracers/map_choice.h"
 #include "traced_ray.h"
@@ -100,6 +101,72 @@ TEST(Slice, thinningKeepsHighestAndLowest) {
     const auto [thinLow, thinHigh] = std::minmax_element(thin.points.begin(), thin.points.end(), lower);
     EXPECT_EQ(low->y, thinLow->y);
     EXPECT_EQ(high->y, thinHigh->y);
+}
+
+TEST(Slice, aPlaceIsFoundAgainFromItsPointInAnySlice) {
+    const Place3 place{3.25, 7.5, 4};
+    constexpr double kSlab = 12;
+    for (const SliceAxis axis : {SliceAxis::X, SliceAxis::Y, SliceAxis::Z}) {
+        const Point at = toSlice(axis, kSlab, place);
+        EXPECT_EQ(fromSlice(axis, kSlab, place[static_cast<std::size_t>(axis)], at), place);
+    }
+}
+
+// The slice of a distance map through a relief of columns.
+struct CityMap {
+    Traced traced{"city", 37, 20, Surface::Columns, Address::Repeat};
+    SlicedMap sliced{relief::buildMap("euclidean", {}, traced.field, traced.cache, traced.work), traced.field};
+    DistanceSource source;
+    CityMap() {
+        source.field = &traced.field;
+        source.maxima = traced.source.maxima;
+        source.first = &sliced;
+    }
+};
+
+// The plot begins and ends within texels, whose surface is seen in part.
+TEST(Slice, theSurfaceReachesBothSidesOfThePlot) {
+    const CityMap city;
+    for (const SliceAxis axis : {SliceAxis::X, SliceAxis::Y}) {
+        for (const double width : {300.0, 470.0}) {
+            DistanceOptions options;
+            options.axis = axis;
+            options.isoLines = false;
+            const DistancePicture picture = distancePicture(city.source, options, 0, width, 300, {});
+            const DistanceFrame& frame = picture.frame;
+            double low = frame.plot.x1, high = frame.plot.x0;
+            for (const Item& item : picture.drawing.items) {
+                if (item.id.kind != ItemKind::Surface) continue;
+                for (const Point& p : std::get<Polyline>(item.primitive).points) {
+                    low = std::min(low, p.x);
+                    high = std::max(high, p.x);
+                }
+            }
+            EXPECT_NEAR(low, frame.plot.x0, 1e-6) << frame.window.x0;
+            EXPECT_NEAR(high, frame.plot.x1, 1e-6) << frame.window.x1;
+        }
+    }
+}
+
+TEST(Slice, aStepBeyondTheLastIsTheLast) {
+    CityMap city;
+    const relief::ViewRay ray{3.3, 7.1, 14, 9};
+    city.traced.trace(ray, {"distance-conservative", {}});
+    city.source.hasRay = true;
+    city.source.ray = ray;
+    city.source.hit = city.traced.source.hit;
+    std::vector<relief::Step> steps = city.traced.log.steps;
+    city.source.steps = &steps;
+    ASSERT_GT(steps.size(), 3U);
+    for (; !steps.empty(); steps.pop_back()) {
+        const int last = static_cast<int>(steps.size()) - 1;
+        for (const SliceAxis axis : {SliceAxis::X, SliceAxis::Y}) {
+            DistanceOptions options;
+            options.axis = axis;
+            EXPECT_EQ(distanceFrame(city.source, options, last + 3, 400, 300).cut,
+                      distanceFrame(city.source, options, last, 400, 300).cut);
+        }
+    }
 }
 
 // Conservative cones belong to cells between texel centres, published ones to the texels.

@@ -197,6 +197,12 @@ TEST(Turntable, whatIsFittedIsInTheView) {
     EXPECT_EQ(right[2], 0) << "up stays up";
     // The direction of view is perpendicular to `right`.
     EXPECT_NEAR(right[0] * 1 + right[1] * 0.3, 0, 1e-12);
+    // A drag over the whole height of a view moves the camera by the height that is seen.
+    Turntable moved = camera;
+    moved.move(0, 600, 600);
+    const auto from = camera.eye();
+    const auto to = moved.eye();
+    EXPECT_NEAR(std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]), camera.viewHeight(), 1e-9);
 }
 
 }  // namespace
