@@ -9,7 +9,9 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
+#include "painting/legend_rows.h"
 #include "painting/painter.h"
+#include "painting/table_drawing.h"
 #include "panes/pyramid/pyramid_drawing.h"
 #include "panes/ray_geometry.h"
 #include "relief/files.h"
@@ -210,6 +212,104 @@ TEST(Painter, cellsHaveTheColoursOfTheirValues) {
             }
         }
     }
+}
+
+// The kept part of a long grid has the colours of the cells, near the grid's end and away from it.
+TEST(Painter, keptCellsHaveTheColoursOfTheirValues) {
+    constexpr int kLong = 10000, kHigh = 10;
+    auto values = std::make_shared<relief::FloatImage>(kLong, kHigh);
+    for (int i = 0; i < kLong; ++i) (*values)(i, 4) = static_cast<float>(i * 7 % 64) / 63;
+    Cells cells;
+    cells.values = values;
+    cells.clip = {0, 0, kLong, kHigh};
+    const Style style;
+    CellPictures kept;
+    for (const int from : {2, 5000}) {
+        QImage image(400, kHigh, QImage::Format_RGB32);
+        QPainter painter(&image);
+        kept.begin();
+        kept.draw(painter, cells, {1, -1.0 * from, 0}, style, {0, 0, 400, kHigh});
+        kept.end();
+        painter.end();
+        for (const int at : {0, 5, 17, 398}) {
+            const Rgba expected = style.cell(cells.map, static_cast<double>((*values)(from + at, 4)), cells.scale);
+            EXPECT_NEAR(image.pixelColor(at, 4).green(), expected.g, 1) << from << " + " << at;
+        }
+    }
+}
+
+// A cross has four arms, and a line is cut where it leaves the box.
+TEST(Painter, marksAndLinesLieWhereTheyShould) {
+    const Style style;
+    const auto painted = [&](const Primitive& what) {
+        Drawing drawing;
+        drawing.add({}, Role::Hidden, what);
+        QImage image(100, 100, QImage::Format_RGB32);
+        image.fill(Qt::magenta);
+        QPainter painter(&image);
+        paint(painter, drawing, {}, style, {0, 0, 100, 100});
+        painter.end();
+        return image;
+    };
+    const auto inked = [](const QImage& image, int x, int y) { return image.pixelColor(x, y) != QColor(Qt::magenta); };
+    const QImage cross = painted(Marker{{50, 50}, Shape::Cross, 60 / style.pixelsPerPoint()});
+    for (const int x : {30, 70}) {
+        for (const int y : {30, 70}) EXPECT_TRUE(inked(cross, x, y)) << x << ' ' << y;
+        EXPECT_FALSE(inked(cross, x, 50) || inked(cross, 50, x)) << x;
+    }
+    const auto runs = clippedTo({{-10, 10}, {30, 50}, {30, 300}}, {0, 0, 100, 100});
+    ASSERT_EQ(runs.size(), 1U);
+    EXPECT_EQ(runs[0], (std::vector<Point>{{0, 20}, {30, 50}, {30, 100}}));
+}
+
+// Qt would write a path without points, which is a fault in a PDF.
+TEST(Painter, aLineWithoutLengthIsNotWritten) {
+    const auto written = [](const Primitive& what) {
+        Drawing drawing;
+        drawing.add({}, Role::Ray, what);
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        QSvgGenerator svg;
+        svg.setOutputDevice(&buffer);
+        QPainter painter(&svg);
+        paint(painter, drawing, {}, Style(), {0, 0, 100, 100});
+        painter.end();
+        return bytes.count("<p");
+    };
+    EXPECT_EQ(written(Polyline{{{50, 50}, {50, 50}, {50, 50.0001}}}), written(Polyline{}));
+    EXPECT_GT(written(Polyline{{{50, 50}, {50, 51}}}), written(Polyline{}));
+}
+
+// Numbers stand at the right of their column, words at the left; of the rows, only the chosen one is marked.
+TEST(TableDrawing, columnsAreAlignedAndTheChosenRowIsMarked) {
+    TableSource source;
+    source.titles = {"step", "what"};
+    source.numbers = {true, false};
+    source.rows.resize(2);
+    source.rows[0].cells = source.rows[1].cells = {"17", "down"};
+    const auto marks = [&] {
+        const Drawing drawing = tableDrawing(source, 200);
+        int marked = 0;
+        for (const Item& item : drawing.items) {
+            marked += item.role == Role::Highlight ? 1 : 0;
+            const auto* const label = std::get_if<Label>(&item.primitive);
+            if (label == nullptr) continue;
+            const std::string text = labelText(*label, relief::Language::English);
+            const bool number = text == "17" || text == "step";
+            EXPECT_EQ(label->anchor, number ? Anchor::Right : Anchor::Left) << text;
+        }
+        return marked;
+    };
+    EXPECT_EQ(marks(), 0);
+    source.rows[1].chosen = true;
+    EXPECT_GT(marks(), 0);
+}
+
+// Steps without a sphere or cone promise nothing.
+TEST(LegendRows, explainsOnlyBodiesThatAreThere) {
+    LegendRows rows(400, relief::Language::English);
+    rows.bodies({relief::Step{}}, {}, {});
+    EXPECT_TRUE(rows.take().items.empty());
 }
 
 TEST(Painter, figuresHoldWordsInBothLanguages) {

@@ -9,6 +9,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 
@@ -219,6 +220,40 @@ TEST(PaperFigures, FaultsAreNamedInOneLine) {
                         {{QStringLiteral("SOURCE_DATE_EPOCH"), QStringLiteral("today")}})
                   .find("SOURCE_DATE_EPOCH"),
               std::string::npos);
+}
+
+// Of a list of names: the figures of each, in the order of their numbers; where there are none, it is said.
+TEST(PaperFigures, NamesSelectFiguresInTheirOrder) {
+    const auto named = [](const std::string& names) {
+        QStringList stems;
+        for (const std::string& file : paperFigureFiles(names, kFolder)) {
+            stems << QFileInfo(QString::fromStdString(file)).completeBaseName();
+        }
+        return stems.join(',').toStdString();
+    };
+    EXPECT_EQ(named("PERSP"), "PERSP-1,PERSP-2,PERSP-3,PERSP-4");
+    EXPECT_EQ(named("MIP18-4,mine.json,PERSP-2"), "MIP18-4,mine,PERSP-2");
+    const QTemporaryDir empty;
+    try {
+        paperFigureFiles("all", empty.path().toStdString());
+        ADD_FAILURE() << "nothing is enough";
+    } catch (const relief::InputError& error) {
+        EXPECT_EQ(error.message().id, relief::MessageId::PaperFiguresNotFound);
+    }
+}
+
+// A caption's formulas are TeX's; a single dollar is a sign.
+TEST(PaperFigures, CaptionsAreTex) {
+    const QTemporaryDir folder;
+    PaperFigure figure;
+    figure.name = "mine";
+    figure.json = relief::Json::object();
+    figure.caption = {"$u_t$ of 50% & a_b", "5 $ or 5_6"};
+    relief::Work work;
+    writePaperFigure(
+        figure, folder.path().toStdString(), "1", [](relief::Language) {}, work);
+    EXPECT_TRUE(contents(folder.filePath(QStringLiteral("mine-en.tex"))).contains("{$u_t$ of 50\\% \\& a\\_b "));
+    EXPECT_TRUE(contents(folder.filePath(QStringLiteral("mine-uk.tex"))).contains("{5 \\$ or 5\\_6 "));
 }
 
 // The trace of each part's ray.
