@@ -13,6 +13,7 @@
 #include "measuring/compare/picture_error.h"
 #include "painting/chart.h"
 #include "panes/compare/compare_drawing.h"
+#include "panes/compare/compare_painting.h"
 #include "panes/compare/compare_view.h"
 #include "scenario/scenario.h"
 #include "window_fixture.h"
@@ -235,6 +236,10 @@ TEST_F(ComparePane, ALevelChosenByTheViewIsTimedAsItIsDrawn) {
     ASSERT_EQ(pane()->view()->pictures.size(), 2u);
     ASSERT_FALSE(method(1).problem);
     EXPECT_TRUE(method(1).steps && method(1).rate);
+    // What is drawn has its room, to a part of a pixel.
+    const Box page{0, 0, static_cast<double>(pictures()->width()), static_cast<double>(pictures()->height())};
+    const CompareSource source = compareSource(*pane()->view(), scenario(), 0);
+    EXPECT_GE(pictures()->minimumHeight(), comparePage(source, page, workspace_->style(), false).leastHeight);
 }
 
 TEST_F(ComparePane, PicturesAreRightAndZoomTogether) {
@@ -432,6 +437,28 @@ TEST_F(ComparePane, TheCameraIsTurnedFromHere) {
     EXPECT_FALSE(pane()->view()->coarse);
     EXPECT_TRUE(pane()->view()->of(*snapshot()));
     EXPECT_EQ(method(0).frame, snapshot()->frame);
+}
+
+TEST_F(ComparePane, ShownDuringADragItFollowsTheDrag) {
+    openPane({{"layers", {}}});
+    auto* const dock = window_->findChild<QWidget*>(QStringLiteral("compare-pane"));
+    dock->hide();
+    relief::Scenario dragged = scenario();
+    dragged.filter.name = relief::kSupersample;  // so slow that the full picture is not drawn meanwhile
+    dragged.filter.samples = 48;
+    const auto until = [&](const auto& reached) {
+        for (int n = 0; n < 200 && !reached(); ++n) {
+            dragged.camera.azimuth += 0.1;
+            workspace_->change(dragged, QStringLiteral("test"), QStringLiteral("drag"), true);
+            QTest::qWait(30);
+        }
+        return reached();
+    };
+    ASSERT_TRUE(until([&] { return snapshot()->coarse; }));
+    ASSERT_EQ(pane()->view(), nullptr) << "hidden, it keeps nothing of an earlier picture";
+    dock->show();
+    dock->raise();
+    EXPECT_TRUE(until([&] { return pane()->view() != nullptr; }));
 }
 
 TEST_F(ComparePane, ItIsExportedAsItIsShown) {
