@@ -151,6 +151,21 @@ TEST_F(FirstMinute, AClosedNoteLeavesNoEmptyRow) {
     EXPECT_FALSE(rowIsThere());
 }
 
+TEST_F(FirstMinute, AMessageHasRoomInALargerFont) {
+    MessageBar bar;
+    bar.resize(300, 100);
+    bar.showNotice(QStringLiteral("a message of so many words that it takes more than one line"));
+    const QList<QLabel*> labels = bar.findChildren<QLabel*>();
+    const auto at =
+        std::find_if(labels.begin(), labels.end(), [&](QLabel* label) { return label->text() == bar.text(); });
+    ASSERT_NE(at, labels.end());
+    const int before = (*at)->minimumHeight();
+    QFont larger = bar.font();
+    larger.setPointSizeF(2 * larger.pointSizeF());
+    bar.setFont(larger);
+    EXPECT_GT((*at)->minimumHeight(), 2 * before);
+}
+
 TEST_F(FirstMinute, TheCameraComesHome) {
     relief::Scenario wall = smallScenario();
     wall.scene = relief::SceneKind::Wall;

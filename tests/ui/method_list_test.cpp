@@ -2,6 +2,7 @@
 #include "windows/method_list.h"
 
 #include <QAbstractItemDelegate>
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QImage>
 #include <QPainter>
@@ -13,8 +14,9 @@ namespace reliefui {
 
 namespace {
 
-// Numbers of pixels of the blank strips, at least `least` wide, between the ink of all rows drawn over each other.
-std::vector<int> blanksOf(const QComboBox& list, int least) {
+// Numbers of pixels of the blank strips, at least `least` wide, between the ink of all rows drawn over each other. end:
+// receives the right end of the ink.
+std::vector<int> blanksOf(const QComboBox& list, int least, int& end) {
     QImage image(1600, 32, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
@@ -34,6 +36,7 @@ std::vector<int> blanksOf(const QComboBox& list, int least) {
         for (int y = 0; y < image.height(); ++y) ink |= image.pixel(x, y) != qRgb(255, 255, 255);
         if (ink && blank >= least) blanks.push_back(blank);
         blank = ink ? 0 : blank + 1;
+        if (ink) end = x + 1;
     }
     return blanks;
 }
@@ -45,7 +48,10 @@ TEST(MethodList, ColumnsDoNotOverlap) {
     for (const auto fill : {&fillMethods, &fillFilters}) {
         QComboBox list;
         fill(&list);
-        EXPECT_EQ(blanksOf(list, kLeastBlank).size(), 2U);
+        int end = 0;
+        EXPECT_EQ(blanksOf(list, kLeastBlank, end).size(), 2U);
+        list.ensurePolished();
+        EXPECT_GE(list.view()->minimumWidth(), end) << "the open list shows all columns";
     }
 }
 

@@ -83,6 +83,7 @@ TEST_F(SessionTest, AChangeIsSavedAndACleanEndLeavesNothing) {
     };
     EXPECT_TRUE(QTest::qWaitFor(saved, kPatienceMs));
     EXPECT_EQ(unfinished().filter(QStringLiteral(".ini")).size(), 1) << "the layout is saved, too";
+    EXPECT_TRUE(unfinished().filter(QStringLiteral(".starting")).isEmpty()) << "the start is over";
     // A window that starts now does not take it.
     EXPECT_TRUE(SessionFiles::leftBehind().empty());
     EXPECT_TRUE(saved());
@@ -111,6 +112,8 @@ TEST_F(SessionTest, WhatWasLeftIsOfferedAndRestored) {
     EXPECT_EQ(unfinished().filter(QStringLiteral(".json")).size(), 1);
     workspace_->undo();
     EXPECT_TRUE(QTest::qWaitFor([&] { return scenario().bookmarks.empty(); }, kPatienceMs));
+    EXPECT_EQ(keeper_->end(), "");
+    EXPECT_TRUE(unfinished().isEmpty()) << unfinished().join(' ').toStdString();
 }
 
 TEST_F(SessionTest, WhoDoesNotAnswerIsAskedAgain) {
