@@ -18,6 +18,7 @@
 #include "panes/trace/trace3d_view.h"
 #include "window_fixture.h"
 #include "windows/pane_list.h"
+#include "windows/share.h"
 #include "windows/time_pane.h"
 #include "workspace/snapshot_maker.h"
 
@@ -534,6 +535,19 @@ TEST_F(WindowTest, AnExportIsCancelled) {
     EXPECT_TRUE(notices[0][0].toString().contains(path));
     EXPECT_EQ(contents(path), "of before");
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "no other file remains";
+}
+
+// Another process writes pages; if it dies, that is said once.
+TEST_F(WindowTest, AWriterThatDiesIsReportedOnce) {
+    openWindow(smallScenario());
+    QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    const QTemporaryDir folder;
+    QProcess* const writer = startWriting(window_.get(), workspace_.get(), {QStringLiteral("--lesson")}, folder.path());
+    writer->kill();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !problems.isEmpty(); }, kPatienceMs));
+    QTest::qWait(50);
+    EXPECT_EQ(problems.size(), 1);
+    EXPECT_FALSE(cancelWriting(window_.get())) << "none is left";
 }
 
 // Messages refer to the window's controls, not to options of the command line.

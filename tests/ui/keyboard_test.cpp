@@ -258,6 +258,29 @@ bool ownedByQt(const QWidget* widget) {
     return widget->objectName().startsWith(QStringLiteral("qt_")) || widget->inherits("QTabBar");
 }
 
+// The pane with the focus is exported, or the result if there is nothing to export in it.
+TEST_F(KeyboardTest, ThePaneWithTheFocusIsExported) {
+    openKeys();
+    const auto exported = [this](const char* pane) {
+        auto* const dock = window_->findChild<QDockWidget*>(QLatin1String(pane));
+        dock->raise();
+        QTest::qWait(20);
+        QApplication::setActiveWindow(window_.get());
+        for (QWidget* const widget : dock->findChildren<QWidget*>()) {
+            if (widget->isVisible() && (widget->focusPolicy() & Qt::TabFocus) != 0)
+                widget->setFocus(Qt::TabFocusReason);
+            if (dock->isAncestorOf(QApplication::focusWidget())) break;
+        }
+        EXPECT_TRUE(dock->isAncestorOf(QApplication::focusWidget())) << pane;
+        asked_.clear();
+        press(QApplication::focusWidget(), QKeySequence(QStringLiteral("Ctrl+E")));
+        QTest::qWaitFor([this] { return !asked_.isEmpty(); }, 10000);
+        return asked_.toStdString();
+    };
+    EXPECT_EQ(exported("profile-pane"), "Export the profile");
+    EXPECT_EQ(exported("scene-pane"), "Export figure");
+}
+
 TEST_F(KeyboardTest, EveryControlHasAName) {
     openKeys();
     // Every widget of the window, also behind a tab.
