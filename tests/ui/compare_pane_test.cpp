@@ -236,7 +236,11 @@ TEST_F(ComparePane, ALevelChosenByTheViewIsTimedAsItIsDrawn) {
     ASSERT_EQ(pane()->view()->pictures.size(), 2u);
     ASSERT_FALSE(method(1).problem);
     EXPECT_TRUE(method(1).steps && method(1).rate);
-    // What is drawn has its room, to a part of a pixel.
+    // What is drawn has its room, whose height need not be whole pixels.
+    relief::Scenario other = scenario();
+    other.height = 131;
+    workspace_->change(other, QStringLiteral("test"));
+    settle();
     const Box page{0, 0, static_cast<double>(pictures()->width()), static_cast<double>(pictures()->height())};
     const CompareSource source = compareSource(*pane()->view(), scenario(), 0);
     EXPECT_GE(pictures()->minimumHeight(), comparePage(source, page, workspace_->style(), false).leastHeight);
