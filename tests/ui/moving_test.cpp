@@ -132,10 +132,28 @@ TEST_F(Moving, APageHasAllFramesOnce) {
     EXPECT_EQ(different.size(), 5U);
     EXPECT_EQ(data["say-uk"][1].get<std::string>().find("azimuth = " + data["steps"][1].get<std::string>()), 0U);
     EXPECT_NE(html.find("class=\"play\""), std::string::npos);
+    const std::string list = "id=\"parts\">";
+    const std::size_t at = html.find(list) + list.size();
+    const nlohmann::json parts = nlohmann::json::parse(html.substr(at, html.find("</script>", at) - at));
+    std::size_t most = 0;
+    for (const auto& frame : data["en"]) most = std::max(most, frame[0].get<std::size_t>());
+    EXPECT_EQ(parts.size(), most + 1) << "no part belongs to no frame";
     // Drawings stay drawings.
     const std::string drawn = page(movingOf("profile", "sweep:relief-depth=0.05..0.2", 3, smallScenario()));
     EXPECT_EQ(drawn.find("data:image/jpeg"), std::string::npos);
     EXPECT_EQ(slider(drawn)["steps"], (nlohmann::json{"0.05", "0.125", "0.2"}));
+}
+
+// Steps count from 1, also where they are pictures, and a ray of the sky has a page, too.
+TEST_F(Moving, APageCountsTheSteps) {
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"layers", {{"layers", "1"}}};
+    scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = 8;
+    const nlohmann::json steps = slider(page(movingOf("slabs", "steps", {}, scenario)))["steps"];
+    ASSERT_GE(steps.size(), 2U);
+    for (std::size_t n = 0; n < steps.size(); ++n) EXPECT_EQ(steps[n], std::to_string(n + 1));
+    scenario.pixel.reset();
+    EXPECT_NE(page(movingOf("pyramid", "steps", {}, scenario)).find("<svg"), std::string::npos);
 }
 
 TEST_F(Moving, ALongerSequenceIsNotMixedWithAShorterOne) {
@@ -165,6 +183,11 @@ TEST_F(WindowTest, TheDialogProposesWhatThePaneCanShow) {
     }
     ASSERT_NE(moving, nullptr);
     bool seen = false;
+    const std::vector<PaneKind>& all = paneList();
+    const auto result =
+        std::find_if(all.begin(), all.end(), [](const PaneKind& one) { return one.name == QLatin1String("result"); });
+    ASSERT_NE(result, all.end());
+    window_->result()->setFocus();
     QTimer::singleShot(0, window_.get(), [&] {
         auto* const dialog = window_->findChild<QDialog*>(QStringLiteral("moving-picture"));
         ASSERT_NE(dialog, nullptr);
@@ -173,6 +196,7 @@ TEST_F(WindowTest, TheDialogProposesWhatThePaneCanShow) {
         auto* const moves = dialog->findChild<QComboBox*>(QStringLiteral("moving-what"));
         auto* const values = dialog->findChild<QLineEdit*>(QStringLiteral("moving-values"));
         auto* const frames = dialog->findChild<QSpinBox*>(QStringLiteral("moving-frames"));
+        EXPECT_EQ(panes->currentText(), result->title) << "the pane with the focus";
         panes->setCurrentIndex(panes->findText(QStringLiteral("Profile")));
         EXPECT_EQ(moves->itemData(0).toStringList(), QStringList(QStringLiteral("steps")));
         EXPECT_FALSE(values->isEnabled() || frames->isEnabled()) << "the ray has as many steps as it has";
