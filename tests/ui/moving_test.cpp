@@ -149,7 +149,9 @@ TEST_F(Moving, APageCountsTheSteps) {
     relief::Scenario scenario = smallScenario();
     scenario.method = {"layers", {{"layers", "1"}}};
     scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = 8;
-    const nlohmann::json steps = slider(page(movingOf("slabs", "steps", {}, scenario)))["steps"];
+    MovingPicture pictures = movingOf("profile", "steps", {}, scenario);
+    pictures.kind.vectors = false;
+    const nlohmann::json steps = slider(page(pictures))["steps"];
     ASSERT_GE(steps.size(), 2U);
     for (std::size_t n = 0; n < steps.size(); ++n) EXPECT_EQ(steps[n], std::to_string(n + 1));
     scenario.pixel.reset();
