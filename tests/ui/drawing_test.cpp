@@ -216,9 +216,9 @@ TEST(Painter, cellsHaveTheColoursOfTheirValues) {
 
 // The kept part of a long grid has the colours of the cells, near the grid's end and away from it.
 TEST(Painter, keptCellsHaveTheColoursOfTheirValues) {
-    constexpr int kLong = 10000, kHigh = 10;
+    constexpr int kLong = 4000000, kHigh = 1;
     auto values = std::make_shared<relief::FloatImage>(kLong, kHigh);
-    for (int i = 0; i < kLong; ++i) (*values)(i, 4) = static_cast<float>(i * 7 % 64) / 63;
+    for (int i = 0; i < 6000; ++i) (*values)(i, 0) = static_cast<float>(i * 7 % 64) / 63;
     Cells cells;
     cells.values = values;
     cells.clip = {0, 0, kLong, kHigh};
@@ -232,8 +232,8 @@ TEST(Painter, keptCellsHaveTheColoursOfTheirValues) {
         kept.end();
         painter.end();
         for (const int at : {0, 5, 17, 398}) {
-            const Rgba expected = style.cell(cells.map, static_cast<double>((*values)(from + at, 4)), cells.scale);
-            EXPECT_NEAR(image.pixelColor(at, 4).green(), expected.g, 1) << from << " + " << at;
+            const Rgba expected = style.cell(cells.map, static_cast<double>((*values)(from + at, 0)), cells.scale);
+            EXPECT_NEAR(image.pixelColor(at, 0).green(), expected.g, 1) << from << " + " << at;
         }
     }
 }
