@@ -1,6 +1,7 @@
 // A closed pane frees its resources, OpenGL buffers included, and looks the same when it is opened again.
 #include <QVTKOpenGLNativeWidget.h>
 #include <malloc.h>
+#include <vtkRenderWindow.h>
 #include <QDockWidget>
 #include <QThreadPool>
 #include <QToolButton>
@@ -125,6 +126,23 @@ TEST_F(ClosedPanes, ComeBackWithoutRoom) {
     ASSERT_NO_FATAL_FAILURE(bringUp(pane));
     EXPECT_GT(face->height(), 0);
     EXPECT_GT(colorsIn(grab(view)), 10);
+}
+
+TEST_F(ClosedPanes, AreDrawnAtTheSizeThatTheyGotMeanwhile) {
+    openWindow(smallScenario());
+    const QString pane = QStringLiteral("trace-pane");
+    FigureView* const view = viewOf(pane);
+    ASSERT_NO_FATAL_FAILURE(bringUp(pane));
+    ASSERT_NO_FATAL_FAILURE(close(pane));
+    window_->resize(1300, 780);
+    QTest::qWait(kDrawnMs);
+    dock(pane)->show();
+    dock(pane)->raise();
+    auto* const face = view->findChild<QVTKOpenGLNativeWidget*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return face->isVisible(); }, kPatienceMs));
+    QTest::qWait(kDrawnMs);
+    const int* const drawn = face->renderWindow()->GetSize();
+    EXPECT_EQ(QSize(drawn[0], drawn[1]), face->size() * face->devicePixelRatioF());
 }
 
 // The exaggeration changes while the pane is hidden, and steps change before it has drawn itself.

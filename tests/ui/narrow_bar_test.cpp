@@ -23,9 +23,9 @@ TEST_F(NarrowBarTest, TheWheelGoesOnAndBack) {
     QTest::qWait(50);
     const auto turn = [&](QPoint by) {
         const int before = bar.horizontalScrollBar()->value();
-        QWheelEvent wheel({10, 10}, bar.mapToGlobal(QPoint(10, 10)), {}, by, Qt::NoButton, Qt::NoModifier,
+        QWheelEvent wheel({10, 10}, bar.viewport()->mapToGlobal(QPoint(10, 10)), {}, by, Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&bar, &wheel);
+        QApplication::sendEvent(bar.viewport(), &wheel);
         return bar.horizontalScrollBar()->value() - before;
     };
     EXPECT_GT(turn({0, -120}), 0);
