@@ -63,6 +63,7 @@ TEST_P(CertifyTest, UnsafeOnesAreRefuted) {
             return row[0] == "hit" ? std::stod(row[1]) : INFINITY;
         };
         EXPECT_EQ(loadScenario(file).method.name, tracer);
+        EXPECT_EQ(result.out.find("no longer shows"), std::string::npos) << "the pixel shows it, see below";
         EXPECT_GT(lambdaOf({file}), lambdaOf({file, "--tracer", "exact"}));
         const std::size_t at = result.out.find("  ray: ") + 7;
         const std::string ray = result.out.substr(at, result.out.find('\n', at) - at);

@@ -38,6 +38,15 @@ TEST_P(HelpTest, OptionsNameUnitsRangesAndDefaults) {
     }
 }
 
+TEST_P(HelpTest, ManualPagesTagEachExitStatus) {
+    runFine({"--manual", path("manual")});
+    const std::string page = read("manual/man1/relief.1");
+    for (const std::string part : {".TP\n\\fB0\\fR\ndone\n.TP\n\\fB1\\fR\nthe work failed", "\nstress, merge of stress",
+                                   "\n141 if the reader", ".TP\n\\fB129, 130, 143\\fR\nended by"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+}
+
 TEST_P(HelpTest, WrongCommandsAndOptions) {
     expectRefusal({}, 2, {"--help"});
     expectRefusal({"redner"}, 2, {"\"redner\"; did you mean \"render\"? Known: "});

@@ -86,6 +86,10 @@ TEST_P(MapEngineTest, OtherKindsAreChecked) {
     expectRefusal({"map", "cone-robust", height, "--surface", "columns", "-o", path("x.tif")}, 2, {"bilinear"});
     expectRefusal({"map", "cone-robust", height, "--surface", "columns", "-o", path("x.png")}, 2, {"--surface"});
     EXPECT_EQ(certified({"--map", path("max-pyramid.png")}).status, 0) << "against its own heights";
+    // Level 0, rounded to the nearest, lies below the height map in places; the levels above it bound level 0 only.
+    runFine({"map", "max-pyramid", height, "--bits", "8", "--rounding", "nearest", "-o", path("nearest.png")});
+    EXPECT_EQ(certified({"--map", path("nearest.png")}).status, 0) << "against its own heights";
+    EXPECT_EQ(certified({height, "--map", path("nearest.png")}).status, 1) << "against the height map that is given";
     runFine({"map", "normals", height, "--green", "down", "-o", path("normals.png")});
     expectRefusal({"certify", height, "--map", path("normals.png")}, 2, {"normals.png", "normals"});
 }

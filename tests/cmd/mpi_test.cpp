@@ -184,6 +184,8 @@ TEST_P(MpiTest, WithoutMpiSeveralProcessesAreRefused) {
     setup.program.clear();
     setup.variables = {{"PMI_SIZE", "4"}, {"PMI_RANK", "0"}};
     expectRefusal(rows, 2, {"4", "joined 1"}, setup);
+    setup.variables.emplace_back("OMPI_COMM_WORLD_SIZE", "0");
+    expectRefusal(rows, 2, {"4", "joined 1"}, setup);
 }
 
 TEST_P(MpiTest, RowsFiltersAndPicturesAreSharedToo) {

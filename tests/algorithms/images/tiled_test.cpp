@@ -91,6 +91,13 @@ void expectPyramids(const TiledHeights& tiled, const FloatImage& heights) {
                     ASSERT_EQ(tiled.value(kind, l, x, y), level(x, y))
                         << tileKindName(kind) << " level " << l << " texel " << x << ", " << y;
             }
+            if (kind != TileKind::Max) continue;
+            for (int y = 1; y < level.height(); ++y) {
+                for (int x = 1; x < level.width(); ++x)
+                    ASSERT_EQ(tiled.highest(l, x - 1, x, y - 1, y),
+                              std::max({level(x - 1, y - 1), level(x, y - 1), level(x - 1, y), level(x, y)}))
+                        << "level " << l << " up to texel " << x << ", " << y;
+            }
         }
     }
 }

@@ -178,7 +178,7 @@ TEST(Shadows, approximateMethodsDoNotShadeThemselves) {
 // Without skipping, every shadow query is a ray: the bounds of the horizon change no bit, whatever the light. They are
 // kept from frame to frame, but not for another light or relief.
 TEST(Shadows, boundsOfTheHorizonAnswerAsRaysDo) {
-    double decided = 0, queries = 0;
+    double decided = 0, queries = 0, unskipped = 0;
     for (const Surface surface : {Surface::Bilinear, Surface::Columns}) {
         for (const Address address : {Address::Repeat, Address::Clamp, Address::Border}) {
             Work work(2);
@@ -196,6 +196,7 @@ TEST(Shadows, boundsOfTheHorizonAnswerAsRaysDo) {
                     queries += queriesOf(*frame);
                     request.skip = false;
                     const auto all = rendered(request);
+                    unskipped += queriesOf(*all);
                     EXPECT_EQ(all->counters.at(MessageId::CountShadowBounds), 0);
                     ASSERT_TRUE(frame->light->color == all->light->color)
                         << sceneName(scene) << ", light " << azimuth << "," << elevation << ", depth " << depth;
@@ -205,6 +206,8 @@ TEST(Shadows, boundsOfTheHorizonAnswerAsRaysDo) {
     }
     std::cout << decided << " of " << queries << " decided by bounds\n";
     EXPECT_GT(decided, queries / 3);
+    std::cout << unskipped << " without skipping\n";
+    EXPECT_GT(unskipped, queries) << "hits that face away from the light are queried, too";
 }
 
 TEST(Shadows, sameBitsForAnyNumberOfThreads) {
