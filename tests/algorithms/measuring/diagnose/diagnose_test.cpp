@@ -351,6 +351,30 @@ TEST_F(AnswersOnAPlane, ThatAreRightHaveNoFault) {
     }
 }
 
+// Answers here and there below the plane could be those of an unsafe map. Steps from one sample of the surface to the
+// next show that the tracer has no map.
+TEST_F(AnswersOnAPlane, WithRecordedStepsAreThoseOfTheSteps) {
+    StepLog log;
+    for (int n = 0; n < 60; ++n) {
+        const double lambda = n % 5 == 0 ? 0.55 + 0.1 * std::fmod(0.618 * n, 1.0) : 0.5;
+        answer(16, lambda);
+        for (const double to : {0.45, lambda}) {
+            Step step;
+            step.lambdaIn = to == lambda ? 0.45 : 0;
+            step.lambdaOut = step.lambdaAfter = to;
+            step.decision = Decision::Advance;
+            step.subject = subject::Point{0.5};
+            log.steps.push_back(step);
+        }
+        log.begin.push_back(log.steps.size());
+    }
+    TracerRecord record{given_.rays, HitBlock(given_.size()), {}};
+    for (std::size_t r = 0; r < given_.size(); ++r) record.hits.set(r, given_.answers[r]);
+    EXPECT_EQ(listed(namesIn(diagnose(record, fields_.given(), work_))), "unsafe-map ");
+    record.steps = log;
+    EXPECT_EQ(listed(namesIn(diagnose(record, fields_.given(), work_))), "missed-spike ");
+}
+
 TEST_F(AnswersOnAPlane, ThatAreScatteredHaveNoBias) {
     for (int n = 0; n < 40; ++n) answer(2, 0.47 - 0.03 * std::fmod(0.618 * n, 1.0));
     for (const Explanation& one : explanations(given_, {}, {}, false, fields_, work_)) {
