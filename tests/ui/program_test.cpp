@@ -110,6 +110,7 @@ TEST(Program, LessonsAreCheckedWithoutADisplay) {
 TEST(Program, BadUsage) {
     const QList<QStringList> cases{{QStringLiteral("--nonsense")},
                                    {QStringLiteral("a.png"), QStringLiteral("b.png")},
+                                   {QStringLiteral("--"), QStringLiteral("--help"), QStringLiteral("--version")},
                                    {QStringLiteral("--screenshot")},
                                    {QStringLiteral("--screenshot"), QString()},
                                    {QStringLiteral("--size"), QStringLiteral("12")}};

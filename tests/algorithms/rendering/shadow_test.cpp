@@ -206,7 +206,6 @@ TEST(Shadows, boundsOfTheHorizonAnswerAsRaysDo) {
     }
     std::cout << decided << " of " << queries << " decided by bounds\n";
     EXPECT_GT(decided, queries / 3);
-    std::cout << unskipped << " without skipping\n";
     EXPECT_GT(unskipped, queries) << "hits that face away from the light are queried, too";
 }
 

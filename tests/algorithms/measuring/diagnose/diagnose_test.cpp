@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "measuring/diagnose/conventions.h"
 #include "measuring/diagnose/error_picture.h"
 #include "measuring/diagnose/searched_rays.h"
 #include "measuring/diagnose/surface_match.h"
@@ -311,6 +312,29 @@ TEST(Diagnose, TurnsAreAlsoTriedAsRoundNumbers) {
     const auto models = surfaceMatches(given, {}, fields, 2, 0, work);
     EXPECT_TRUE(std::any_of(models.begin(), models.end(),
                             [](const TracerModel& model) { return std::abs(model.turn - kTurn) < 1e-12; }));
+}
+
+// Turned and stretched farther than the directions that are tried without such places.
+TEST(Diagnose, DirectionsAreReadFromTheReportedPlaces) {
+    const HeightField field = specimenField("bricks");
+    const RayBlock rays = specimenRays(field, 40);
+    constexpr double kTurn = 0.4, kScale = 3, kLambda = 0.5;
+    for (const bool limited : {false, true}) {
+        AnsweredRays given{rays, {}};
+        for (std::size_t r = 0; r < rays.size(); ++r) {
+            const ViewRay ray = rays[r];
+            const double length = kLambda * kScale * (limited ? limitedShare(ray, field) : 1);
+            const double c = length * std::cos(kTurn), s = length * std::sin(kTurn);
+            const ViewRay turned{ray.s0, ray.t0, c * ray.a - s * ray.b, s * ray.a + c * ray.b};
+            given.answers.push_back(Hit::at(turned, 1));
+            given.answers.back().lambda = kLambda;
+        }
+        const auto models = reportedDirections(given, {}, field);
+        ASSERT_EQ(models.size(), 1U);
+        EXPECT_EQ(models[0].limited, limited);
+        EXPECT_NEAR(models[0].turn, kTurn, 1e-9);
+        EXPECT_NEAR(models[0].runScale, kScale, 1e-9);
+    }
 }
 
 // Answers to rays along s, on a flat surface at 0.5.
