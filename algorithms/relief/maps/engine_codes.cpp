@@ -168,11 +168,8 @@ float ConeCoding::encode(double slope, int width, int height, int bits, EngineRo
     const double share = std::min(1.0, (1 - margin) / (perUnit * scale));
     const double x = unit == ConeUnit::SqrtRatio ? std::sqrt(share) : share;
     if (rounding == EngineRounding::Nearest) return nearestCode(x, bits);
-    float stored = lowerCode(x, bits);
-    // Decoding rounds, too.
-    while (stored > 0 && this->slope(static_cast<double>(stored), width, height) < slope)
-        stored = codeBelow(stored, bits);
-    return stored;
+    // The margin covers the rounding of decoding, too.
+    return lowerCode(x, bits);
 }
 
 }  // namespace relief
