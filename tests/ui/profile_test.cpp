@@ -191,6 +191,29 @@ TEST(ProfileDrawing, numbersAtTheRimAreWhole) {
     }
 }
 
+// A mark that is moved from its place on the ray, for lack of room, is inside the visible part of the plot.
+TEST(ProfileDrawing, movedMarksAreWhole) {
+    constexpr double kHalf = 3.5;  // of a mark
+    int moved = 0;
+    Traced t("city", 128, 128, Surface::Bilinear, Address::Repeat);
+    t.trace({12, 40, 60, -39}, {"max-pyramid-paper", {}});
+    ProfileFrame frame = profileFrame(t.source, {}, kWidth, kHeight);
+    for (const double part : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
+        frame.visible.y0 = frame.onRay(part * t.source.hit.lambda).y - 7;
+        const Box seen = frame.seen();
+        const Drawing drawing = profileMarks(t.source, {}, frame, 2);
+        for (std::size_t k = 1; k < drawing.items.size(); ++k) {
+            // A line joins a moved mark to its place.
+            const auto* const marker = std::get_if<Marker>(&drawing.items[k].primitive);
+            if (marker == nullptr || drawing.items[k - 1].role != Role::Frame) continue;
+            EXPECT_GE(marker->at.y - kHalf, seen.y0) << part << ": " << drawing.items[k].id.i;
+            EXPECT_LE(marker->at.x + kHalf, seen.x1) << part << ": " << drawing.items[k].id.i;
+            ++moved;
+        }
+    }
+    EXPECT_GT(moved, 5);
+}
+
 // The distance from the exact hit, and a guess with its answer, are inside the visible part wherever they belong.
 TEST(ProfileDrawing, wordsAtTheRimAreWhole) {
     Traced t("city", 128, 128, Surface::Bilinear, Address::Repeat);
@@ -353,6 +376,7 @@ TEST(ProfileDrawing, aTexelIsAsLongAcrossAsUpwards) {
     EXPECT_GT(wide.plot.width(), 0.8 * kWidth);
     EXPECT_NEAR(wide.plot.width() / (wide.lambdaEnd * wide.run), (wide.yAt(0) - wide.yAt(1)) / t.field.slabTexels(),
                 1e-9);
+    for (const ProfileFrame& shown : {frame, wide}) EXPECT_EQ(shown.plot.cut(shown.whole), shown.plot);
 }
 
 // When zoomed in, all visible items are made, and only these.

@@ -61,6 +61,20 @@ TEST(Rows, AffineIsWorstWhereTheClosedFormSays) {
         const Point at = std::get<Marker>(marks[0].primitive).at;
         EXPECT_NEAR(frame.pixelAt(at.x), data.affine->x, 1e-6);
         EXPECT_NEAR(at.y, frame.errorAt(curve.worst), 0.01);
+
+        // The curve's number stands there, also if that is the first or the last visible pixel.
+        const auto worst = static_cast<double>(curve.worstPixel);
+        for (const double from : {worst, worst - 19}) {
+            const RowsFrame near = rowsFrame(data, {}, {from, from + 20}, 640, 400);
+            int numbers = 0;
+            for (const Item& item : itemsOf(rowsPlots(data, near), Role::Series)) {
+                const auto* const label = std::get_if<Label>(&item.primitive);
+                if (label == nullptr || label->at.y < near.lower.y0) continue;
+                EXPECT_NEAR(near.pixelAt(label->at.x), worst + 0.5, 1e-6);
+                ++numbers;
+            }
+            EXPECT_EQ(numbers, 1) << from - worst;
+        }
     }
 }
 
@@ -107,10 +121,29 @@ TEST(Rows, ScalesAreWhatTheAxesSay) {
     EXPECT_NEAR(decades.errorAt(1), decades.lower.y0 + decades.errorHigh * decade, 1e-9);
     EXPECT_NEAR(decades.errorAt(0.01), decades.errorAt(1) + 2 * decade, 1e-9);
     EXPECT_EQ(decades.errorAt(0), decades.lower.y1);
+    for (const Box& plot : {decades.upper, decades.lower}) {
+        const RowsReading at = rowsReading(data, decades, {decades.xAt(1000.5), plot.center().y});
+        EXPECT_TRUE(at.inside && at.curve);
+        EXPECT_EQ(at.pixel, 1000);
+    }
+    EXPECT_FALSE(rowsReading(data, decades, {decades.upper.x0 - 1, decades.upper.y0 - 1}).inside);
     options.logarithmic = false;
     const RowsFrame linear = rowsFrame(data, options, {}, 640, 400);
     EXPECT_EQ(linear.errorAt(0), linear.lower.y1);
     EXPECT_NEAR(linear.errorAt(linear.errorHigh / 4), linear.lower.y1 - linear.lower.height() / 4, 1e-9);
+}
+
+// Without pixels or without errors, every place and every error still has its position.
+TEST(Rows, NothingHasScalesToo) {
+    RowsOptions options;
+    options.logarithmic = false;
+    RowsData none;
+    none.row.span = {5, 5};
+    const RowsFrame frame = rowsFrame(none, options, {}, 640, 400);
+    EXPECT_EQ(frame.xAt(5), frame.upper.x0);
+    EXPECT_EQ(frame.xAt(6), frame.upper.x1);
+    EXPECT_EQ(frame.errorAt(0), frame.lower.y1);
+    EXPECT_LT(frame.errorAt(relief::kAnchorError), frame.lower.y1);
 }
 
 TEST(Rows, StreamsHaveTheirColours) {
@@ -167,6 +200,13 @@ TEST(Rows, CountsAreThePapers) {
         EXPECT_EQ(data.counts[c].add, expected[c][1]);
         EXPECT_EQ(data.counts[c].div, expected[c][2]);
     }
+    // Their curves are numbered from 1, in the legend as in the plots.
+    std::string numbers;
+    for (const Item& item : rowsLegend(data, 500, relief::Language::English).items) {
+        const auto* const label = std::get_if<Label>(&item.primitive);
+        if (label != nullptr && label->plate) numbers += labelText(*label, relief::Language::English);
+    }
+    EXPECT_EQ(numbers, "1234");
 }
 
 TEST(Rows, TheVariantsAreDescribedInUkrainian) {
