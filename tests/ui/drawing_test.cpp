@@ -1,4 +1,6 @@
 // Drawings as data, and their rendering by QPainter.
+#include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 
@@ -153,6 +155,28 @@ TEST(PyramidDrawing, pickingAnswersWithTexelsAndSteps) {
         }
         EXPECT_EQ(found.size(), t.log.steps.size());
     }
+}
+
+// The first outline of a texel lies at its border; those of further decisions about it are nested in it.
+TEST(PyramidDrawing, decisionsAboutOneTexelAreNested) {
+    Traced t("paper8x8", 8, 8, Surface::Bilinear, Address::Repeat);
+    t.trace({1.2, 5.1, 5, -2});
+    const std::vector<relief::Step> steps(4, t.log.steps.front());
+    PyramidSource source = t.source();
+    source.steps = &steps;
+    std::map<std::int64_t, double> insets;
+    for (const Item& item : pyramidMarks(source, pyramidPicture(source, 600, 400), 3).items) {
+        const auto* const box = std::get_if<Rectangle>(&item.primitive);
+        if (box != nullptr && !box->fill && item.role == roleOf(steps[0].decision)) insets[item.id.i] = box->inset;
+    }
+    ASSERT_EQ(insets.size(), 4U);
+    EXPECT_LT(insets[0], 1);
+    for (std::int64_t k = 1; k < 4; ++k) EXPECT_GT(insets[k], insets[k - 1] + 1);
+    // The ray ends at its hit, whatever the last step says.
+    source.hit = relief::Hit::at(t.ray, 0.875);
+    EXPECT_EQ(rayEnd(source), 0.875);
+    source.hit = relief::Hit::none(relief::Outcome::Limit);
+    EXPECT_EQ(rayEnd(source), std::clamp(steps.back().lambdaAfter, 0.0, 1.0));
 }
 
 TEST(PyramidDrawing, nearTheRayEveryStepIsInTheBlocks) {

@@ -3,7 +3,14 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkRenderer.h>
+#include <QPainter>
 
+#include "painting/painter.h"
+#include "panes/pyramid/pyramid_figure.h"
+#include "panes/pyramid/slab_scene.h"
 #include "panes/pyramid/slab_tower.h"
 #include "panes/ray_geometry.h"
 #include "window_fixture.h"
@@ -191,6 +198,56 @@ TEST(SlabTower, aLineFromAboveMeetsTheUppermostSlab) {
         EXPECT_NEAR(met.texel.y, middle.y, 1e-6);
     }
     EXPECT_EQ(tower.intersect(tower.at(0, {-1e3, -1e3}, 1e4), tower.at(0, {-1e3, -1e3}, -1e4)).slab, nullptr);
+}
+
+// Slabs, frames and the lines of texels without slabs end where the ground does. Frames reach up to the level above the
+// slabs.
+TEST(SlabScene, everythingLiesOverTheGround) {
+    const auto snapshot = snapshotOf(walked());
+    const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, false);
+    SlabScene scene;
+    scene.show(parts, Style());
+    const SlabTower& tower = scene.tower();
+    const Box& d = tower.domain(0);
+    const double top = tower.foot(std::min(tower.top() + 1, tower.levels() - 1));
+    const auto low = tower.at(0, {d.x0, d.y1}, tower.foot(0)), high = tower.at(0, {d.x1, d.y0}, top);
+    constexpr double kFloat = 1e-3;
+    int frames = 0, shown = 0;
+    vtkActorCollection* const actors = scene.renderer()->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* const actor = actors->GetNextActor()) {
+        const double* const b = actor->GetBounds();
+        if (b == nullptr || b[0] > b[1]) continue;
+        EXPECT_TRUE(b[0] > low[0] - kFloat && b[1] < high[0] + kFloat) << b[0] << " " << b[1];
+        EXPECT_TRUE(b[2] > low[1] - kFloat && b[3] < high[1] + kFloat) << b[2] << " " << b[3];
+        const bool whole = b[1] - b[0] > d.width() - kFloat && b[3] - b[2] > d.height() - kFloat;
+        frames += whole && std::abs(b[4] - low[2]) < kFloat && std::abs(b[5] - high[2]) < kFloat ? 1 : 0;
+        ++shown;
+    }
+    EXPECT_EQ(frames, 1);
+    EXPECT_GT(shown, 2);
+}
+
+TEST(PyramidFigure, isTheSameAtAnyResolution) {
+    const auto figure = pyramidFigure(snapshotOf(walked()), 0, {}, {});
+    constexpr int kWide = 480, kHigh = 300;
+    const auto drawn = [&](int unit) {
+        Style style;
+        style.theme = Theme::Light;
+        style.screenPixelsPerPoint = unit;
+        QImage image(kWide * unit, kHigh * unit, QImage::Format_RGB32);
+        image.fill(toColor(style.background()));
+        QPainter painter(&image);
+        figure->paint(painter, {0, 0, static_cast<double>(image.width()), static_cast<double>(image.height())}, style);
+        painter.end();
+        return image.scaled(kWide, kHigh, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    };
+    const QImage coarse = drawn(1), fine = drawn(3);
+    double off = 0;
+    for (int y = 0; y < kHigh; ++y) {
+        for (int x = 0; x < kWide; ++x) off += std::abs(qGray(coarse.pixel(x, y)) - qGray(fine.pixel(x, y)));
+    }
+    EXPECT_LT(off / (kWide * kHigh), 10);
 }
 
 }  // namespace
