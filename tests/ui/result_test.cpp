@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QPainter>
 #include <QWheelEvent>
 
 #include "panes/result/pixel_values.h"
@@ -259,6 +260,40 @@ TEST_F(WindowTest, RShowsTheWholePictureAgain) {
     EXPECT_EQ(onScreen(60, 70), zoomed) << "that is another key";
     QTest::keyClick(view, Qt::Key_R);
     EXPECT_EQ(onScreen(60, 70), before);
+}
+
+// Each of the pixels around one is a square of its colour; only that one has an outline.
+TEST(Magnifier, ShowsThePixelsAroundOne) {
+    QImage image(40, 40, QImage::Format_RGB32);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 40; ++x) image.setPixelColor(x, y, QColor(6 * x, 6 * y, 99));
+    }
+    const Style style;
+    const QRect frame(QPoint(4, 3), magnifierSize(style, 1000));
+    QImage shown(frame.size() + QSize(10, 10), QImage::Format_RGB32);
+    QPainter painter(&shown);
+    paintMagnifier(painter, image, {20, 20}, frame, style);
+    painter.end();
+    const int side = (frame.width() - 2) / kMagnified;
+    constexpr int kHalf = kMagnified / 2;
+    for (int j = -kHalf; j <= kHalf; ++j) {
+        for (int i = -kHalf; i <= kHalf; ++i) {
+            if (std::abs(i) <= 1 && std::abs(j) <= 1) continue;  // the outline
+            const QPoint at = frame.topLeft() + QPoint(1, 1) + side * QPoint(i + kHalf, j + kHalf);
+            const QColor own = image.pixelColor(20 + i, 20 + j);
+            EXPECT_EQ(shown.pixelColor(at), own) << i << " " << j;
+            EXPECT_EQ(shown.pixelColor(at + QPoint(side - 1, side - 1)), own) << i << " " << j;
+        }
+    }
+}
+
+TEST(PixelReadout, IsBriefOnlyOnRequest) {
+    relief::Work work;
+    const auto snapshot = SnapshotMaker().make({smallScenario()}, work);
+    const QStringList brief = pixelReadout(*snapshot, {60, 70}, true);
+    const QStringList whole = pixelReadout(*snapshot, {60, 70});
+    EXPECT_FALSE(brief.isEmpty());
+    EXPECT_GT(whole.size(), brief.size());
 }
 
 TEST_F(WindowTest, TheErrorLayerIsTheCores) {
