@@ -153,7 +153,21 @@ TEST_F(WindowTest, TheTraceTurnsZoomsAndFitsAgain) {
     QWheelEvent wheel(middle, canvas->mapToGlobal(middle), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(canvas, &wheel);
-    EXPECT_NE(grab(canvas), turned);
+    const QImage zoomed = grab(canvas);
+    EXPECT_NE(zoomed, turned);
+    // What is under the pointer stays there, but for some perspective.
+    const relief::Step& first = snapshot()->trace.steps.front();
+    const QPoint at = onStretch(*window_, *snapshot(), first);
+    QWheelEvent nearer(at, canvas->mapToGlobal(at), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                       false);
+    QApplication::sendEvent(canvas, &nearer);
+    const QImage twice = grab(canvas);
+    EXPECT_NE(twice, zoomed);
+    EXPECT_LT((onStretch(*window_, *snapshot(), first) - at).manhattanLength(), canvas->width() / 20);
+    // Another layer of the result is no reason to move the camera.
+    workspace_->setLayer(Layer::Steps);
+    waitForFull();
+    EXPECT_EQ(grab(canvas), twice);
     QTest::keyClick(canvas, Qt::Key_R);
     EXPECT_EQ(grab(canvas), fitted);
     window_->pane<Trace3dView>()->setExaggeration(2);
