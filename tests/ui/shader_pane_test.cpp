@@ -48,6 +48,34 @@ std::shared_ptr<const ShaderPreview> expectAlike(const relief::Scenario& scenari
     return preview;
 }
 
+// The third picture is of the chosen differences, and the chosen pixel, if there is one, is marked in all three.
+void expectPictures(const std::shared_ptr<const ShaderPreview>& preview) {
+    ShaderSource source;
+    source.preview = preview;
+    const auto worst = source.preview->found.worstColor;
+    ASSERT_TRUE(worst);
+    const auto largest = static_cast<float>(source.preview->found.largestColor);
+    for (const auto measure : {ShaderMeasure::Colors, ShaderMeasure::Hits}) {
+        source.measure = measure;
+        for (const auto& pixel : {std::optional<relief::PixelChoice>(), worst}) {
+            source.pixel = pixel;
+            const ShaderPicture picture = shaderPicture(source, 600, 400, relief::Language::English);
+            std::size_t rings = 0;
+            for (const Item& item : picture.drawing.items) {
+                const auto* const cells = std::get_if<Cells>(&item.primitive);
+                if (cells != nullptr && item.id.i == 2 && measure == ShaderMeasure::Colors) {
+                    EXPECT_EQ((*cells->values)(worst->x, worst->y), largest);
+                }
+                const auto* const ring = std::get_if<Ring>(&item.primitive);
+                if (ring == nullptr) continue;
+                EXPECT_EQ(picture.pixelAt(ring->center), pixel);
+                ++rings;
+            }
+            EXPECT_EQ(rings, pixel ? picture.rooms.size() : 0);
+        }
+    }
+}
+
 TEST(ShaderPreview, EveryShaderDrawsWhatItsMethodDraws) {
     relief::Scenario scenario = smallScenario();
     scenario.camera.elevation = 50;
@@ -75,6 +103,7 @@ TEST(ShaderPreview, ItDrawsAShippedMapOnACubeByTheFilterThatItHas) {
     EXPECT_NE(notes.find("has no elliptical"), std::string::npos) << notes;
     EXPECT_NE(notes.find("has no columns"), std::string::npos) << notes;
     EXPECT_NE(notes.find("shadows"), std::string::npos) << notes;
+    expectPictures(preview);
 }
 
 TEST(ShaderPreview, WhatRefusesItIsSaidInALine) {
@@ -180,6 +209,7 @@ TEST_F(ShaderPaneTest, ItFollowsTheScenarioAndSaysWhyItCannot) {
     EXPECT_TRUE(pane()->preview()->problem);
     EXPECT_FALSE(pane()->findChild<QToolButton*>(QStringLiteral("shader-worst"))->isEnabled());
     EXPECT_GT(colorsIn(grab(pane()->canvas())), 2) << "the line is shown";
+    EXPECT_TRUE(pane()->image(200).isNull()) << "there is nothing to export";
     workspace_->undo();
     waitForFull();
     settle();
