@@ -2,6 +2,7 @@
 // not drawn.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -9,14 +10,23 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <QBuffer>
+#include <QCoreApplication>
 #include <QFile>
+#include <QRegularExpression>
+#include <QSvgGenerator>
 #include <QTemporaryDir>
 
+#include "painting/painter.h"
 #include "panes/figure.h"
+#include "panes/step_colors.h"
+#include "panes/trace/trace3d_marks.h"
+#include "panes/trace/trace3d_picture.h"
 #include "panes/trace/trace_eye.h"
 #include "panes/trace/trace_figure.h"
 #include "panes/trace/trace_mesh.h"
 #include "panes/trace/trace_vectors.h"
+#include "panes/trace/tubes.h"
 #include "panes/trace/visible_region.h"
 #include "window_fixture.h"
 #include "workspace/snapshot_maker.h"
@@ -175,6 +185,78 @@ TEST(TraceEye, isTheCameraOfThePane) {
     }
 }
 
+// Whatever its direction, the ray runs from left to right in the first view.
+TEST(TraceEye, seesTheRayFromItsSide) {
+    for (const double azimuth : {0.0, 50.0}) {
+        relief::Scenario scenario = smallScenario();
+        scenario.camera.elevation = 35;
+        scenario.camera.azimuth = azimuth;
+        relief::Work work;
+        const auto snapshot = SnapshotMaker().make({scenario}, work);
+        const TraceScene scene(*snapshot, 1);
+        const Place right = traceCamera(scene, kPage.width(), kPage.height()).right();
+        const Place from = scene.onRay(0), to = scene.onRay(1);
+        const double run = std::hypot(to[0] - from[0], to[1] - from[1]);
+        ASSERT_GT(run, 0);
+        EXPECT_GT(right[0] * (to[0] - from[0]) + right[1] * (to[1] - from[1]), 0.8 * run) << azimuth;
+    }
+}
+
+// Walls that face the same way are lit alike. Each has the colour of the column at its left or above it.
+TEST(TraceMesh, wallsHaveTheColourOfTheirLeftColumn) {
+    const auto snapshot = snapshotOf(relief::Surface::Columns, "city");
+    ASSERT_EQ(snapshot->assets.color, nullptr);
+    const TraceScene scene(*snapshot, 1);
+    const TraceMesh mesh(scene);
+    ASSERT_EQ(mesh.stride(), 1);
+    for (const double azimuth : {0.4, 2.6}) {
+        double low = 1e9, high = 0;
+        int walls = 0;
+        for (const TraceMesh::Face& face : mesh.faces(TraceEye(cameraFrom(scene, azimuth, 0.6), kPage), Theme::Light)) {
+            const std::vector<Place>& c = face.corners;
+            const bool across = std::all_of(c.begin(), c.end(), [&](const Place& p) { return p[0] == c[0][0]; });
+            if (!across || c.size() != 4 || c[0][0] == scene.patch.x0 || c[0][0] == scene.patch.x1) continue;
+            const double s = c[0][0] - 0.5, t = -(c[0][1] + c[1][1]) / 2;
+            unsigned char own[3];
+            scene.color(s, t, scene.heightAt(s, t) / scene.scale, own);
+            low = std::min(low, (face.color.r - 0.5) / own[0]);
+            high = std::max(high, (face.color.r + 0.5) / own[0]);
+            ++walls;
+        }
+        EXPECT_GT(walls, 20);
+        EXPECT_LT(high - low, 0.06) << azimuth;
+    }
+}
+
+// The edges of a box that lies within the patch join its corners, three at each.
+TEST(TraceMarks, aBoxHasTwelveEdges) {
+    const auto snapshot = snapshotOf(relief::Surface::Bilinear);
+    const TraceScene scene(*snapshot, 1);
+    const Style style;
+    const TraceMarks marks(scene, scene.field(), style);
+    const Point m = scene.patch.center();
+    const TraceMarks::Prism prism{{m.x - 1, m.y - 1, m.x + 1, m.y + 1}, 0.1, 0.2, {}};
+    std::map<Place, int> ends;
+    for (const auto& edge : marks.edges(prism)) {
+        int differences = 0;
+        for (std::size_t c = 0; c < 3; ++c) differences += edge[0][c] != edge[1][c] ? 1 : 0;
+        EXPECT_EQ(differences, 1) << "parallel to an axis";
+        for (const Place& end : edge) ++ends[end];
+    }
+    EXPECT_EQ(ends.size(), 8U);
+    for (const auto& [corner, edges] : ends) EXPECT_EQ(edges, 3);
+}
+
+// A tube without a length has no direction, and is not drawn.
+TEST(Tubes, withoutALengthAreNothing) {
+    Tubes tubes;
+    tubes.add({1, 2, 3}, {1, 2, 3}, 0.5, {});
+    tubes.arrow({1, 2, 3}, {1, 2, 3}, 0.5, {});
+    EXPECT_EQ(tubes.take()->GetNumberOfPoints(), 0);
+    tubes.add({1, 2, 3}, {1, 2, 4}, 0.5, {});
+    EXPECT_GT(tubes.take()->GetNumberOfPoints(), 0);
+}
+
 TEST(VisibleRegion, isBoundedByTheZeros) {
     constexpr double kRadius = 0.3;
     const auto polygons = positiveRegion(40, 40, [](double u, double v) {
@@ -200,6 +282,85 @@ TEST(VisibleRegion, isBoundedByTheZeros) {
 QByteArray contents(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// The rectangle of the slab's top, which nothing hides from above.
+TEST(TraceVectors, theTopOfTheSlabIsFramed) {
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
+    const auto snapshot = snapshotOf(relief::Surface::Bilinear);
+    const TraceScene scene(*snapshot, 1);
+    const Turntable camera = cameraFrom(scene, 2.0, 1.2);
+    Style style;
+    style.theme = Theme::Light;
+    style.screenPixelsPerPoint = 4;
+    QImage image(900, 600, QImage::Format_RGB32);
+    QPainter painter(&image);
+    paintTraceVectors(painter, kPage, style, *snapshot, 0, {1, StepColors::Decision, camera});
+    painter.end();
+    const PixelTrace& trace = snapshot->trace;
+    const StepPaint paint{StepColors::Decision, snapshot->maxima->top() + 1};
+    const Drawing legend = traceLegend(trace.steps, trace.ray, trace.hit, trace.exact, paint,
+                                       kPage.width() / style.pixelsPerPoint() - 2 * kTraceLegendMargin, style.language);
+    const TraceEye eye(camera, {0, 0, kPage.x1, kPage.y1 - traceLegendHeight(legend, kPage, style)});
+    const Box& p = scene.patch;
+    const std::array<Point, 5> corners{{{p.x0, p.y0}, {p.x1, p.y0}, {p.x1, p.y1}, {p.x0, p.y1}, {p.x0, p.y0}}};
+    int framed = 0;
+    for (std::size_t side = 0; side < 4; ++side) {
+        for (const double part : {0.3, 0.45, 0.6, 0.75}) {
+            const Point& a = corners[side];
+            const Point& b = corners[side + 1];
+            const Point at = eye.project({a.x + part * (b.x - a.x), -a.y - part * (b.y - a.y), scene.scale});
+            const QPoint pixel(static_cast<int>(at.x), static_cast<int>(at.y));
+            ASSERT_TRUE(image.valid(pixel));
+            framed += image.pixelColor(pixel) == toColor(style.color(Role::Label)) ? 1 : 0;
+        }
+    }
+    // Words may cover some of it.
+    EXPECT_GE(framed, 14);
+}
+
+// The translucent surface of a step's sphere is as wide and as high as the sphere.
+TEST(TraceVectors, aSphereIsFilledAsARoundBody) {
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
+    relief::Scenario scenario = smallScenario();
+    scenario.method = {"distance", {}};
+    scenario.pixel = relief::PixelChoice{60, 70};
+    relief::Work work;
+    const auto snapshot = SnapshotMaker().make({scenario}, work);
+    const PixelTrace& trace = snapshot->trace;
+    const auto step = std::find_if(trace.steps.begin(), trace.steps.end(), [](const relief::Step& each) {
+        return stepBody(each).kind == StepBody::Kind::Sphere;
+    });
+    ASSERT_NE(step, trace.steps.end());
+    const StepBody body = stepBody(*step);
+    const TraceScene scene(*snapshot, 1);
+    const Turntable camera = cameraFrom(scene, 2.0, 0.6);
+    const Style style;
+    QBuffer file;
+    QSvgGenerator svg;
+    svg.setOutputDevice(&file);
+    svg.setResolution(72);
+    QPainter painter(&svg);
+    const auto chosen = static_cast<int>(step - trace.steps.begin());
+    paintTraceVectors(painter, kPage, style, *snapshot, chosen, {1, StepColors::Decision, camera});
+    painter.end();
+    const QString color = toColor(style.color(bodyRole(*step, trace.ray, trace.exact))).name();
+    const QRegularExpression paths(
+        QStringLiteral("<g fill=\"%1\" fill-opacity=\"0.30[^>]*>\\s*<path[^>]* d=\"([^\"]*)").arg(color));
+    const QRegularExpression pairs(QStringLiteral("([-0-9.]+),([-0-9.]+)"));
+    QPolygonF points;
+    for (auto path = paths.globalMatch(QString::fromUtf8(file.data())); path.hasNext();) {
+        for (auto at = pairs.globalMatch(path.next().captured(1)); at.hasNext();) {
+            const auto pair = at.next();
+            points << QPointF(pair.captured(1).toDouble(), pair.captured(2).toDouble());
+        }
+    }
+    const double diameter = 2 * body.radius * TraceEye(camera, kPage).unit(scene.onRay(body.lambda));
+    const QRectF seen = points.boundingRect();
+    for (const double side : {seen.width(), seen.height()}) {
+        EXPECT_GT(side, 0.7 * diameter);
+        EXPECT_LT(side, 1.2 * diameter);
+    }
 }
 
 // The files hold vectors and no pixels, for each kind of body that a step draws, and stay small.
