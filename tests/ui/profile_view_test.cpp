@@ -1,10 +1,12 @@
 // The profile pane, operated as by a person; and figures exported without a display.
+#include <algorithm>
 #include <set>
 
 #include <QDockWidget>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QXmlStreamReader>
 
 #include "panes/drawing_canvas.h"
@@ -50,6 +52,37 @@ TEST_F(ProfileTest, AClickOnAMarkChoosesItsStep) {
     const int last = scenario().step;
     workspace_->undo();
     EXPECT_NE(scenario().step, last);
+}
+
+TEST_F(ProfileTest, AClickOnAPlateauChoosesAStepAboutItsTexel) {
+    relief::Scenario scenario = deepRay();
+    scenario.pictures.recipe = "city";
+    scenario.camera.elevation = 40;
+    scenario.pixel = relief::PixelChoice{90, 95};
+    openProfile(scenario);
+    window_->findChild<QDockWidget*>(QStringLiteral("profile-pane"))
+        ->titleBarWidget()
+        ->findChild<QToolButton*>(QStringLiteral("pane-fill"))
+        ->click();
+    QTest::qWait(100);
+    grab(canvas());
+    const auto& steps = snapshot()->trace.steps;
+    int rows = 0;  // of clicks on texels that share their column with another one
+    for (const relief::Step& step : steps) {
+        const auto inColumn = [&](const relief::Step& s) { return s.level == step.level && s.i == step.i; };
+        for (const double part : {0.2, 0.5, 0.8}) {
+            const double lambda = step.lambdaIn + part * (step.lambdaOut - step.lambdaIn);
+            const QPoint at = canvas()->toWidget(view()->frame().at(lambda, step.value)).toPoint();
+            const ItemId id = canvas()->itemAt(at);
+            if (id.kind != ItemKind::Texel || id.level != step.level || id.i != step.i || id.j != step.j) continue;
+            QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, at);
+            const relief::Step& now = steps[static_cast<std::size_t>(this->scenario().step)];
+            EXPECT_TRUE(inColumn(now) && now.j == step.j) << idText(id);
+            rows += std::any_of(steps.begin(), steps.end(),
+                                [&](const relief::Step& s) { return inColumn(s) && s.j != step.j; });
+        }
+    }
+    EXPECT_GT(rows, 2);
 }
 
 TEST_F(ProfileTest, ItFollowsTheStepBarAndTheTheme) {
