@@ -32,10 +32,8 @@ double shownLambda(const ProfileSource& source) {
     constexpr double kBehind = 1.15;
     constexpr double kTexelsBehind = 1.5;
     constexpr double kLeast = 1e-9;
-    const double run = runOf(source.ray);
-    if (run < kVerticalRun) return 1;
     const double end = rayEnd(source.hit, source.steps);
-    return std::clamp(std::max(end * kBehind, end + kTexelsBehind / run), kLeast, 1.0);
+    return std::clamp(std::max(end * kBehind, end + kTexelsBehind / runOf(source.ray)), kLeast, 1.0);
 }
 
 SliceRange sliceRange(const ProfileFrame& frame) {
