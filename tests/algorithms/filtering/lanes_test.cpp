@@ -91,6 +91,26 @@ TEST(EllipticalLanes, NearTheReference) {
     }
 }
 
+// From 65536 texels on, the coarsest levels have numbers above 15.
+TEST(EllipticalLanes, NearTheReferenceOnTheCoarsestLevelsOfAWidePicture) {
+    const Picture picture = randomPicture(1 << 17, 1, kSeed);
+    const HeightField field = fieldFor(*picture, Address::Repeat);
+    MadeFilter lanes({"elliptical", {}}, picture, field);
+    MadeFilter reference({"elliptical", {{"implementation", "scalar"}}}, picture, field);
+    FilterBlock queries;
+    for (int n = 0; n < 16; ++n) {
+        const double size = std::ldexp(1.0, 12 + n / 2);
+        queries.push({{n * 8000.0, 0.25}, {size, 0, 0, size}, {n * 8000.0, 0.25, 0, 0}, 0});
+    }
+    FootprintCounts read, readByReference;
+    const auto got = colorsOf(*lanes.filter, queries, read);
+    const auto expected = colorsOf(*reference.filter, queries, readByReference);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[i][k], expected[i][k], kLaneTolerance) << i;
+    }
+    EXPECT_EQ(read.texels, readByReference.texels);
+}
+
 TEST(EllipticalLanes, BitsDependOnNeitherInstructionSetNorNeighbours) {
     Random random(kSeed + 1);
     ASSERT_FALSE(laneTargets().empty());

@@ -171,6 +171,7 @@ TEST_F(Laws, loggedExclusionsLieAboveTheSurface) {
             const reference::Answer truth = reference::trace(field, ray);
             const double end = truth.hit ? static_cast<double>(truth.lambda) : 1.0;
             double reached = 0;
+            constexpr double kOneCell = 1 + 1e-6;
             for (const Step& step : logged.steps) {
                 if (step.decision == Decision::Start) continue;
                 EXPECT_LE(step.lambdaIn, step.lambdaOut + kHeightRounding);
@@ -181,6 +182,10 @@ TEST_F(Laws, loggedExclusionsLieAboveTheSurface) {
                                       step.decision == Decision::Test;
                 if (excluded) {
                     EXPECT_LE(step.lambdaOut, end + kHeightRounding) << describe(ray);
+                }
+                if (step.decision == Decision::Hit) {
+                    EXPECT_LE((step.lambdaOut - step.lambdaIn) * std::max(std::abs(ray.a), std::abs(ray.b)), kOneCell)
+                        << "a hit is found within a cell, ray " << describe(ray);
                 }
             }
         }

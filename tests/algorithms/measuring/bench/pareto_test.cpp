@@ -127,6 +127,9 @@ TEST(Pareto, BrokenTablesAreRefused) {
                                          broken("\"8x8\"", "\"8\""),
                                          broken("\"8x8\"", "\"1e300x2\""),
                                          broken("bilinear", "smooth"),
+                                         broken("\"relief_depth\": ", "\"relief_depth\": null, \"was\": "),
+                                         broken("\"spread\": ", "\"spread\": null, \"was\": "),
+                                         broken("\"elevation\": ", "\"elevation\": null, \"was\": "),
                                          broken("\"cpu\"", "\"CPU\"")};
     const auto expectRefused = [](const std::string& text, const auto& parse) {
         try {

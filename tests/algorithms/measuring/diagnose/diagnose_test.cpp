@@ -337,6 +337,17 @@ TEST(Diagnose, DirectionsAreReadFromTheReportedPlaces) {
     }
 }
 
+TEST(Diagnose, AHalfTurnIsTheOppositeDirection) {
+    for (const double turn : {std::numbers::pi, -std::numbers::pi}) {
+        TracerModel model;
+        model.turn = turn;
+        const std::vector<ModelFault> faults = modelFaults(model, Address::Repeat);
+        ASSERT_EQ(faults.size(), 1U);
+        EXPECT_EQ(faults[0].fault, Fault::DirectionSign);
+        EXPECT_EQ(withoutFault(model, Fault::DirectionSign), TracerModel());
+    }
+}
+
 // Answers to rays along s, on a flat surface at 0.5.
 class AnswersOnAPlane : public testing::Test {
   protected:

@@ -282,8 +282,21 @@ TEST_F(StressTest, MapsSurviveTheirFiles) {
     }
 }
 
+// Whether the ray passes the middle of a texel at that texel's height.
+bool meetsANode(const HeightField& field, const ViewRay& ray) {
+    for (int j = 0; j < field.height(); ++j) {
+        for (int i = 0; i < field.width(); ++i) {
+            const double lambda = 1 - static_cast<double>(field.texel(i, j));
+            const double s = ray.s0 + lambda * ray.a - i - 0.5, t = ray.t0 + lambda * ray.b - j - 0.5;
+            if (std::hypot(s, t) <= 1e-9 * (1 + std::hypot(ray.a, ray.b))) return true;
+        }
+    }
+    return false;
+}
+
 TEST_F(StressTest, RaysAreWhatTheirFamilySays) {
     Random random(5);
+    const HeightField uneven(std::make_shared<FloatImage>(makeRelief("fractal", 9, 6, 1)));
     const HeightField field(stressMapFamilies().front().make(31, 17, random).heights);
     const CellGrid grid(field);
     for (const StressRayFamily& family : stressRayFamilies()) {
@@ -298,6 +311,9 @@ TEST_F(StressTest, RaysAreWhatTheirFamilySays) {
             }
             if (family.name == "far-start") {
                 ASSERT_GE(std::abs(ray.s0), 1e6 - 32);
+            }
+            if (family.name == "through-nodes") {
+                ASSERT_TRUE(meetsANode(uneven, family.make(uneven, random)));
             }
         }
         if (family.name == "beyond" || family.name == "huge") {

@@ -150,6 +150,23 @@ TEST(SurfaceCones, HoldNoPointOfTheSurface) {
     }
 }
 
+// In each of the eight directions, the nearest peak may stand in the neighbouring period.
+TEST(SurfaceCones, HoldNoPeakBeyondTheSeam) {
+    constexpr int kSide = 32, kNear = 2, kFar = kSide - 3;
+    for (const auto& [x, y] : {std::pair{kNear, kNear}, {kFar, kNear}, {kNear, kFar}, {kFar, kFar}}) {
+        FloatImage heights(kSide, kSide, 0.0F);
+        heights(x, y) = 1;
+        Work work(1);
+        const FloatImage slopes = surfaceCones(HeightField(share(std::move(heights))), work);
+        for (int j = 0; j < kSide; ++j) {
+            for (int i = 0; i < kSide; ++i) {
+                const double gap = std::hypot(std::remainder(i - x, kSide), std::remainder(j - y, kSide));
+                EXPECT_GE(static_cast<double>(slopes(i, j)) * gap, gap > 0 ? 1.0 : 0.0) << i << ',' << j;
+            }
+        }
+    }
+}
+
 // The steepest slope towards a texel from which the surface falls away within one of the quadrants behind it.
 double slopeToFallingEdges(const HeightField& field, int x, int y, int radius) {
     double slope = 0;
