@@ -87,8 +87,13 @@ TEST(Drawn, TheProfileShowsTheRayFromTheSide) {
     EXPECT_NEAR(drawnHeightAt(picture, end), 0.25, 1e-12);
     EXPECT_EQ(drawnTexelAt(picture, source.relief, {3.5, picture.body.y0 + 0.1}), (std::pair{3, 0}));
     for (const double aspect : {0.2, 0.5, 2.0}) {
-        const Box bounds = drawnPicture(source, aspect).drawing.bounds;
+        const DrawnPicture shaped = drawnPicture(source, aspect);
+        const Box bounds = shaped.drawing.bounds;
         EXPECT_GE(bounds.height(), bounds.width() * std::min(aspect, 0.3) * 0.7);
+        // However many texels the relief has, most of the width is theirs; the rest has room for the numbers.
+        const double beside = (bounds.width() - shaped.body.width()) / 2 / bounds.width();
+        EXPECT_GT(beside, 0.02) << aspect;
+        EXPECT_LT(beside, 0.1) << aspect;
     }
     EXPECT_TRUE(drawnPicture({}, 1).drawing.items.empty());
 }

@@ -193,6 +193,7 @@ TEST_F(DuelTest, NamesOfMethodsAreWhole) {
         EXPECT_GT(frame.plot.height(), room.height() / 4) << room.height();
         EXPECT_GT(frame.plot.width(), room.width() / 2) << room.width();
         const Drawing marks = duelMarks(source, frame, duel.steps.moments.front());
+        double last = 0;  // the upper side
         for (const relief::DuelRun& run : duel.runs) {
             bool found = false;
             for (const Item& item : marks.items) {
@@ -200,9 +201,12 @@ TEST_F(DuelTest, NamesOfMethodsAreWhole) {
                 if (label == nullptr || labelText(*label, relief::Language::English) != run.name) continue;
                 found = true;
                 EXPECT_GE(label->at.x + label->offset.x - textWidth(run.name, label->size), 0) << run.name;
+                EXPECT_GT(label->at.y, last) << "in the order of the methods";
+                last = label->at.y;
             }
             EXPECT_TRUE(found) << run.name;
         }
+        EXPECT_LT(last, frame.plot.y0);
     }
 }
 

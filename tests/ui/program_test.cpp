@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QTemporaryFile>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -234,8 +235,8 @@ TEST_F(WindowTest, AFineScreenShowsTheSameTwiceAsLarge) {
 }
 
 // Starts a display of this size that does not report its resolution. Returns true if the program would draw everything
-// twice as large.
-bool isDoubledOn(const QString& screen) {
+// twice as large. resources: what the user has set for programs of X, as `Xft.dpi: 192`.
+bool isDoubledOn(const QString& screen, const QByteArray& resources = {}) {
     QProcess server;
     server.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                           QStringLiteral("0"), screen});
@@ -244,7 +245,11 @@ bool isDoubledOn(const QString& screen) {
     EXPECT_TRUE(number.endsWith('\n')) << "no display of " << screen.toStdString();
     const QByteArray before = qgetenv("DISPLAY");
     qputenv("DISPLAY", ":" + number.trimmed());
+    QTemporaryFile settings;
+    EXPECT_TRUE(settings.open() && settings.write(resources) == resources.size() && settings.flush());
+    qputenv("XENVIRONMENT", settings.fileName().toLocal8Bit());
     const bool doubled = needsDoubleScale();
+    qunsetenv("XENVIRONMENT");
     qputenv("QT_SCALE_FACTOR", "1");
     EXPECT_FALSE(needsDoubleScale()) << "the user has set the scale";
     qunsetenv("QT_SCALE_FACTOR");
@@ -258,6 +263,8 @@ TEST_F(WindowTest, AFineScreenOfUnknownResolutionIsDrawnTwiceAsLarge) {
     if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) GTEST_SKIP() << "a scale factor is set";
     EXPECT_TRUE(isDoubledOn(QStringLiteral("3840x2160x24")));
     EXPECT_FALSE(isDoubledOn(QStringLiteral("1920x1080x24")));
+    EXPECT_TRUE(isDoubledOn(QStringLiteral("3840x2160x24"), "Xft.dpi: 96\n"));
+    EXPECT_FALSE(isDoubledOn(QStringLiteral("3840x2160x24"), "Xft.dpi: 192\n")) << "Qt scales by that already";
 }
 
 }  // namespace
