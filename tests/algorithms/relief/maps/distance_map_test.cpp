@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 
 #include "brute_cells.h"
 #include "relief/errors.h"
+#include "relief/maps/refined.h"
 #include "relief/methods/distance_options.h"
 
 namespace relief::test {
@@ -229,6 +231,21 @@ TEST(RefinedSampledMap, IsNowhereSmallerThanTheEuclideanOne) {
     EXPECT_GT(larger, 100);
 }
 
+// From the flattest ray downwards in equal steps of the sine, each turned from s to t by the golden angle.
+TEST(RefinedSampledMap, DirectionsFollowAGoldenSpiral) {
+    constexpr int kCount = 30;
+    constexpr double kSlab = 5, kRun = 12, kSinFlattest = 5.0 / 13, kGoldenDegrees = 137.50776405003785;
+    const std::vector<SampledDirection> directions = sampledDirections(kCount, kSlab, kRun);
+    ASSERT_EQ(directions.size(), std::size_t{kCount});
+    for (int i = 0; i < kCount; ++i) {
+        const SampledDirection& one = directions[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(one.length, std::hypot(one.a, one.b, kSlab), 1e-12);
+        EXPECT_NEAR(kSlab / one.length, kSinFlattest + (1 - kSinFlattest) * (i + 0.5) / kCount, 1e-12);
+        const double degrees = std::atan2(one.b, one.a) * 180 / std::numbers::pi;
+        EXPECT_NEAR(std::remainder(degrees - kGoldenDegrees * i, 360), 0, 1e-9) << i;
+    }
+}
+
 struct BoxCells {
     int x0, x1, y0, y1;
 };
@@ -365,6 +382,13 @@ TEST(DistanceMap, trilinearWeighsTheEightVoxelsAround) {
         }
         EXPECT_NEAR(map.trilinear(s, t, z), expected, 1e-12 * (1 + std::abs(expected)));
     }
+    // At the top only the last layer counts, whatever is stored behind it.
+    DistanceMap followed = map;
+    followed.parameters.layers = 4;
+    auto values = std::get<0>(map.values.codes());
+    std::fill(values.end() - std::ptrdiff_t{map.nx()} * map.ny(), values.end(), std::numeric_limits<float>::infinity());
+    followed.values = StoredValues(map.nx(), map.ny(), 5, std::move(values), 0);
+    EXPECT_DOUBLE_EQ(followed.trilinear(map.centreS(1), map.centreT(2), 1), static_cast<double>(map.at(1, 2, 3, 0)));
 }
 
 }  // namespace
