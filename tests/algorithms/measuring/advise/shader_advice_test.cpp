@@ -1,5 +1,6 @@
 // The advice for shaders: its laws on small reliefs, and its choice on made tables.
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,13 @@ ShaderAdviceOptions optionsFor(const std::string& relief, int side = 32, Address
 // Rays other than those of the pictures.
 RayBlock otherRays(const ShaderAdviceOptions& options) {
     return randomRays(91, options.field, 300, 8);
+}
+
+void expectEachFormOnce(const ShaderAdvice& advice) {
+    std::set<std::pair<std::string, int>> seen;
+    for (const ShaderForm& form : advice.forms) {
+        EXPECT_TRUE(seen.emplace(methodText(form.method), form.bits).second) << methodText(form.method);
+    }
 }
 
 struct Limits {
@@ -132,6 +140,7 @@ TEST(ShaderAdvice, KeepsTheMemoryOfTheTextures) {
         const ShaderAdvice advice = recommendShader(options, work);
         EXPECT_TRUE(advice.keepsLimits);
         EXPECT_LE(advice.best().bytes(), memory);
+        expectEachFormOnce(advice);
         for (const ShaderForm& form : advice.forms) {
             EXPECT_EQ(form.verdict == Verdict::Memory, form.bytes() > memory) << methodText(form.method);
         }
@@ -170,6 +179,7 @@ TEST(ShaderAdvice, ExactTechniquesHaveNoError) {
     options.field = HeightField(share(std::move(coded)), Surface::Bilinear, Address::Repeat, 0.15);
     Work work;
     const ShaderAdvice advice = recommendShader(options, work);
+    expectEachFormOnce(advice);
     for (const ShaderForm& form : advice.forms) {
         // Samplers weight with 8 bits: what is conservative in float is not with them.
         EXPECT_NE(form.guarantee, Guarantee::Conservative) << methodText(form.method);

@@ -267,6 +267,7 @@ TEST(BenchTracers, TheTableHasRateAndErrorOnOneLine) {
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 * 3 + 1 + 1 + 3) << text;
     EXPECT_NE(text.find("Mrays/s"), std::string::npos);
     EXPECT_GT(words.size(), 60U) << words;
+    EXPECT_EQ(benchText({}), "") << "no row has the facts of the last lines";
 }
 
 TEST(BenchTracers, RaysOfAViewComeFromItsElevation) {
