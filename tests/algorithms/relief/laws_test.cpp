@@ -171,7 +171,6 @@ TEST_F(Laws, loggedExclusionsLieAboveTheSurface) {
             const reference::Answer truth = reference::trace(field, ray);
             const double end = truth.hit ? static_cast<double>(truth.lambda) : 1.0;
             double reached = 0;
-            constexpr double kOneCell = 1 + 1e-6;
             for (const Step& step : logged.steps) {
                 if (step.decision == Decision::Start) continue;
                 EXPECT_LE(step.lambdaIn, step.lambdaOut + kHeightRounding);
@@ -183,8 +182,9 @@ TEST_F(Laws, loggedExclusionsLieAboveTheSurface) {
                 if (excluded) {
                     EXPECT_LE(step.lambdaOut, end + kHeightRounding) << describe(ray);
                 }
-                if (step.decision == Decision::Hit) {
-                    EXPECT_LE((step.lambdaOut - step.lambdaIn) * std::max(std::abs(ray.a), std::abs(ray.b)), kOneCell)
+                // Otherwise a cell on the rim may go on for ever.
+                if (step.decision == Decision::Hit && address == Address::Repeat) {
+                    EXPECT_LE((step.lambdaOut - step.lambdaIn) * std::max(std::abs(ray.a), std::abs(ray.b)), 1.000001)
                         << "a hit is found within a cell, ray " << describe(ray);
                 }
             }
