@@ -91,23 +91,19 @@ TEST(EllipticalLanes, NearTheReference) {
     }
 }
 
-// From 65536 texels on, the coarsest levels have numbers above 15.
-TEST(EllipticalLanes, NearTheReferenceOnTheCoarsestLevelsOfAWidePicture) {
+// A picture of 18 levels, and a footprint on the last but one, which has two texels.
+TEST(EllipticalLanes, NearTheReferenceOnCoarseLevelsOfAWidePicture) {
     const Picture picture = randomPicture(1 << 17, 1, kSeed);
     const HeightField field = fieldFor(*picture, Address::Repeat);
-    MadeFilter lanes({"elliptical", {}}, picture, field);
-    MadeFilter reference({"elliptical", {{"implementation", "scalar"}}}, picture, field);
+    MadeFilter lanes({"elliptical", {{"floor", "0.5"}, {"radius", "0.5"}}}, picture, field);
+    MadeFilter reference({"elliptical", {{"floor", "0.5"}, {"radius", "0.5"}, {"implementation", "scalar"}}}, picture,
+                         field);
     FilterBlock queries;
-    for (int n = 0; n < 16; ++n) {
-        const double size = std::ldexp(1.0, 12 + n / 2);
-        queries.push({{n * 8000.0, 0.25}, {size, 0, 0, size}, {n * 8000.0, 0.25, 0, 0}, 0});
-    }
+    queries.push({{40'000, 0.25}, {33'000, 0, 0, 33'000}, {40'000, 0.25, 0, 0}, 0});
     FootprintCounts read, readByReference;
     const auto got = colorsOf(*lanes.filter, queries, read);
     const auto expected = colorsOf(*reference.filter, queries, readByReference);
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-        for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[i][k], expected[i][k], kLaneTolerance) << i;
-    }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[0][k], expected[0][k], kLaneTolerance);
     EXPECT_EQ(read.texels, readByReference.texels);
 }
 
