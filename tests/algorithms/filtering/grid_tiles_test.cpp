@@ -7,6 +7,7 @@
 
 #include "algorithms/every_target.h"
 #include "filtering/grid_lanes.h"
+#include "filtering/grid_stages.h"
 #include "grid_cases.h"
 
 namespace relief::test {
@@ -169,6 +170,33 @@ TEST(GridTiles, placesAreOfPointsThatAreNeededAndNotInterpolated) {
         EXPECT_EQ(count, n);
         EXPECT_GT(n, 5U);
     });
+}
+
+// One cell's line crosses an edge: no point of the squares with that line is interpolated, and every other point is.
+TEST(GridTiles, pointsAreInterpolatedUnlessALineOfTheirSquareCrossesAnEdge) {
+    grid::TileCells cells;
+    cells.width = 9, cells.height = 8;
+    const PointLattice lattice = PointLattice::of(5);
+    const FilterBlock block;
+    const std::size_t edge = cells.at(4, 3);
+    for (unsigned line = 0; (kAllLines >> line) != 0; ++line) {
+        grid::BitColumn around(cells.count() + kCellSlack, kAllLines * kSmooth);
+        around[edge] = static_cast<std::uint16_t>(around[edge] & ~(unsigned{kSmooth} << line));
+        onEveryTarget([&] {
+            grid::BitColumn mask;
+            grid::PointPlan plan;
+            grid::planCells({lattice, block, {}, cells, around}, mask, plan);
+            for (std::size_t k = 1; k < lattice.places.size(); ++k) {
+                for (std::size_t c = cells.inner(); c < cells.count() - cells.inner(); ++c) {
+                    const std::size_t first = c - static_cast<std::size_t>(lattice.squareOf(k, cells.width));
+                    const bool falling = edge == first || edge == first + cells.row() + 1;
+                    const bool rising = edge == first + 1 || edge == first + cells.row();
+                    const bool crossed = (falling && line != kRising) || (rising && line != kFalling);
+                    ASSERT_EQ((plan.interpolated[c] >> k & 1) != 0, !crossed) << line << ' ' << k << ' ' << c;
+                }
+            }
+        });
+    }
 }
 
 TEST(GridTiles, meansReplacePointsOfUniformSquares) {
