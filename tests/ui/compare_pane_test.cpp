@@ -198,6 +198,16 @@ TEST_F(ComparePane, WhatIsNotComputedYetIsVeiledAndHasNoNumbers) {
     workspace_->undo();
     settle();
     EXPECT_TRUE(says("FLIP") && !pictures()->veiled());
+    // Pictures that are there are not announced while their errors are measured, unless that was cancelled.
+    ComparedView unmeasured = *pane()->view();
+    unmeasured.complete = false;
+    ComparePending pending;
+    for (const bool stopped : {false, true}) {
+        pending.stopped = stopped;
+        const CompareTile tile = compareSource(unmeasured, scenario(), 0, pending).tiles[1];
+        EXPECT_TRUE(tile.measuring);
+        EXPECT_EQ(tile.pending.has_value(), stopped);
+    }
 }
 
 TEST_F(ComparePane, NothingIsSetAgainstItself) {

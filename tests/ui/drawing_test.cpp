@@ -329,6 +329,18 @@ TEST(TableDrawing, columnsAreAlignedAndTheChosenRowIsMarked) {
     EXPECT_GT(marks(), 0);
 }
 
+// A part that the text does not have is empty.
+TEST(Label, aPartIsWhatStandsBetweenTheDots) {
+    const auto part = [](int number) {
+        const Label label{.text = plainText("one · two"), .part = number};
+        return labelText(label, relief::Language::English);
+    };
+    EXPECT_EQ(part(-1), "one · two");
+    EXPECT_EQ(part(0), "one");
+    EXPECT_EQ(part(1), "two");
+    EXPECT_EQ(part(2), "");
+}
+
 // Steps without a sphere or cone promise nothing.
 TEST(LegendRows, explainsOnlyBodiesThatAreThere) {
     LegendRows rows(400, relief::Language::English);

@@ -185,6 +185,8 @@ TEST_F(WindowTest, TheProfileShowsThePointAndChoosesAnother) {
     QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
     EXPECT_FALSE(pointIn(scenario()));
     EXPECT_EQ(view->point(), nullptr);
+    QTest::mouseClick(view->canvas(), Qt::LeftButton, Qt::ControlModifier, at);
+    EXPECT_TRUE(pointIn(scenario())) << "where none was";
 }
 
 }  // namespace
