@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include <QLabel>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -174,6 +175,9 @@ TEST_F(DistanceTest, AFailedBuildIsReported) {
     EXPECT_EQ(view()->shown(), nullptr);
     EXPECT_TRUE(view()->problem().contains(QStringLiteral("clamp"))) << view()->problem().toStdString();
     EXPECT_TRUE(control<QWidget>("distance-waiting")->isVisible());
+    const auto* const words = control<QWidget>("distance-waiting")->findChild<QLabel*>();
+    EXPECT_LE(words->minimumSizeHint().width(), words->width()) << "its lines are whole";
+    EXPECT_LE(words->heightForWidth(words->width()), words->height());
     options.kind = "euclidean";
     show(options);
     EXPECT_NE(view()->shown(), nullptr);

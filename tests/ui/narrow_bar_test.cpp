@@ -21,6 +21,8 @@ TEST_F(NarrowBarTest, TheWheelGoesOnAndBack) {
     bar.resize(200, 40);
     face.show();
     QTest::qWait(50);
+    // A pane is drawn only where something of it is seen, be it behind its controls.
+    EXPECT_TRUE(face.visibleRegion().contains(bar.geometry().center()));
     const auto turn = [&](QPoint by) {
         const int before = bar.horizontalScrollBar()->value();
         QWheelEvent wheel({10, 10}, bar.viewport()->mapToGlobal(QPoint(10, 10)), {}, by, Qt::NoButton, Qt::NoModifier,
