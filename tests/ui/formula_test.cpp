@@ -431,6 +431,30 @@ TEST(Formula, WeightsLieOnTheWeightFunctionAndTheMapIsTheFilters) {
     }
 }
 
+// Texels that rays found beside the pixel's footprint have no place on the map.
+TEST(Formula, MarksOfTexelsLieOnTheWeightMap) {
+    Maker make;
+    for (const char* const form : {"rays", "grid"}) {
+        SCOPED_TRACE(form);
+        relief::Scenario scenario = tiny();
+        scenario.filter = relief::parseFilter(std::string("elliptical-visible:form=") + form, "test");
+        const auto snapshot = make(scenario);
+        ASSERT_TRUE(hasWeights(*snapshot->footprint));
+        const Drawing drawing = weightDrawing(*snapshot->footprint, {0, 0, 400, 180});
+        const Box* map = nullptr;
+        int marks = 0;
+        for (const Item& item : drawing.items) {
+            const auto* const frame = std::get_if<Rectangle>(&item.primitive);
+            if (item.role == Role::Frame && frame != nullptr) map = &frame->box;
+            const auto* const mark = std::get_if<Marker>(&item.primitive);
+            if (map == nullptr || mark == nullptr) continue;
+            EXPECT_TRUE(map->contains(mark->at)) << mark->at.x << " " << mark->at.y;
+            ++marks;
+        }
+        EXPECT_GT(marks, 0);
+    }
+}
+
 }  // namespace
 
 }  // namespace reliefui

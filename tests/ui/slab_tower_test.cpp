@@ -229,6 +229,22 @@ TEST(SlabScene, everythingLiesOverTheGround) {
     EXPECT_GT(shown, 2);
 }
 
+// In a view that is wider than the tower, only the height limits its size.
+TEST(SlabScene, itsSizeFollowsFromTheHeightOfAWideView) {
+    const auto snapshot = snapshotOf(walked());
+    const PyramidParts parts = partsOf(*snapshot, relief::PyramidKind::Max, false);
+    SlabScene scene;
+    scene.show(parts, Style());
+    constexpr double kHigh = 500;
+    const auto viewHeight = [&](double width) {
+        scene.lookFromHome();
+        scene.showAll(width, kHigh);
+        return scene.camera.viewHeight();
+    };
+    EXPECT_NEAR(viewHeight(kHigh), viewHeight(20 * kHigh), 1e-9);
+    EXPECT_LT(viewHeight(kHigh), viewHeight(kHigh / 2));
+}
+
 TEST(PyramidFigure, isTheSameAtAnyResolution) {
     if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
     const auto figure = pyramidFigure(snapshotOf(walked()), 0, {}, {});
