@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QToolButton>
 
 #include "lessons/lesson_pane.h"
@@ -96,6 +97,22 @@ TEST_F(LessonPaneTest, GoesFromPageToPageWithLiveValues) {
         return player()->changed();
     };
     EXPECT_TRUE(QTest::qWaitFor(undone, 10000)) << "opening a lesson can be undone";
+}
+
+// A page's step is found on its own ray, not on that of a picture that comes while its own is drawn.
+TEST_F(LessonPaneTest, TheStepIsThatOfThePagesPicture) {
+    ASSERT_NO_FATAL_FAILURE(openLesson(shipped("302")));
+    relief::Scenario exact = scenario();
+    exact.method = {"exact", {}};
+    workspace_->change(exact, QStringLiteral("exact"));
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    ASSERT_EQ(snapshot()->trace.judgement.kind, relief::Departure::None);
+    QObject::connect(workspace_.get(), &Workspace::scenarioChanged, player(),
+                     [this] { QTimer::singleShot(0, player(), [this] { Q_EMIT workspace_->snapshotChanged(); }); });
+    click("lesson-next");
+    ASSERT_NE(snapshot()->trace.judgement.kind, relief::Departure::None);
+    const int departs = static_cast<int>(snapshot()->trace.judgement.step);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return scenario().step == departs; }, 10000));
 }
 
 TEST_F(LessonPaneTest, AsksBeforeItAnswers) {
