@@ -1,9 +1,10 @@
 // A full disk, for tests.
 #pragma once
 
-#include <sys/resource.h>
-
 #include <csignal>
+#include <optional>
+
+#include "resource_limit.h"
 
 namespace relief::test {
 
@@ -11,23 +12,17 @@ namespace relief::test {
 // disk.
 class SmallDisk {
   public:
-    explicit SmallDisk(rlim_t bytes) {
-        before_ = std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &limit_);
-        rlimit small = limit_;
-        small.rlim_cur = bytes;
-        ::setrlimit(RLIMIT_FSIZE, &small);
-    }
+    explicit SmallDisk(rlim_t bytes) : limit_(std::in_place, RLIMIT_FSIZE, bytes) {}
     ~SmallDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &limit_);
+        limit_.reset();
         std::signal(SIGXFSZ, before_);
     }
     SmallDisk(const SmallDisk&) = delete;
     SmallDisk& operator=(const SmallDisk&) = delete;
 
   private:
-    rlimit limit_{};
-    void (*before_)(int) = nullptr;
+    void (*before_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+    std::optional<ResourceLimit> limit_;
 };
 
 }  // namespace relief::test

@@ -40,6 +40,12 @@ class Maker {
     SnapshotMaker maker_;
 };
 
+std::shared_ptr<const Snapshot> tracedBy(const std::string& method) {
+    relief::Scenario scenario = tiny();
+    scenario.method = {method, {}};
+    return Maker()(scenario);
+}
+
 // Returns the values of `count` groups from `first` on, by symbol; of equal symbols the first value.
 std::map<std::string, double> valuesOf(const std::vector<FormulaGroup>& groups, std::size_t first, std::size_t count) {
     std::map<std::string, double> values;
@@ -311,10 +317,7 @@ TEST(Formula, StepsAreSetAsTheirRecordsSay) {
 }
 
 TEST(Formula, EveryStepOfABisectionIsTheMiddleOfItsInterval) {
-    Maker make;
-    relief::Scenario scenario = tiny();
-    scenario.method = {"layers-bisection", {}};
-    const auto snapshot = make(scenario);
+    const auto snapshot = tracedBy("layers-bisection");
     const auto& steps = snapshot->trace.steps;
     int atLow = 0, atHigh = 0;
     for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -330,10 +333,7 @@ TEST(Formula, EveryStepOfABisectionIsTheMiddleOfItsInterval) {
 
 // [MIP18]: if the ray has not advanced, the doubled coordinates of a descent are those at which the next one begins.
 TEST(Formula, CoordinatesDoubleFromLevelToLevel) {
-    Maker make;
-    relief::Scenario scenario = tiny();
-    scenario.method = {"max-pyramid-paper", {}};
-    const auto snapshot = make(scenario);
+    const auto snapshot = tracedBy("max-pyramid-paper");
     const auto& steps = snapshot->trace.steps;
     int pairs = 0;
     for (std::size_t k = 1; k < steps.size(); ++k) {

@@ -274,7 +274,7 @@ TEST_F(KeyboardTest, ThePaneWithTheFocusIsExported) {
         EXPECT_TRUE(dock->isAncestorOf(QApplication::focusWidget())) << pane;
         asked_.clear();
         press(QApplication::focusWidget(), QKeySequence(QStringLiteral("Ctrl+E")));
-        QTest::qWaitFor([this] { return !asked_.isEmpty(); }, 10000);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !asked_.isEmpty(); }, 10000)) << pane;
         return asked_.toStdString();
     };
     EXPECT_EQ(exported("profile-pane"), "Export the profile");

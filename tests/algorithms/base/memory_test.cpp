@@ -5,11 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include <sys/resource.h>
-
 #include "relief/errors.h"
 #include "relief/image.h"
 #include "relief/memory.h"
+#include "resource_limit.h"
 
 namespace relief::test {
 namespace {
@@ -130,14 +129,9 @@ TEST(Memory, theLineSaysWhatIsNeededAndWhatIsFree) {
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers reserve terabytes
 TEST(Memory, aPictureBeyondTheLimitIsRefused) {
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-    rlimit limit = before;
     // More than any test process has mapped, less than the picture needs.
-    limit.rlim_cur = std::min<rlim_t>(before.rlim_max, rlim_t{16} << 30U);
-    ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+    const ResourceLimit limit(RLIMIT_AS, rlim_t{16} << 30U);
     EXPECT_THROW(Image<glm::dvec3>(32768, 32768), MemoryError);
-    setrlimit(RLIMIT_AS, &before);
 }
 #endif
 

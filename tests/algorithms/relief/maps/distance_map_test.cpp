@@ -7,13 +7,13 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include "brute_cells.h"
 #include "relief/errors.h"
 #include "relief/maps/refined.h"
 #include "relief/methods/distance_options.h"
+#include "resource_limit.h"
 
 namespace relief::test {
 namespace {
@@ -181,24 +181,19 @@ std::string gigabytesRefused(DistanceKind kind) {
     parameters.footprint = 64;
     Work work(2);
     MapCache cache;
-    rlimit before{};
-    getrlimit(RLIMIT_DATA, &before);
     std::ifstream statm("/proc/self/statm");
-    rlim_t pages = 0;
+    rlim_t pages = 0;  // the sixth number: data
     for (int n = 0; n < 6; ++n) statm >> pages;
-    rlimit limit = before;
-    limit.rlim_cur =
-        std::min<rlim_t>(before.rlim_max, pages * static_cast<rlim_t>(getpagesize()) + (rlim_t{32} << 20U));
-    std::string text = "not refused";
-    setrlimit(RLIMIT_DATA, &limit);
+    const ResourceLimit limit(RLIMIT_DATA, pages * static_cast<rlim_t>(getpagesize()) + (rlim_t{32} << 20U));
     try {
         distanceMap(kind, parameters, field, cache, work, &exactHits);
     } catch (const MemoryError& error) {
-        text = error.what();
+        const std::string text = error.what();
+        const auto begin = text.find(": ") + 2;
+        return text.substr(begin, text.find(" GB") - begin);
     }
-    setrlimit(RLIMIT_DATA, &before);
-    const auto begin = text.find(": ") + 2;
-    return text.substr(begin, text.find(" GB") - begin);
+    ADD_FAILURE() << "was not refused";
+    return "0";
 }
 
 // Both Euclidean kinds keep pictures of a layer for each thread.
