@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <filesystem>
+#include <map>
 #include <random>
 
 #include <malloc.h>
@@ -32,12 +34,14 @@
 #include "crash_report.h"
 #include "panes/drawing_canvas.h"
 #include "window_fixture.h"
+#include "windows/program.h"
 
 namespace reliefui {
 namespace {
 
 constexpr std::uint64_t kSeed = 20261121;  // set RELIEF_SEED for another one
 constexpr int kShortMs = 60000;
+// A long walk (RELIEF_LONG) consists of rounds of ten minutes, as many as RELIEF_ROUNDS says, or one.
 constexpr int kLongMs = 600000;
 // Dialogs and menus are closed as soon as they appear.
 constexpr int kDismissMs = 40;
@@ -54,6 +58,9 @@ constexpr double kOpenMegabytes = 1000;
 constexpr double kGrowthMegabytes = 400;
 // Memory that may remain in use after the window is destroyed, maps included; none of it is ours. Measured: 10 to 56.
 constexpr double kLeftMegabytes = 150;
+// What a round may add to the memory that remained after the first one: a share of the memory that the window used at
+// first plus that.
+constexpr double kFlat = 0.05;
 
 QStringList& complaints() {
     static QStringList all;
@@ -260,6 +267,27 @@ class Walk {
     std::deque<QString> story_;
 };
 
+int openFiles() {
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {}));
+}
+
+// Returns the number of objects of each class that the window and the application contain.
+std::map<QString, int> objectsOf(QObject* window) {
+    std::map<QString, int> count;
+    const auto add = [&](const QObject* one) { ++count[QString::fromLatin1(one->metaObject()->className())]; };
+    for (const QObject* const one : window->findChildren<QObject*>()) add(one);
+    for (const QObject* const one : QCoreApplication::instance()->findChildren<QObject*>()) add(one);
+    for (const QWidget* const one : QApplication::topLevelWidgets()) add(one);
+    return count;
+}
+
+// What a window with nothing but the first scenario's result holds.
+struct Held {
+    double megabytes = 0;  // besides the cached maps
+    int files = 0;
+    std::map<QString, int> objects;
+};
+
 class RandomWalk : public WindowTest {
   protected:
     // Undoes every change. Each one takes time if pictures must be loaded again. The history keeps only a thousand
@@ -282,24 +310,36 @@ class RandomWalk : public WindowTest {
         QTest::qWait(kEmptiedMs);
         QThreadPool::globalInstance()->waitForDone();
     }
+    static void expectNoMore(const Held& before, const Held& now) {
+        EXPECT_LE(now.files, before.files);
+        for (const auto& [kind, count] : now.objects) {
+            const auto known = before.objects.find(kind);
+            const int was = known != before.objects.end() ? known->second : 0;
+            if (count > was) std::printf("%s: %d, after the first round %d\n", qPrintable(kind), count, was);
+        }
+    }
 };
 
 TEST_F(RandomWalk, overAllControls) {
     const char* const given = std::getenv("RELIEF_SEED");
     const std::uint64_t seed = given != nullptr ? std::strtoull(given, nullptr, 10) : kSeed;
     const bool isLong = std::getenv("RELIEF_LONG") != nullptr;
+    const char* const repeated = std::getenv("RELIEF_ROUNDS");
+    const int rounds = isLong && repeated != nullptr ? std::atoi(repeated) : 1;
+    if (const char* const language = std::getenv("RELIEF_WALK_LANGUAGE")) installTranslations(QLatin1String(language));
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
     complaints().clear();
-    const QtMessageHandler before = qInstallMessageHandler(noteQt);
+    const QtMessageHandler handler = qInstallMessageHandler(noteQt);
     const vtkSmartPointer<vtkOutputWindow> output = vtkOutputWindow::GetInstance();
     vtkOutputWindow::SetInstance(vtkSmartPointer<NotingOutput>::New());
     openWindow(smallScenario());
     ASSERT_FALSE(HasFatalFailure());
     const auto cached = [&] { return static_cast<double>(snapshot()->maps->bytes()) / 1e6; };
     const double atFirst = heldMegabytes() - cached();
-    int steps = 0;
-    {
-        Walk walk(window_.get(), seed);
+    Walk walk(window_.get(), seed);
+    Held before;
+    for (int round = 0; round < rounds; ++round) {
+        int steps = 0;
         qint64 left = isLong ? kLongMs : kShortMs;
         while (left > 0) {
             QElapsedTimer clock;
@@ -313,26 +353,31 @@ TEST_F(RandomWalk, overAllControls) {
             ASSERT_TRUE(complaints().isEmpty()) << qPrintable(complaints().join(QStringLiteral("\n"))) << "\nafter\n"
                                                 << qPrintable(walk.story());
         }
+        const double walked = heldMegabytes();
+        // The window still responds.
+        EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
+        undoAll(smallScenario());
+        QTest::qWait(1000);
+        const double undone = heldMegabytes() - cached() - atFirst;
+        closePanes();
+        // Resources of panes are freed in the background, which takes longer on a slow machine.
+        const double most = round == 0 ? kGrowthMegabytes : before.megabytes + kFlat * (atFirst + before.megabytes);
+        Held now;
+        const auto freed = [&] {
+            now.megabytes = heldMegabytes() - cached() - atFirst;
+            return now.megabytes < most;
+        };
+        EXPECT_TRUE(QTest::qWaitFor(freed, kEndMs)) << now.megabytes << " MB after round " << round + 1;
+        now.files = openFiles();
+        now.objects = objectsOf(window_.get());
+        std::printf(
+            "%d steps; %.0f MB at first, %.0f walked; besides %.0f of cached maps %.0f more than at first when all is "
+            "undone, %.0f when all panes are closed; %d files open\n",
+            steps, atFirst, walked, cached(), undone, now.megabytes, now.files);
+        EXPECT_LT(undone, kOpenMegabytes);
+        if (round > 0) expectNoMore(before, now);
+        if (round == 0) before = now;
     }
-    const double walked = heldMegabytes();
-    // The window still responds.
-    EXPECT_TRUE(QTest::qWaitFor([&] { return snapshot() && !workspace_->busy(); }, kEndMs));
-    undoAll(smallScenario());
-    QTest::qWait(1000);
-    const double undone = heldMegabytes() - cached() - atFirst;
-    closePanes();
-    // Resources of panes are freed in the background, which takes longer on a slow machine.
-    double grown = 0;
-    const auto freed = [&] {
-        grown = heldMegabytes() - cached() - atFirst;
-        return grown < kGrowthMegabytes;
-    };
-    EXPECT_TRUE(QTest::qWaitFor(freed, kEndMs)) << grown;
-    std::printf(
-        "%d steps; %.0f MB at first, %.0f walked; besides %.0f of cached maps %.0f more than at first when all is "
-        "undone, %.0f when all panes are closed\n",
-        steps, atFirst, walked, cached(), undone, grown);
-    EXPECT_LT(undone, kOpenMegabytes);
     window_.reset();
     workspace_.reset();
     QThreadPool::globalInstance()->waitForDone();
@@ -341,7 +386,7 @@ TEST_F(RandomWalk, overAllControls) {
     EXPECT_LT(left, kLeftMegabytes);
     EXPECT_TRUE(complaints().isEmpty()) << qPrintable(complaints().join(QStringLiteral("\n")));
     vtkOutputWindow::SetInstance(output);
-    qInstallMessageHandler(before);
+    qInstallMessageHandler(handler);
 }
 
 }  // namespace

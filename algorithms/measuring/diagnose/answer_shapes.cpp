@@ -180,6 +180,16 @@ class Shapes {
         if (ended.size() < 3 || right.empty()) return;
         constexpr double kLonger = 1.2;
         if (upperMedian(ended) < kLonger * upperMedian(right)) return;
+        // By chance, the ended ray is the longer one in half of all pairs, with this standard deviation.
+        double longer = 0;
+        std::sort(right.begin(), right.end());
+        for (const double run : ended) {
+            longer += static_cast<double>(std::lower_bound(right.begin(), right.end(), run) - right.begin());
+        }
+        const double pairs = static_cast<double>(ended.size()) * static_cast<double>(right.size());
+        const double deviation = std::sqrt((static_cast<double>(ended.size() + right.size()) + 1) / (12 * pairs));
+        constexpr double kSure = 2.33;  // one in a hundred by chance
+        if (longer / pairs < 0.5 + kSure * deviation) return;
         for (std::size_t r = 0; r < rays_.size(); ++r) {
             if (shapes_[r] == Shape::Early) cause(out, r, Fault::StepLimit);
         }

@@ -32,12 +32,13 @@ constexpr double kLooselyExplains = 0.6;
 // What a fault costs, as a share of the unexplained rays; and being loose.
 constexpr double kFaultCost = 0.02;
 constexpr double kLooseCost = 0.05;
-// By how much an explanation that predicts sharply may cost more than another; what a convention must add to an
-// explanation that does not predict.
+// By how much an explanation that predicts sharply may cost more than another.
 constexpr double kSharpLead = 0.7;
-constexpr double kFounded = 0.4;
-// Faults of a smaller share of the wrong rays may be chance.
+// A fault of no more than this share of the wrong rays, or of kFewWrong of them, may be chance.
 constexpr double kLeastShare = 0.004;
+double chance(std::size_t wrong) {
+    return std::max(static_cast<double>(kFewWrong), kLeastShare * static_cast<double>(wrong));
+}
 constexpr int kRounds = 4;
 constexpr std::size_t kMatches = 24;
 
@@ -163,7 +164,6 @@ class Doctor {
     // The best of a round that predict the answers sharply, and of the others.
     struct Round {
         Found sharp, other;
-        double looseBefore = 0;  // the share that the model found so far explains by the kind of errors
 
         // Sharp explanations are preferred: each that explains enough is a fault, further ones are found in the next
         // round.
@@ -187,10 +187,8 @@ class Doctor {
             const double added = conventions(one.model) - had;
             double cost = 1 - gained.share + kFaultCost * (added + static_cast<double>(one.searchFaults.size()));
             if (one.loose) {
-                if (added <= 0) round.looseBefore = std::max(round.looseBefore, gained.share);
                 // Conventions can be chosen such that a loose explanation fits: they must explain much by themselves.
-                const bool founded = exactShare >= kExplains || gained.share - round.looseBefore >= kFounded;
-                if (added > 0 && !founded) continue;
+                if (added > 0 && exactShare < kExplains) continue;
                 // Numbers can be fitted even more easily.
                 cost += kLooseCost * (1 + fittedNumbers(one.model));
             }
@@ -250,8 +248,7 @@ class Doctor {
     // Applies what the sample has shown to the whole pool; returns false if it explains nothing more.
     bool extend(const Explanation& found) {
         const std::size_t before = open();
-        // The number of rays up to which a further explanation may be chance.
-        const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(wrongPool_));
+        const auto least = static_cast<std::size_t>(chance(wrongPool_));
         Explanation one;
         if (found.loose) {
             SearchedRays rays(pool_.given, found.model, fields_, work_);
@@ -322,7 +319,7 @@ class Doctor {
                 worsen(finding, counted[n]);
             }
             finding.rays = static_cast<std::size_t>(std::llround(sum));
-            if (sum > kLeastShare * static_cast<double>(compared_.wrong.size())) out_.findings.push_back(finding);
+            if (sum > chance(compared_.wrong.size())) out_.findings.push_back(finding);
         }
     }
 

@@ -197,6 +197,29 @@ TEST_P(DiagnoseOn, NonsenseIsUnknown) {
     EXPECT_FALSE(diagnosis.healthy());
 }
 
+// Answers scattered in front of the surface follow no fault, and few of them seldom look like one by chance.
+TEST_P(DiagnoseOn, FewScatteredAnswersAreUnknown) {
+    constexpr int kSeeds = 4, kByChance = 1;
+    int named = 0;
+    for (const double share : {0.1, 1.0}) {
+        for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+            TracerRecord scattered = record({}, field_, specimenRays(field_, share < 1 ? 120 : 60));
+            Random random(seed);
+            for (double& lambda : scattered.hits.lambda) {
+                const double part = 1 - 0.5 * random.unit();
+                if (random.unit() <= share) lambda *= part;
+            }
+            const Diagnosis diagnosis = diagnose(scattered, field_, work_);
+            EXPECT_FALSE(diagnosis.healthy());
+            if (diagnosis.findings.empty()) continue;
+            ++named;
+            std::printf("share %g, seed %llu: %s\n", share, static_cast<unsigned long long>(seed),
+                        listed(namesIn(diagnosis)).c_str());
+        }
+    }
+    EXPECT_LE(named, kByChance) << "of " << 2 * kSeeds;
+}
+
 // A fault that is not in the list: heights through another curve.
 TEST_P(DiagnoseOn, AForeignFaultIsUnknown) {
     const Specimen bent{"bent",
