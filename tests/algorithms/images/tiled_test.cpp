@@ -437,6 +437,7 @@ TEST(Tiled, AFileThatIsCutWhileItIsOpenIsNoCrash) {
 }
 
 TEST(Tiled, OtherBusErrorsEndTheProcess) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");  // a fork of a process with threads may not start more
     EXPECT_EXIT(
         {
             const TemporaryFolder folder;
