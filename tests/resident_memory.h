@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <fstream>
 
+#include <malloc.h>
 #include <unistd.h>
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // g++ has no header for it
@@ -25,6 +26,16 @@ inline double usedMegabytes() {
     return static_cast<double>(__sanitizer_get_current_allocated_bytes()) / 1e6;
 #else
     return residentMegabytes();
+#endif
+}
+
+// Returns the blocks of the heap that are not freed: what the program keeps, without what malloc keeps for it.
+inline double heapMegabytes() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return usedMegabytes();
+#else
+    const struct mallinfo2 heap = mallinfo2();
+    return static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6;
 #endif
 }
 
