@@ -19,20 +19,11 @@ inline double residentMegabytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-// Returns the memory in use, for tests that it does not grow: resident memory or, with sanitizers, which keep freed
-// blocks and their records resident, the blocks of the heap that are not freed.
+// Returns the blocks of the heap that are not freed, for tests that memory does not grow: resident memory also has what
+// malloc keeps for later, and depends on the size of the kernel's pages.
 inline double usedMegabytes() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     return static_cast<double>(__sanitizer_get_current_allocated_bytes()) / 1e6;
-#else
-    return residentMegabytes();
-#endif
-}
-
-// Returns the blocks of the heap that are not freed: what the program keeps, without what malloc keeps for it.
-inline double heapMegabytes() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return usedMegabytes();
 #else
     const struct mallinfo2 heap = mallinfo2();
     return static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6;

@@ -12,6 +12,20 @@ namespace {
 // Deepest answer within the surface, lambda, of a search that stops behind it.
 constexpr double kDeepest = 0.13;
 
+// Returns true if the test of Mann and Whitney finds the runs longer than the others at the level of 1%. By chance, the
+// run is the longer one in half of all pairs, with the standard deviation below. Neither list may be empty.
+bool longerThanByChance(const std::vector<double>& runs, std::vector<double> others) {
+    std::sort(others.begin(), others.end());
+    double longer = 0;
+    for (const double run : runs) {
+        longer += static_cast<double>(std::lower_bound(others.begin(), others.end(), run) - others.begin());
+    }
+    const double pairs = static_cast<double>(runs.size()) * static_cast<double>(others.size());
+    const double deviation = std::sqrt((static_cast<double>(runs.size() + others.size()) + 1) / (12 * pairs));
+    constexpr double kDeviations = 2.33;
+    return longer / pairs >= 0.5 + kDeviations * deviation;
+}
+
 class Shapes {
   public:
     Shapes(SearchedRays& rays, const SearchEvidence& evidence) : rays_(rays), evidence_(evidence) {}
@@ -180,16 +194,7 @@ class Shapes {
         if (ended.size() < 3 || right.empty()) return;
         constexpr double kLonger = 1.2;
         if (upperMedian(ended) < kLonger * upperMedian(right)) return;
-        // By chance, the ended ray is the longer one in half of all pairs, with this standard deviation.
-        double longer = 0;
-        std::sort(right.begin(), right.end());
-        for (const double run : ended) {
-            longer += static_cast<double>(std::lower_bound(right.begin(), right.end(), run) - right.begin());
-        }
-        const double pairs = static_cast<double>(ended.size()) * static_cast<double>(right.size());
-        const double deviation = std::sqrt((static_cast<double>(ended.size() + right.size()) + 1) / (12 * pairs));
-        constexpr double kSure = 2.33;  // one in a hundred by chance
-        if (longer / pairs < 0.5 + kSure * deviation) return;
+        if (!longerThanByChance(ended, right)) return;
         for (std::size_t r = 0; r < rays_.size(); ++r) {
             if (shapes_[r] == Shape::Early) cause(out, r, Fault::StepLimit);
         }

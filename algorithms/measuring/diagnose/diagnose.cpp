@@ -34,11 +34,8 @@ constexpr double kFaultCost = 0.02;
 constexpr double kLooseCost = 0.05;
 // By how much an explanation that predicts sharply may cost more than another.
 constexpr double kSharpLead = 0.7;
-// A fault of no more than this share of the wrong rays, or of kFewWrong of them, may be chance.
+// Faults of a smaller share of the wrong rays may be chance.
 constexpr double kLeastShare = 0.004;
-double chance(std::size_t wrong) {
-    return std::max(static_cast<double>(kFewWrong), kLeastShare * static_cast<double>(wrong));
-}
 constexpr int kRounds = 4;
 constexpr std::size_t kMatches = 24;
 
@@ -248,7 +245,8 @@ class Doctor {
     // Applies what the sample has shown to the whole pool; returns false if it explains nothing more.
     bool extend(const Explanation& found) {
         const std::size_t before = open();
-        const auto least = static_cast<std::size_t>(chance(wrongPool_));
+        // The number of rays up to which a further explanation may be chance.
+        const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(wrongPool_));
         Explanation one;
         if (found.loose) {
             SearchedRays rays(pool_.given, found.model, fields_, work_);
@@ -319,7 +317,7 @@ class Doctor {
                 worsen(finding, counted[n]);
             }
             finding.rays = static_cast<std::size_t>(std::llround(sum));
-            if (sum > chance(compared_.wrong.size())) out_.findings.push_back(finding);
+            if (sum > kLeastShare * static_cast<double>(compared_.wrong.size())) out_.findings.push_back(finding);
         }
     }
 

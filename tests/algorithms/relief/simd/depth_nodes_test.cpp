@@ -37,8 +37,8 @@ std::vector<VisitedNode> loggedNodes(const MaxPyramidTracer& tracer, const ViewR
     return nodes;
 }
 
-// Least number of steps that is compared, for each instruction set.
-constexpr std::size_t kLeastSteps = 15000;
+// Least number of steps to compare on each instruction set. With this seed, the test with fewer compares 21,407.
+constexpr std::size_t kLeastSteps = 20000;
 
 struct Seen {
     std::size_t rays = 0, steps = 0, different = 0;
