@@ -206,8 +206,8 @@ TEST_P(DiagnoseOn, FewScatteredAnswersAreUnknown) {
             TracerRecord scattered = record({}, field_, specimenRays(field_, share < 1 ? 120 : 60));
             Random random(seed);
             for (double& lambda : scattered.hits.lambda) {
-                const double part = 1 - 0.5 * random.unit();
-                if (random.unit() <= share) lambda *= part;
+                const double off = std::min(0.5 * lambda, 0.1) * random.unit();
+                if (random.unit() <= share) lambda -= off;
             }
             const Diagnosis diagnosis = diagnose(scattered, field_, work_);
             EXPECT_FALSE(diagnosis.healthy());
