@@ -99,6 +99,34 @@ TEST_F(LessonPaneTest, GoesFromPageToPageWithLiveValues) {
     EXPECT_TRUE(QTest::qWaitFor(undone, 10000)) << "opening a lesson can be undone";
 }
 
+TEST_F(LessonPaneTest, MeasuresOnlyWhatIsOnScreen) {
+    ASSERT_NO_FATAL_FAILURE(openLesson(shipped("302")));
+    click("lesson-next");
+    auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("lesson-dock"));
+    dock->hide();
+    relief::Scenario more = scenario();
+    more.method.options["layers"] = "128";
+    workspace_->change(more, QStringLiteral("more"));
+    EXPECT_FALSE(QTest::qWaitFor([&] { return player()->measuring(); }, 500));
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    const auto current = [&] {
+        return text().contains(QStringLiteral("takes %1 steps").arg(snapshot()->trace.steps.size()));
+    };
+    EXPECT_FALSE(QTest::qWaitFor([&] { return player()->measuring() || current(); }, 500));
+    menu_->showDock();
+    EXPECT_TRUE(QTest::qWaitFor(current, 10000)) << text().toStdString();
+    // The lecturer's notes have values as well.
+    menu_->showNotes();
+    dock->hide();
+    more.method.options["layers"] = "64";
+    workspace_->change(more, QStringLiteral("fewer"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return player()->measuring(); }, 10000));
+    window_->findChild<QDialog*>(QStringLiteral("lesson-notes"))->close();
+    EXPECT_FALSE(player()->measuring());
+    menu_->showDock();
+    EXPECT_TRUE(QTest::qWaitFor(current, 10000)) << text().toStdString();
+}
+
 // A page's step is found on its own ray, not on that of a picture that comes while its own is drawn.
 TEST_F(LessonPaneTest, TheStepIsThatOfThePagesPicture) {
     ASSERT_NO_FATAL_FAILURE(openLesson(shipped("302")));

@@ -53,11 +53,10 @@ constexpr int kMostUndone = 100000;
 constexpr int kEmptiedMs = 4000;  // twice the delay after which the window frees a closed pane
 constexpr std::size_t kRemembered = 25;
 // Memory that may remain in use after everything is undone, in addition to the cached maps: among others, resources of
-// opened panes, since a walk of a thousand steps opens all of them. Measured: 44 to 417.
+// opened panes, since a walk of a thousand steps opens all of them. Measured: 44 to 480.
 constexpr double kOpenMegabytes = 600;
-// The same after the panes are closed and the maps are freed. Measured: 20 to 144 after the first round, 39 to 288
-// after later ones, rising and falling.
-constexpr double kGrowthMegabytes = 300;
+// The same after the panes are closed and the maps are freed. Measured: 11 to 42, rising and falling.
+constexpr double kGrowthMegabytes = 80;
 // The same after the window is destroyed. Measured: -35 to -20.
 constexpr double kLeftMegabytes = 20;
 

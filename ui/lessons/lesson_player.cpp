@@ -65,10 +65,16 @@ bool LessonPlayer::open(const QString& folder, std::size_t page) {
     return true;
 }
 
-void LessonPlayer::close() {
+void LessonPlayer::setOnScreen(bool on) {
+    if (on == onScreen_) return;
+    onScreen_ = on;
+    if (on) {
+        if (measureDue_) measure();
+        return;
+    }
+    measureDue_ = measureDue_ || job_.busy();
     job_.drop();
-    lesson_.reset();
-    Q_EMIT changedPage();
+    scenes_ = std::make_shared<relief::SceneCache>();
 }
 
 void LessonPlayer::show(std::size_t page) {
@@ -120,6 +126,8 @@ void LessonPlayer::snapshotCame() {
 
 void LessonPlayer::measure() {
     if (!lesson_ || workspace_->loading()) return;
+    measureDue_ = !onScreen_;
+    if (measureDue_) return;
     const auto result = std::make_shared<Measured>();
     const auto work = [result, lesson = lesson_, page = page_, scenes = scenes_, scenario = workspace_->scenario(),
                        language = workspace_->style().language,

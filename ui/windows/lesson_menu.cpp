@@ -53,6 +53,10 @@ LessonMenu::LessonMenu(Workspace* workspace, const QString& datasets, QMenu* men
         });
     }
     connect(pane_, &LessonPane::notesRequested, this, &LessonMenu::showNotes);
+    connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        dockVisible_ = visible;
+        player_->setOnScreen(visible || notes_);
+    });
     const auto add = [&](const QString& text, const char* keys, const QString& help, void (LessonMenu::*slot)()) {
         QAction* const action = ways_.addAction(text, QLatin1String(keys), help);
         connect(action, &QAction::triggered, this, slot);
@@ -172,6 +176,7 @@ void LessonMenu::showNotes() {
         notes_->setObjectName(QStringLiteral("lesson-notes"));
         notes_->setAttribute(Qt::WA_DeleteOnClose);
         notes_->setWindowTitle(tr("Lecturer’s notes"));
+        connect(notes_, &QDialog::finished, this, [this] { player_->setOnScreen(dockVisible_); });
         auto* const column = new QVBoxLayout(notes_);
         notesText_ = new QTextBrowser(notes_);
         column->addWidget(notesText_);
@@ -180,6 +185,7 @@ void LessonMenu::showNotes() {
     notesText_->setHtml(lessonNotesHtml(*player_));
     notes_->show();
     notes_->raise();
+    player_->setOnScreen(true);
 }
 
 void LessonMenu::setLecture(bool on) {

@@ -69,7 +69,8 @@ class LessonMenu : public QObject {
     LessonPlayer* player_;
     LessonPane* pane_;
     QDockWidget* dock_;
-    QAction* end_ = nullptr;  // the courses stand before this entry of the menu
+    bool dockVisible_ = true;  // false: hidden, or a tab behind another
+    QAction* end_ = nullptr;   // the courses stand before this entry of the menu
     QAction* lecture_ = nullptr;
     QList<QAction*> filled_;
     QString own_;  // the user's folder of lessons, opened last

@@ -171,8 +171,13 @@ MeasuredScene& SceneCache::scene(const Scenario& scenario) {
     const std::string key = scenarioText(withNotesOf(scenario, Scenario()));
     auto found = std::find_if(scenes_.begin(), scenes_.end(), [&](const auto& entry) { return entry.first == key; });
     if (found == scenes_.end()) {
-        if (scenes_.size() == kKept) scenes_.erase(scenes_.begin());
         scenes_.emplace_back(key, std::make_unique<MeasuredScene>(scenario, store_));
+        std::uint64_t pixels = 0;
+        for (const auto& entry : scenes_) pixels += entry.second->pixels();
+        while (scenes_.size() > kSurelyKept && (scenes_.size() > kKept || pixels > kKeptPixels)) {
+            pixels -= scenes_.front().second->pixels();
+            scenes_.erase(scenes_.begin());
+        }
     } else {
         std::rotate(found, found + 1, scenes_.end());
     }

@@ -50,6 +50,8 @@ class MeasuredScene {
     MeasuredScene(Scenario scenario, SceneStore& store) : scenario_(std::move(scenario)), store_(store) {}
 
     const Scenario& scenario() const { return scenario_; }
+    // Of the picture, as soon as it is made.
+    std::uint64_t pixels() const { return frame_ ? frame_->light->color.size() : 0; }
     const HeightField& field(Work& work) { return request(work).field; }
     const FrameRequest& request(Work& work);
     const Frame& frame(Work& work);    // with counted steps
@@ -83,7 +85,8 @@ class MeasuredScene {
     std::map<PyramidKind, Pyramid> pyramids_;
 };
 
-// Scenes by scenario, the latest ones, and measurements of rows, which need no scene.
+// Scenes by scenario, the latest ones, of which the last three stay valid, and measurements of rows, which need no
+// scene.
 class SceneCache {
   public:
     MeasuredScene& scene(const Scenario& scenario);
@@ -93,7 +96,9 @@ class SceneCache {
                             Work& work);
 
   private:
-    static constexpr std::size_t kKept = 12;
+    // Of all scenes but the last three, which one value may need. A pixel takes about a hundred bytes.
+    static constexpr std::size_t kKept = 12, kSurelyKept = 3;
+    static constexpr std::uint64_t kKeptPixels = 1 << 22;
     SceneStore store_;
     std::vector<std::pair<std::string, std::unique_ptr<MeasuredScene>>> scenes_;  // the latest one last
     std::map<std::tuple<std::string, std::int64_t, double, RowPrecision>, RowBenchRow> rows_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../../resident_memory.h"
 #include "measuring/lesson/lesson_check.h"
 #include "relief/files.h"
 
@@ -130,6 +131,21 @@ TEST_F(Quantities, ChildrenAreThoseOfAllRays) {
     EXPECT_EQ(scene.children(work_).finished, sumOf(levels).finished);
     EXPECT_EQ(scene.children(work_).ended, sumOf(levels).ended);
     EXPECT_GT(scene.children(work_).descents(), 100);
+}
+
+TEST_F(Quantities, KeepOnlyAFewLargePictures) {
+    scenario_.width = scenario_.height = 1200;
+    double first = 0;
+    for (int scene = 0; scene < 6; ++scene) {
+        scenario_.method.options["layers"] = std::to_string(scene + 1);
+        const double before = usedMegabytes();
+        number("frame.steps.at(600, 600)");
+        if (scene == 0) first = usedMegabytes() - before;
+    }
+    const double all = usedMegabytes();
+    scenes_ = {};
+    EXPECT_GT(first, 50);
+    EXPECT_LT(all - usedMegabytes(), 3.5 * first) << "the last three, and maps";
 }
 
 TEST_F(Quantities, RefuseWhatTheyCannotMeasure) {
