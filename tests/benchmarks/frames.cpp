@@ -15,7 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "../resident_memory.h"
+#include "../memory_use.h"
 #include "measuring/compare/picture_error.h"
 #include "measuring/quantiles.h"
 #include "peer_table.h"

@@ -15,10 +15,10 @@
 #include "images/recipe_rows.h"
 #include "images/tiled_heights.h"
 #include "images/tiled_writer.h"
+#include "memory_use.h"
 #include "relief/maps/depth_pyramid.h"
 #include "relief/visibility/any_hit.h"
 #include "rendering/frame.h"
-#include "resident_memory.h"
 
 namespace relief::test {
 namespace {

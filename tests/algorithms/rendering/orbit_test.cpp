@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "../../resident_memory.h"
+#include "../../memory_use.h"
 #include "algorithms/relief/fields.h"
 #include "rendering/frame.h"
 
@@ -14,9 +14,9 @@ namespace {
 // Seconds of orbiting; the long run corresponds to a window that is left rotating.
 constexpr double kShortSeconds = 12;
 constexpr double kLongSeconds = 600;
-// Megabytes after the first tenth of the time: what the allocator's arenas may still add. A frame of this test has 4 MB
-// of buffers, so one frame retained in a hundred is noticed.
-constexpr double kMostGrowth = 16;
+// Megabytes after the first tenth of the time. A frame of this test has 4 MB of buffers, of which one with counted
+// steps has more than another: two frames retained of a thousand are noticed. Measured: -1.2.
+constexpr double kMostGrowth = 8;
 
 FrameRequest orbitRequest() {
     FrameRequest request(HeightField(share(makeRelief("bricks", 128, 128, 1))));

@@ -12,15 +12,19 @@
 namespace relief::test {
 namespace {
 
-DuelRun runOf(const MethodChoice& method, const HeightField& field, const ViewRay& ray) {
+DuelRun runOf(const MethodChoice& method, const HeightField& field, const ViewRay& ray, MapCache& cache) {
     Work work(1);
-    MapCache cache;
     RayBlock rays;
     rays.push(ray);
     HitBlock hits;
     StepLog log;
     makeTracer(method, field, cache, work)->trace(rays, hits, log, work);
     return {method.name, hits[0], log.steps};
+}
+
+DuelRun runOf(const MethodChoice& method, const HeightField& field, const ViewRay& ray) {
+    MapCache cache;
+    return runOf(method, field, ray, cache);
 }
 
 Hit exactHit(const HeightField& field, const ViewRay& ray) {
@@ -197,7 +201,7 @@ TEST(Duel, LockStepKeepsAllAtTheSamePlace) {
 TEST(Duel, EveryDepartureIsNamed) {
     constexpr std::uint64_t kSeed = 20261;
     std::array<int, 7> seen{};
-    Work work(1);
+    MapCache cache;
     for (const Surface surface : allSurfaces()) {
         const HeightField field(randomHeights(24, 24, kSeed), surface, Address::Repeat, 0.3);
         Random random(kSeed);
@@ -206,7 +210,7 @@ TEST(Duel, EveryDepartureIsNamed) {
             const Hit exact = exactHit(field, ray);
             for (const MethodChoice& method : allChoices()) {
                 if (!supports(method, surface, Address::Repeat)) continue;
-                const DuelRun run = runOf(method, field, ray);
+                const DuelRun run = runOf(method, field, ray, cache);
                 const Judgement judgement = judge(run, exact, ray, field);
                 ++seen[static_cast<std::size_t>(judgement.kind)];
                 ASSERT_EQ(judgement.kind == Departure::None, judgement.texels <= kSameAnswer) << method.name;

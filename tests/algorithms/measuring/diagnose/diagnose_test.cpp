@@ -197,8 +197,8 @@ TEST_P(DiagnoseOn, NonsenseIsUnknown) {
     EXPECT_FALSE(diagnosis.healthy());
 }
 
-// Answers scattered in front of the surface follow no fault, and few of them seldom look like one by chance.
-TEST_P(DiagnoseOn, FewScatteredAnswersAreUnknown) {
+// Answers scattered in front of the surface follow no fault, although a few rays may look as if they did.
+TEST_P(DiagnoseOn, NamesNoFaultOfFewRaysWithScatteredAnswers) {
     constexpr int kSeeds = 4, kByChance = 1;
     int named = 0;
     for (const double share : {0.1, 1.0}) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../resident_memory.h"
+#include "../../../memory_use.h"
 #include "measuring/lesson/lesson_check.h"
 #include "relief/files.h"
 

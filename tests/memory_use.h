@@ -19,7 +19,7 @@ inline double residentMegabytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-// Returns the blocks of the heap that are not freed, for tests that memory does not grow: resident memory also has what
+// Returns the megabytes of heap blocks in use, for tests that memory does not grow: resident memory also has what
 // malloc keeps for later, and depends on the size of the kernel's pages.
 inline double usedMegabytes() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
