@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "../memory_use.h"
 #include "lessons/lesson_pane.h"
 #include "lessons/new_lesson.h"
 #include "window_fixture.h"
@@ -22,9 +23,14 @@ namespace reliefui {
 
 namespace {
 
+using relief::test::usedMegabytes;
+
 QString shipped(const char* name) {
     return QStringLiteral(RELIEF_SOURCE "/ui/lessons/") + QLatin1String(name);
 }
+
+// Less than what the frame of a lesson's page takes.
+constexpr double kFrameMegabytes = 3;
 
 class LessonPaneTest : public WindowTest {
   protected:
@@ -99,7 +105,7 @@ TEST_F(LessonPaneTest, GoesFromPageToPageWithLiveValues) {
     EXPECT_TRUE(QTest::qWaitFor(undone, 10000)) << "opening a lesson can be undone";
 }
 
-TEST_F(LessonPaneTest, MeasuresOnlyWhatIsOnScreen) {
+TEST_F(LessonPaneTest, MeasuresOnlyWhatIsShown) {
     ASSERT_NO_FATAL_FAILURE(openLesson(shipped("302")));
     click("lesson-next");
     auto* const dock = window_->findChild<QDockWidget*>(QStringLiteral("lesson-dock"));
@@ -107,7 +113,6 @@ TEST_F(LessonPaneTest, MeasuresOnlyWhatIsOnScreen) {
     relief::Scenario more = scenario();
     more.method.options["layers"] = "128";
     workspace_->change(more, QStringLiteral("more"));
-    EXPECT_FALSE(QTest::qWaitFor([&] { return player()->measuring(); }, 500));
     ASSERT_NO_FATAL_FAILURE(waitForFull());
     const auto current = [&] {
         return text().contains(QStringLiteral("takes %1 steps").arg(snapshot()->trace.steps.size()));
@@ -120,10 +125,23 @@ TEST_F(LessonPaneTest, MeasuresOnlyWhatIsOnScreen) {
     dock->hide();
     more.method.options["layers"] = "64";
     workspace_->change(more, QStringLiteral("fewer"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return player()->measuring(); }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor(current, 10000)) << text().toStdString();
+    // What they were measured on, among others the frame of this scene, is freed.
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !player()->measuring() && !workspace_->busy(); }, 10000));
+    const double before = usedMegabytes();
     window_->findChild<QDialog*>(QStringLiteral("lesson-notes"))->close();
-    EXPECT_FALSE(player()->measuring());
+    const auto freed = [&] { return before - usedMegabytes(); };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return freed() > kFrameMegabytes; }, 5000)) << freed();
+    // Behind another tab it is soon needed again, and stays measured.
     menu_->showDock();
+    EXPECT_TRUE(QTest::qWaitFor(current, 10000)) << text().toStdString();
+    const auto behind = window_->tabifiedDockWidgets(dock);
+    ASSERT_FALSE(behind.isEmpty());
+    behind.front()->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return menu_->pane()->visibleRegion().isEmpty(); }, 5000));
+    more.method.options["layers"] = "16";
+    workspace_->change(more, QStringLiteral("as at first"));
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
     EXPECT_TRUE(QTest::qWaitFor(current, 10000)) << text().toStdString();
 }
 

@@ -65,12 +65,13 @@ bool LessonPlayer::open(const QString& folder, std::size_t page) {
     return true;
 }
 
-void LessonPlayer::setOnScreen(bool on) {
-    if (on == onScreen_) return;
-    onScreen_ = on;
-    if (on) {
-        if (measureDue_) measure();
-        return;
+void LessonPlayer::setShown(bool shown) {
+    if (shown == shown_) return;
+    shown_ = shown;
+    if (shown) {
+        if (!measureDue_) return;
+        measured_ = {};  // of another scenario
+        return measure();
     }
     measureDue_ = measureDue_ || job_.busy();
     job_.drop();
@@ -126,7 +127,7 @@ void LessonPlayer::snapshotCame() {
 
 void LessonPlayer::measure() {
     if (!lesson_ || workspace_->loading()) return;
-    measureDue_ = !onScreen_;
+    measureDue_ = !shown_;
     if (measureDue_) return;
     const auto result = std::make_shared<Measured>();
     const auto work = [result, lesson = lesson_, page = page_, scenes = scenes_, scenario = workspace_->scenario(),

@@ -29,9 +29,9 @@ class LessonPlayer : public QObject {
     // returns false.
     bool open(const QString& folder, std::size_t page = 0);
     bool isOpen() const { return lesson_ != nullptr; }
-    // Whether the lesson is on screen, true at first. While it is not, nothing is measured, and the scenes that the
-    // values were measured on are freed.
-    void setOnScreen(bool on);
+    // Whether the lesson is shown, true at first. While it is not, nothing is measured, and the scenes that the values
+    // were measured on are freed.
+    void setShown(bool shown);
 
     const relief::Lesson& lesson() const { return *lesson_; }
     const relief::LessonPage& page() const { return lesson_->pages[page_]; }
@@ -93,7 +93,7 @@ class LessonPlayer : public QObject {
     void forward();
 
   signals:
-    void changedPage();   // another page, or none
+    void changedPage();
     void changedState();  // values, guess, hint, knob
     void paneWanted(const QString& pane);
 
@@ -119,8 +119,8 @@ class LessonPlayer : public QObject {
     relief::Scenario pageScenario_;    // of the shown page, without the step that its rule finds
     std::set<std::size_t> seenPages_;  // of the open lesson
     bool stepDue_ = false;             // the page's step is chosen when its ray is known
-    bool onScreen_ = true;
-    bool measureDue_ = false;  // when the lesson is on screen again
+    bool shown_ = true;
+    bool measureDue_ = false;  // when the lesson is shown again
     Measured measured_;
     std::optional<std::size_t> chosen_;
     std::optional<double> guessed_;

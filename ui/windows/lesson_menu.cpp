@@ -53,10 +53,7 @@ LessonMenu::LessonMenu(Workspace* workspace, const QString& datasets, QMenu* men
         });
     }
     connect(pane_, &LessonPane::notesRequested, this, &LessonMenu::showNotes);
-    connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-        dockVisible_ = visible;
-        player_->setOnScreen(visible || notes_);
-    });
+    connect(dock_, &QDockWidget::visibilityChanged, this, &LessonMenu::tellShown);
     const auto add = [&](const QString& text, const char* keys, const QString& help, void (LessonMenu::*slot)()) {
         QAction* const action = ways_.addAction(text, QLatin1String(keys), help);
         connect(action, &QAction::triggered, this, slot);
@@ -176,7 +173,7 @@ void LessonMenu::showNotes() {
         notes_->setObjectName(QStringLiteral("lesson-notes"));
         notes_->setAttribute(Qt::WA_DeleteOnClose);
         notes_->setWindowTitle(tr("Lecturer’s notes"));
-        connect(notes_, &QDialog::finished, this, [this] { player_->setOnScreen(dockVisible_); });
+        connect(notes_, &QDialog::finished, this, &LessonMenu::tellShown);
         auto* const column = new QVBoxLayout(notes_);
         notesText_ = new QTextBrowser(notes_);
         column->addWidget(notesText_);
@@ -185,7 +182,12 @@ void LessonMenu::showNotes() {
     notesText_->setHtml(lessonNotesHtml(*player_));
     notes_->show();
     notes_->raise();
-    player_->setOnScreen(true);
+    tellShown();
+}
+
+// A dock that is a tab behind another is not hidden: the reader may soon come back to it.
+void LessonMenu::tellShown() {
+    player_->setShown(!dock_->isHidden() || (notes_ && notes_->isVisible()));
 }
 
 void LessonMenu::setLecture(bool on) {

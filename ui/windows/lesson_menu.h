@@ -52,6 +52,7 @@ class LessonMenu : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void tellShown();
     void fill();
     void addCourse(const QString& folder);
     void askFolder();
@@ -69,8 +70,7 @@ class LessonMenu : public QObject {
     LessonPlayer* player_;
     LessonPane* pane_;
     QDockWidget* dock_;
-    bool dockVisible_ = true;  // false: hidden, or a tab behind another
-    QAction* end_ = nullptr;   // the courses stand before this entry of the menu
+    QAction* end_ = nullptr;  // the courses stand before this entry of the menu
     QAction* lecture_ = nullptr;
     QList<QAction*> filled_;
     QString own_;  // the user's folder of lessons, opened last

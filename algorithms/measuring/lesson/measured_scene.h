@@ -50,7 +50,7 @@ class MeasuredScene {
     MeasuredScene(Scenario scenario, SceneStore& store) : scenario_(std::move(scenario)), store_(store) {}
 
     const Scenario& scenario() const { return scenario_; }
-    // Of the picture, as soon as it is made.
+    // Of the frame; 0 before it is rendered.
     std::uint64_t pixels() const { return frame_ ? frame_->light->color.size() : 0; }
     const HeightField& field(Work& work) { return request(work).field; }
     const FrameRequest& request(Work& work);
@@ -85,8 +85,8 @@ class MeasuredScene {
     std::map<PyramidKind, Pyramid> pyramids_;
 };
 
-// Scenes by scenario, the latest ones, of which the last three stay valid, and measurements of rows, which need no
-// scene.
+// Scenes by scenario, the latest ones, of which the last kSurelyKept stay valid, and measurements of rows, which need
+// no scene.
 class SceneCache {
   public:
     MeasuredScene& scene(const Scenario& scenario);
@@ -96,8 +96,9 @@ class SceneCache {
                             Work& work);
 
   private:
-    // Of all scenes but the last three, which one value may need. A pixel takes about a hundred bytes.
-    static constexpr std::size_t kKept = 12, kSurelyKept = 3;
+    // When a scene is added, the oldest go until this many are left, with so many pixels, of about a hundred bytes
+    // each. One value needs two at most: a picture and its truth.
+    static constexpr std::size_t kKept = 12, kSurelyKept = 2;
     static constexpr std::uint64_t kKeptPixels = 1 << 22;
     SceneStore store_;
     std::vector<std::pair<std::string, std::unique_ptr<MeasuredScene>>> scenes_;  // the latest one last
