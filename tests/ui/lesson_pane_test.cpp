@@ -29,8 +29,8 @@ QString shipped(const char* name) {
     return QStringLiteral(RELIEF_SOURCE "/ui/lessons/") + QLatin1String(name);
 }
 
-// Less than what the frame of a lesson's page takes.
-constexpr double kFrameMegabytes = 3;
+// Less than half of what a frame of the page's 800 x 600 pixels takes.
+constexpr double kFrameMegabytes = 20;
 
 class LessonPaneTest : public WindowTest {
   protected:

@@ -50,7 +50,7 @@ class MeasuredScene {
     MeasuredScene(Scenario scenario, SceneStore& store) : scenario_(std::move(scenario)), store_(store) {}
 
     const Scenario& scenario() const { return scenario_; }
-    // Of the frame; 0 before it is rendered.
+    // Number of pixels of the frame; 0 before it is rendered.
     std::uint64_t pixels() const { return frame_ ? frame_->light->color.size() : 0; }
     const HeightField& field(Work& work) { return request(work).field; }
     const FrameRequest& request(Work& work);
@@ -85,8 +85,8 @@ class MeasuredScene {
     std::map<PyramidKind, Pyramid> pyramids_;
 };
 
-// Scenes by scenario, the latest ones, of which the last kSurelyKept stay valid, and measurements of rows, which need
-// no scene.
+// The latest scenes, by scenario, and measurements of rows, which need no scene. References to the last two scenes stay
+// valid.
 class SceneCache {
   public:
     MeasuredScene& scene(const Scenario& scenario);
@@ -96,8 +96,8 @@ class SceneCache {
                             Work& work);
 
   private:
-    // When a scene is added, the oldest go until this many are left, with so many pixels, of about a hundred bytes
-    // each. One value needs two at most: a picture and its truth.
+    // Largest number of scenes, and of the pixels of their frames, each of which takes about a hundred bytes. Two
+    // scenes are kept whatever their size, because a value may need a picture and its truth.
     static constexpr std::size_t kKept = 12, kSurelyKept = 2;
     static constexpr std::uint64_t kKeptPixels = 1 << 22;
     SceneStore store_;

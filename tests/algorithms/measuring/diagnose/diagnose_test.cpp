@@ -220,6 +220,23 @@ TEST_P(DiagnoseOn, NamesNoFaultOfFewRaysWithScatteredAnswers) {
     EXPECT_LE(named, kByChance) << "of " << 2 * kSeeds;
 }
 
+// Rays of two lengths, of which only long ones end in the air, but no more than a fifth of all rays.
+TEST_P(DiagnoseOn, NamesAStepLimitOfRaysOfTwoLengths) {
+    constexpr int kShort = 30, kLong = 30, kEnded = 10;
+    Random random(7);
+    RayBlock rays;
+    for (int r = 0; r < kShort + kLong; ++r) {
+        const double run = r < kShort ? 8 : 40;
+        const double sign = random.unit() < 0.5 ? 1 : -1;
+        const bool along = random.unit() < 0.5;
+        rays.push({random.unit() * 128, random.unit() * 128, along ? sign * run : 0, along ? 0 : sign * run});
+    }
+    TracerRecord limited = record({}, field_, rays);
+    for (std::size_t r = kShort; r < kShort + kEnded; ++r) limited.hits.lambda[r] *= 0.4 + 0.3 * random.unit();
+    const std::set<std::string> names = namesIn(diagnose(limited, field_, work_));
+    EXPECT_EQ(names, std::set<std::string>{"step-limit"}) << listed(names);
+}
+
 // A fault that is not in the list: heights through another curve.
 TEST_P(DiagnoseOn, AForeignFaultIsUnknown) {
     const Specimen bent{"bent",

@@ -145,7 +145,7 @@ TEST_F(Quantities, KeepOnlyAFewLargePictures) {
     const double all = usedMegabytes();
     scenes_ = {};
     EXPECT_GT(first, 50);
-    EXPECT_LT(all - usedMegabytes(), 3.5 * first) << "the last three, and maps";
+    EXPECT_LT(all - usedMegabytes(), 3.5 * first) << "at most three, and maps";
 }
 
 TEST_F(Quantities, RefuseWhatTheyCannotMeasure) {
