@@ -87,7 +87,7 @@ reliefNeed() {
     if ! reliefHasApt; then
         reliefHasTools ||
             reliefDie "not a Debian system; please install cmake, ninja, a C++20 compiler, OpenImageIO, GLM, oneTBB," \
-                "nlohmann-json, CLI11, Highway, GoogleTest, and for the window VTK 9 with Qt 5"
+                "nlohmann-json, CLI11, Highway, Boost, GoogleTest, and for the window VTK 9 with Qt 5"
         return 0
     fi
     mapfile -t missing < <(reliefMissing "$@")

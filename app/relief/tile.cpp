@@ -42,8 +42,8 @@ void addTileCommand(CLI::App& program, Commands& commands) {
         program, "tile", "write a height map larger than memory in tiles",
         "Reads a height map row by row and writes it as a tiled TIFF (BigTIFF) together with its pyramid of maxima, "
         "minima and means, without holding the map in memory. relief info reads only the tiles of such a file that it "
-        "needs; bench tracers, render and trace do so with --memory, recommend with --resident; other commands and the "
-        "window read its heights as a whole, as those of any TIFF. 8- and 16-bit heights keep their numbers; what is "
+        "needs; bench tracers, render, trace and the window do so with --memory, recommend with --resident; other "
+        "commands read its heights as a whole, as those of any TIFF. 8- and 16-bit heights keep their numbers; what is "
         "scaled, inverted or of another type becomes 32-bit floats. The file takes "
         "2 (floats), 2.4 (16 bits) or 3 times (8 bits) the space of the heights. A run that is stopped goes on from "
         "FILE.part with --resume. TIFF, OpenEXR, HDR and BMP are read in pieces; the file of a PNG or JPEG is held in "

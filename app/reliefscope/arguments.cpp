@@ -232,7 +232,7 @@ Usage: reliefscope [SCENARIO.json | PICTURE] [options]
 Options, with defaults in parentheses
   --anew                start as the first time, not with the last session
   --memory MB           a height map written by relief tile is read by tiles, within this much memory; the panes
-                        Pyramid and Distance and the comparison of heights, which need all heights, say so
+                        Pyramid and Distance map and the comparison of heights, which need all heights, say so
   --size WxH|N          size of the window, pixels; N: N x N
   --screenshot FILE     open the window, save it as a PNG, and exit
   --lesson NAME         open a lesson, such as 302, or the folder of one

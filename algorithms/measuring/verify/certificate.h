@@ -1,11 +1,11 @@
 // Checks whether a map is safe under the interpolation and the stepping rule of the tracer that traverses it. There are
 // two kinds of evidence:
-// - values: for conservative maps, whose values are never interpolated, every value is compared with an independently
-//   computed bound (certificate_bounds.h). If all values keep their bounds, safety is proven for every ray that the map
-//   serves.
+// - values: for maps whose values are not interpolated, every value is compared with an independently computed bound
+//   (certificate_bounds.h); the interpolated cones of `cone-robust`, cell by cell (engine_bounds.h). If all keep their
+//   bounds, safety is proven for every ray that the map serves.
 // - rays: seeded rays designed to find errors are compared with `exact`. A ray that ends past the first hit is a
-//   counter-example; finding none is evidence but no proof. For interpolated maps, and methods without a map, there is
-//   no other evidence.
+//   counter-example; finding none is evidence but no proof. For other interpolated maps, and methods without a map,
+//   there is no other evidence.
 #pragma once
 
 #include <cstdint>
