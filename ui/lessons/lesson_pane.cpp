@@ -187,7 +187,8 @@ void LessonPane::refresh() {
         const auto& values = player_->page().knob->values;
         knob_->setRange(0, static_cast<int>(values.size()) - 1);
         const int turn = player_->turn();
-        if (turn >= 0) knob_->setValue(turn);
+        if (turn >= 0) knobAt_ = turn;
+        knob_->setValue(knobAt_);
         const relief::Json& value = values[static_cast<std::size_t>(std::max(turn, 0))];
         knobValue_->setText(turn < 0 ? QStringLiteral("–") : QString::fromStdString(relief::knobValueText(value)));
     }

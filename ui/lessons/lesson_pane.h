@@ -53,6 +53,7 @@ class LessonPane : public QWidget {
     QLineEdit* number_;
     QWidget* knobRow_;
     QSlider* knob_;
+    int knobAt_ = 0;  // the last turn in use, where the knob stays while the scenario has another value
     QLabel* knobValue_;
     QToolButton* back_;
     QToolButton* all_;

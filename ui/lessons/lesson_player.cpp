@@ -10,6 +10,7 @@
 #include "relief/files.h"
 #include "workspace/change_name.h"
 #include "workspace/layer_names.h"
+#include "workspace/pane_store.h"
 
 namespace reliefui {
 
@@ -50,14 +51,14 @@ LessonPlayer::LessonPlayer(Workspace* workspace, QString datasets, QObject* pare
 
 bool LessonPlayer::open(const QString& folder, std::size_t page) {
     try {
-        if (!lesson_ || QString::fromStdString(lesson_->folder) != folder) {
+        if (!kept_.lesson || QString::fromStdString(kept_.lesson->folder) != folder) {
             auto lesson = std::make_shared<const relief::Lesson>(
                 relief::readLesson(folder.toStdString(), datasets_.toStdString()));
-            course_ = relief::readCourse(QFileInfo(QFileInfo(folder).absoluteFilePath()).path().toStdString());
-            lesson_ = std::move(lesson);
-            seenPages_.clear();
+            kept_.course = relief::readCourse(QFileInfo(QFileInfo(folder).absoluteFilePath()).path().toStdString());
+            kept_.lesson = std::move(lesson);
+            kept_.seen.clear();
         }
-        show(std::min(page, lesson_->pages.size() - 1));
+        show(std::min(page, kept_.lesson->pages.size() - 1));
     } catch (const relief::InputError& error) {
         Q_EMIT workspace_->problem(QString::fromStdString(error.text(workspace_->style().language)));
         return false;
@@ -79,42 +80,48 @@ void LessonPlayer::setShown(bool shown) {
 }
 
 void LessonPlayer::show(std::size_t page) {
-    pageScenario_ = lesson_->scenarioOf(page);  // throws before anything changes
-    job_.drop();                                // its values are those of the page before
-    page_ = page;
+    kept_.scenario = kept_.lesson->scenarioOf(page);  // throws before anything changes
+    job_.drop();                                      // its values are those of the page before
+    kept_.page = page;
     measured_ = {};
-    chosen_.reset();
-    guessed_.reset();
-    revealed_ = hinted_ = false;
-    turns_.clear();
-    votes_.assign(this->page().question ? this->page().question->choices.size() : 0, 0);
-    stepDue_ = this->page().step.has_value();
-    seenPages_.insert(page_);
-    if (seenPages_.size() == lesson_->pages.size()) {
+    kept_.answers = {};
+    kept_.answers.votes.assign(this->page().question ? this->page().question->choices.size() : 0, 0);
+    kept_.stepDue = this->page().step.has_value();
+    kept_.seen.insert(kept_.page);
+    if (kept_.seen.size() == kept_.lesson->pages.size()) {
         QSettings settings;
         const QStringList whole = settings.value(wholeKey()).toStringList();
-        const QString name = QString::fromStdString(lesson_->name);
+        const QString name = QString::fromStdString(kept_.lesson->name);
         if (!whole.contains(name)) settings.setValue(wholeKey(), whole + QStringList(name));
     }
     workspace_->setGuessing(this->page().question && this->page().question->kind == relief::LessonQuestion::Kind::Hit);
     workspace_->setLayer(layerNamed(this->page().layer).value_or(Layer::Color));
-    workspace_->show(pageScenario_, changeName([title = QString::fromStdString(lesson_->name)] {
+    workspace_->show(kept_.scenario, changeName([title = QString::fromStdString(kept_.lesson->name)] {
                          return LessonPlayer::tr("Lesson %1").arg(title);
                      }));
     Q_EMIT changedPage();
     if (!this->page().pane.empty()) Q_EMIT paneWanted(QString::fromStdString(this->page().pane));
 }
 
+void LessonPlayer::resume(Kept kept) {
+    if (!kept.lesson) return;
+    kept_ = std::move(kept);
+    measured_ = {};
+    Q_EMIT changedPage();
+    // The workspace has its snapshot already, so that none comes that would start the measuring.
+    snapshotCame();
+}
+
 void LessonPlayer::restore() {
-    if (lesson_) open(QString::fromStdString(lesson_->folder), page_);
+    if (kept_.lesson) open(QString::fromStdString(kept_.lesson->folder), kept_.page);
 }
 
 void LessonPlayer::snapshotCame() {
-    if (!lesson_ || workspace_->loading()) return;
+    if (!kept_.lesson || workspace_->loading()) return;
     const auto snapshot = workspace_->snapshot();
     if (!snapshot || snapshot->coarse || (workspace_->busy() && snapshot->version != workspace_->version())) return;
-    if (stepDue_ && !workspace_->guessing()) {
-        stepDue_ = false;
+    if (kept_.stepDue && !workspace_->guessing()) {
+        kept_.stepDue = false;
         const PixelTrace& trace = snapshot->trace;
         const bool departs = trace.judgement.kind != relief::Departure::None;
         const auto step =
@@ -126,12 +133,12 @@ void LessonPlayer::snapshotCame() {
 }
 
 void LessonPlayer::measure() {
-    if (!lesson_ || workspace_->loading()) return;
+    if (!kept_.lesson || workspace_->loading()) return;
     measureDue_ = !shown_;
     if (measureDue_) return;
     const auto result = std::make_shared<Measured>();
-    const auto work = [result, lesson = lesson_, page = page_, scenes = scenes_, scenario = workspace_->scenario(),
-                       language = workspace_->style().language,
+    const auto work = [result, lesson = kept_.lesson, page = kept_.page, scenes = scenes_,
+                       scenario = workspace_->scenario(), language = workspace_->style().language,
                        turned = page().knob.has_value() && turn() >= 0](relief::Work& w) {
         const auto source = relief::lessonSource(*lesson, scenario, *scenes, w);
         const auto guarded = [&](const auto& body) {
@@ -166,7 +173,7 @@ void LessonPlayer::measure() {
     job_.start({work, [this, result, at] {
                     measured_ = std::move(*result);
                     if (at >= 0 && page().knob && measured_.watched.size() == page().knob->watch.size()) {
-                        turns_[at] = measured_.watched;
+                        kept_.answers.turns[at] = measured_.watched;
                     }
                     Q_EMIT changedState();
                 }});
@@ -181,47 +188,48 @@ QString LessonPlayer::html(const std::string& words) const {
 }
 
 bool LessonPlayer::changed() const {
-    if (!lesson_) return false;
-    return !(relief::withNotesOf(workspace_->scenario(), pageScenario_) == pageScenario_);
+    if (!kept_.lesson) return false;
+    return !(relief::withNotesOf(workspace_->scenario(), kept_.scenario) == kept_.scenario);
 }
 
 void LessonPlayer::choose(std::size_t choice) {
-    if (revealed_) return;
-    chosen_ = choice;
+    if (kept_.answers.revealed) return;
+    kept_.answers.chosen = choice;
     Q_EMIT changedState();
 }
 
 void LessonPlayer::guessNumber(double number) {
-    if (revealed_) return;
-    guessed_ = number;
+    if (kept_.answers.revealed) return;
+    kept_.answers.guessed = number;
     Q_EMIT changedState();
 }
 
 void LessonPlayer::reveal() {
-    if (!lesson_ || !page().question || revealed_) return;
-    revealed_ = true;
+    if (!kept_.lesson || !page().question || kept_.answers.revealed) return;
+    kept_.answers.revealed = true;
     workspace_->setGuessing(false);
     Q_EMIT changedState();
 }
 
 bool LessonPlayer::guessIsRight() const {
-    if (chosen_) return chosen_ == measured_.right;
-    return guessed_ && measured_.number && std::abs(*guessed_ - *measured_.number) <= page().question->within;
+    if (kept_.answers.chosen) return kept_.answers.chosen == measured_.right;
+    return kept_.answers.guessed && measured_.number &&
+           std::abs(*kept_.answers.guessed - *measured_.number) <= page().question->within;
 }
 
 void LessonPlayer::vote(std::size_t choice) {
-    if (revealed_ || choice >= votes_.size()) return;
-    ++votes_[choice];
+    if (kept_.answers.revealed || choice >= kept_.answers.votes.size()) return;
+    ++kept_.answers.votes[choice];
     Q_EMIT changedState();
 }
 
 void LessonPlayer::hint() {
-    hinted_ = true;
+    kept_.answers.hinted = true;
     Q_EMIT changedState();
 }
 
 int LessonPlayer::turn() const {
-    if (!lesson_ || !page().knob) return -1;
+    if (!kept_.lesson || !page().knob) return -1;
     const auto& knob = *page().knob;
     const relief::Json now = relief::Json::parse(relief::scenarioText(workspace_->scenario()));
     const relief::Json::json_pointer place(knob.set);
@@ -231,36 +239,45 @@ int LessonPlayer::turn() const {
 }
 
 void LessonPlayer::turnTo(int turn) {
-    if (!lesson_ || !page().knob || turn < 0 || turn >= static_cast<int>(page().knob->values.size())) return;
+    if (!kept_.lesson || !page().knob || turn < 0 || turn >= static_cast<int>(page().knob->values.size())) return;
+    const relief::LessonKnob& knob = *page().knob;
     relief::Json now = relief::Json::parse(relief::scenarioText(workspace_->scenario()));
-    now[relief::Json::json_pointer(page().knob->set)] = page().knob->values[static_cast<std::size_t>(turn)];
-    workspace_->change(relief::parseScenario(now.dump(), lesson_->file()),
-                       changeName([] { return LessonPlayer::tr("Knob of the lesson"); }),
-                       QStringLiteral("lesson-knob"));
-}
-
-std::optional<LessonPlayer::Place> LessonPlayer::place() const {
-    if (!lesson_) return std::nullopt;
-    return Place{QString::fromStdString(lesson_->folder), page_};
+    // Without the chosen pixel, which may lie outside a smaller picture: change() moves it inside.
+    const bool resizes = knob.set.starts_with("/size");
+    if (resizes) now.erase("pixel");
+    // The reader's scenario may have no place for the value.
+    if (!relief::putValue(now, knob.set, knob.values[static_cast<std::size_t>(turn)])) return Q_EMIT changedState();
+    try {
+        relief::Scenario turned = relief::parseScenario(now.dump(), kept_.lesson->file());
+        if (resizes) turned.pixel = workspace_->scenario().pixel;
+        workspace_->change(turned, changeName([] { return LessonPlayer::tr("Knob of the lesson"); }),
+                           QStringLiteral("lesson-knob"));
+    } catch (const relief::InputError& error) {
+        // The reader may have chosen a method without the knob's option. The lines are those of no file.
+        Q_EMIT workspace_->problem(
+            QString::fromStdString(relief::sentence(withoutLine(error.message()), workspace_->style().language)));
+        Q_EMIT changedState();  // sets the knob back
+    }
 }
 
 std::optional<LessonPlayer::Place> LessonPlayer::after() const {
-    if (!lesson_) return std::nullopt;
-    if (page_ + 1 < lesson_->pages.size()) return Place{QString::fromStdString(lesson_->folder), page_ + 1};
-    const auto all = course_.lessons();
-    const auto here = std::find(all.begin(), all.end(), lesson_->name);
+    if (!kept_.lesson) return std::nullopt;
+    if (kept_.page + 1 < kept_.lesson->pages.size())
+        return Place{QString::fromStdString(kept_.lesson->folder), kept_.page + 1};
+    const auto all = kept_.course.lessons();
+    const auto here = std::find(all.begin(), all.end(), kept_.lesson->name);
     if (here == all.end() || here + 1 == all.end()) return std::nullopt;
-    return Place{folderOf(course_, *(here + 1)), 0};
+    return Place{folderOf(kept_.course, *(here + 1)), 0};
 }
 
 std::optional<LessonPlayer::Place> LessonPlayer::before() const {
-    if (!lesson_) return std::nullopt;
-    if (page_ > 0) return Place{QString::fromStdString(lesson_->folder), page_ - 1};
-    const auto all = course_.lessons();
-    const auto here = std::find(all.begin(), all.end(), lesson_->name);
+    if (!kept_.lesson) return std::nullopt;
+    if (kept_.page > 0) return Place{QString::fromStdString(kept_.lesson->folder), kept_.page - 1};
+    const auto all = kept_.course.lessons();
+    const auto here = std::find(all.begin(), all.end(), kept_.lesson->name);
     if (here == all.end() || here == all.begin()) return std::nullopt;
     // The last page of the lesson before, whose number open() limits.
-    return Place{folderOf(course_, *(here - 1)), static_cast<std::size_t>(-1)};
+    return Place{folderOf(kept_.course, *(here - 1)), static_cast<std::size_t>(-1)};
 }
 
 void LessonPlayer::next() {
@@ -272,8 +289,8 @@ void LessonPlayer::previous() {
 }
 
 void LessonPlayer::forward() {
-    if (!lesson_) return;
-    page().question && !revealed_ ? reveal() : next();
+    if (!kept_.lesson) return;
+    page().question && !kept_.answers.revealed ? reveal() : next();
 }
 
 bool LessonPlayer::seenLesson(const QString& lesson) {
