@@ -187,8 +187,9 @@ void sumEdges(Run& run, const EdgeGround& ground, const PlaneSplit& split, const
         if (total > 0) {
             colors[i] = Color(red, green, blue) / total;
         } else {
-            // No point hit the relief, although the pixel's own ray did.
+            // No point hit the relief, although the pixel's own ray did: the colour at its hit is read.
             ++run.counts.allHidden;
+            run.counts.texels += 4;
             const glm::dvec2 place = glm::dvec2(block.s[i], block.t[i]) * cells.scale;
             colors[i] = setup.reader.levels().bilinear(0, place, setup.reader.address());
         }

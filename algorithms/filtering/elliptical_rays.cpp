@@ -133,6 +133,7 @@ struct RaysKernel::Scratch {
     std::vector<std::size_t> slots;
     std::vector<Color> colors;
     std::size_t used = 0;
+    std::size_t tiny = 0;  // samples with footprints too small to filter, which read four texels each
 };
 
 RaysKernel::RaysKernel(EllipticalKernel plain, std::unique_ptr<const Tracer> tracer, int samples)
@@ -227,6 +228,7 @@ void RaysKernel::addSample(const RayFan& fan, const ViewRay& ray, const Hit& hit
     const glm::dvec2 centre = place * scratch.scale;
     if (j.ux * j.ux + j.vx * j.vx + j.uy * j.uy + j.vy * j.vy < smallest_ * smallest_) {
         scratch.found[slot] = plain_.levels().bilinear(0, centre, plain_.address());
+        ++scratch.tiny;
         return;
     }
     scratch.small.set(scratch.used, {centre, j, {}, 0});
@@ -248,7 +250,7 @@ void RaysKernel::sample(const FilterBlock& block, std::size_t first, std::size_t
     scratch.met.resize(pixels * samples);
     scratch.slots.resize(pixels * samples);
     scratch.small.resize(pixels * samples);
-    scratch.used = 0;
+    scratch.used = scratch.tiny = 0;
     for (std::size_t k = 0; k < pixels; ++k) {
         const RayFan fan(block[scratch.edges[first + k]]);
         for (std::size_t n = 0; n < samples; ++n) {
@@ -262,7 +264,7 @@ void RaysKernel::sample(const FilterBlock& block, std::size_t first, std::size_t
     FootprintCounts read;
     plain_.filter(scratch.small, {1, 1}, {scratch.colors.data(), scratch.used}, read);
     for (std::size_t n = 0; n < scratch.used; ++n) scratch.found[scratch.slots[n]] = scratch.colors[n];
-    counts.texels += read.texels + 4 * static_cast<std::int64_t>(pixels * samples - scratch.used);
+    counts.texels += read.texels + 4 * static_cast<std::int64_t>(scratch.tiny);
     counts.tested += static_cast<std::int64_t>(pixels * samples);
     counts.footprints += static_cast<std::int64_t>(pixels);
     for (std::size_t k = 0; k < pixels; ++k) {
@@ -276,8 +278,11 @@ void RaysKernel::sample(const FilterBlock& block, std::size_t first, std::size_t
         const std::size_t i = scratch.edges[first + k];
         const FilterQuery query = block[i];
         const glm::dvec2 centre = query.place * scratch.scale;
-        // No sample hit the relief, although the pixel's own ray did.
-        if (total == 0) ++counts.allHidden;
+        if (total == 0) {
+            // No sample hit the relief, although the pixel's own ray did: the colour at its hit is read.
+            ++counts.allHidden;
+            counts.texels += 4;
+        }
         colors[i] = total > 0 ? Color(sum / total) : plain_.levels().bilinear(0, centre, plain_.address());
         if (log == nullptr) continue;
         log->footprint = plain_.footprint(scaled(query.jacobian, scratch.scale), centre);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filtering/bilinear_texels.h"
 #include "filtering/surface_pieces.h"
 #include "filtering/tangent_footprint.h"
 #include "filtering/visible_piece.h"
@@ -200,11 +201,8 @@ Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const Se
     ++counts.footprints;
     counts.texels += static_cast<std::int64_t>(pieces.size());
     bool none = false;
-    Color color = summed(f, pieces, counts, log, none);
-    if (none) {
-        ++counts.allHidden;
-        color = plain_.levels().bilinear(0, centre, plain_.address());
-    }
+    const Color color = summed(f, centre, pieces, counts, log, none);
+    counts.allHidden += none ? 1 : 0;
     if (log != nullptr) {
         log->footprint = f;
         log->skipped = region.clear && skip_;
@@ -214,8 +212,9 @@ Color VisibleKernel::filterPieces(const Jacobian& j, glm::dvec2 centre, const Se
     return color;
 }
 
-Color VisibleKernel::summed(const LevelFootprint& f, const std::vector<Piece>& pieces, FootprintCounts& counts,
-                            FootprintLog* log, bool& none) const {
+// none: set to whether no channel has a visible texel.
+Color VisibleKernel::summed(const LevelFootprint& f, glm::dvec2 centre, const std::vector<Piece>& pieces,
+                            FootprintCounts& counts, FootprintLog* log, bool& none) const {
     const double toUnit = 1 / (f.ellipse.f * f.radius * f.radius);
     glm::dvec3 sum(0);
     glm::dvec3 total(0);
@@ -233,8 +232,21 @@ Color VisibleKernel::summed(const LevelFootprint& f, const std::vector<Piece>& p
             total += glm::dvec3(w);
         }
     });
-    none = !(total.x > 0 && total.y > 0 && total.z > 0);
-    return none ? Color(0) : Color(sum / total);
+    // With lcd and crt, one channel alone may see nothing.
+    Color unseen(0);
+    for (int c = 0; c < 3; ++c) unseen[c] = total[c] > 0 ? 0.0F : 1.0F;
+    none = unseen == Color(1);
+    if (unseen == Color(0)) return Color(sum / total);
+    counts.texels += 4;
+    const Color atHit = plain_.levels().bilinear(0, centre, plain_.address());
+    for (int c = 0; c < 3; ++c) {
+        if (unseen[c] > 0) sum[c] = atHit[c], total[c] = 1;
+    }
+    if (log != nullptr && !none) {
+        const SampledTexture texture{plain_.levels().width(), plain_.levels().height(), plain_.address()};
+        addBilinearTexels(log->texels, texture, centre, 0, f.level, unseen);
+    }
+    return Color(sum / total);
 }
 
 void VisibleKernel::gatherTexels(const LevelFootprint& f, std::vector<Piece>& pieces) const {

@@ -16,7 +16,7 @@
 // the pixel, the texel is divided: into texels of finer levels first, then into parts of texels. Two more forms, rays
 // and grid (the default), are described in elliptical_rays.h and elliptical_grid.h; these and the last two are not from
 // the paper. All forms equal plain filtering, bit for bit, where the map is flat. The ellipse is that of the plane at
-// the hit's height. If no texel is visible, the result is the colour at the hit.
+// the hit's height. A channel without a visible texel of any weight gets the colour at the hit.
 //
 // Where nothing is hidden and the surface is nearly planar, position and position-area are plain SIMD filtering with
 // that plane's Jacobian (tangent_footprint.h); plane is plain filtering wherever nothing is hidden.
@@ -116,8 +116,8 @@ class VisibleKernel {
     Region regionOf(const LevelFootprint& f, const SeenPoint& seen) const;
     void gatherTexels(const LevelFootprint& f, std::vector<Piece>& pieces) const;
     void test(Scratch& scratch, const SeenPoint& seen, FootprintCounts& counts, Work& work, bool log) const;
-    Color summed(const LevelFootprint& f, const std::vector<Piece>& pieces, FootprintCounts& counts, FootprintLog* log,
-                 bool& none) const;
+    Color summed(const LevelFootprint& f, glm::dvec2 centre, const std::vector<Piece>& pieces, FootprintCounts& counts,
+                 FootprintLog* log, bool& none) const;
     bool outside(glm::dvec2 place) const;
     glm::dvec2 fieldTexels(glm::dvec2 levelPlace, int level) const;
 

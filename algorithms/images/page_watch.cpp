@@ -84,8 +84,9 @@ PageWatch::PageWatch(void* first, std::size_t bytes) {
     range_ = freeRange();
     range_->lost = false;
     const auto begin = reinterpret_cast<std::uintptr_t>(first);
-    range_->last = begin + (bytes + pageBytes - 1) / pageBytes * pageBytes;
+    // In this order: the handler of another thread sees an empty range until both are there.
     range_->first = begin;
+    range_->last = begin + (bytes + pageBytes - 1) / pageBytes * pageBytes;
 }
 
 PageWatch::~PageWatch() {

@@ -26,15 +26,16 @@ void reportFilter(Frame& frame, const FrameTotals& totals) {
 
 void reportCounts(Frame& frame, const FrameTotals& totals) {
     const auto count = [&](MessageId what, double value) { frame.counters[what] = value; };
-    // Rays that start at the highest height are not traced, and are counted once. If the counts are made after the
-    // frame, this replaces the frame's own numbers.
-    double& highest = frame.counters[MessageId::CountRaysHighest];
-    double& traced = frame.counters[MessageId::CountRaysTraced];
-    // Reused hits of an earlier frame were not traced in this one.
-    traced = std::max(traced + highest - static_cast<double>(totals.startHighest), 0.0);
-    highest = static_cast<double>(totals.startHighest);
     count(MessageId::CountSteps, static_cast<double>(totals.steps));
     count(MessageId::CountReads, static_cast<double>(totals.reads));
+    // The totals include hits kept from an earlier frame. Their rays were not traced in this frame, so the number of
+    // rays that start at the highest height is then not reported.
+    double& traced = frame.counters[MessageId::CountRaysTraced];
+    if (static_cast<double>(totals.traced) > traced) return;
+    // Rays that start at the highest height are not traced, and are counted once.
+    const auto highest = static_cast<double>(totals.startHighest);
+    traced -= highest;
+    count(MessageId::CountRaysHighest, highest);
 }
 
 void report(Frame& frame, const FrameRequest& request, const VisiblePolygons& visible, const FrameTotals& totals,

@@ -12,7 +12,8 @@
 namespace relief {
 
 // Floor: one polygon, facing up. Wall: one upright polygon, facing +z. Cube: six, facing outwards. Each shows the
-// picture once, with the picture's aspect; the cube's top and bottom are square, so that it is cropped or repeated there.
+// picture once, with the picture's aspect; the cube's top and bottom are square, so that it is cropped or repeated
+// there.
 enum class SceneKind : std::uint8_t { Floor, Wall, Cube };
 
 std::string_view sceneName(SceneKind kind);

@@ -19,9 +19,12 @@ constexpr double kShadowStart = 1e-6;
 
 }  // namespace
 
-// Returns the ray from just before the hit, on its free side (the viewer always sees the front of a wall), to the top
-// plane.
-AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const {
+// Returns the ray from just before the hit of pixel i, on its free side (the viewer always sees the front of a wall),
+// to the top plane.
+AnyRay TileWorker::shadowRay(std::size_t i) const {
+    const TexturedQuad& quad = frame_.polygons[frame_.rays->polygon[i]];
+    const ViewRay view = frame_.rays->rays[i];
+    const double lambda = frame_.hits->hits.lambda[i];
     const double back = kShadowStart / std::max(1.0, std::hypot(view.a, view.b));
     const double from = std::max(0.0, lambda - back);
     AnyRay ray;
@@ -29,7 +32,8 @@ AnyRay TileWorker::shadowRay(const TexturedQuad& quad, const ViewRay& view, doub
     ray.t = view.t0 + from * view.b;
     ray.z = 1 - from;
     // A hit that is not exact may lie below the surface, which would then shadow itself.
-    if (tools_.tracer.guarantee() != Guarantee::Exact) ray.z = std::max(ray.z, request_.field.at(ray.s, ray.t));
+    const bool exact = frame_.exactHits && frame_.hits->by[i] != HitBy::LittleParallax;
+    if (!exact) ray.z = std::max(ray.z, request_.field.at(ray.s, ray.t));
     const glm::dvec3& perS = quad.plane.perS;
     const glm::dvec3& perT = quad.plane.perT;
     const double texel = glm::length(perS);
@@ -98,7 +102,7 @@ void TileWorker::castShadows(const PixelArea& tile, const double* facing, Work& 
             decidedBlocked += shadowed[i];
             return;
         }
-        const AnyRay ray = shadowRay(frame_.polygons[polygon], frame_.rays->rays[i], hits.lambda[i]);
+        const AnyRay ray = shadowRay(i);
         if (ray.dz > 0) {
             rays.set(pixels.size(), ray);
             pixels.push_back(i);

@@ -373,6 +373,7 @@ void countTile(const PixelArea& tile, const Tracer& tracer, const Frame& frame, 
     pixels.erase(others, pixels.end());
     RayBlock block;
     HitBlock again;
+    totals.traced += static_cast<std::int64_t>(pixels.size());
     const std::array<const std::vector<std::size_t>*, 2> parts{&pixels, &untraced};
     for (const auto* part : parts) {
         BlockCounts counts;

@@ -141,7 +141,7 @@ class TileWorker {
     void filterBlock(const PixelArea& tile, const TextureFilter& filter, FootprintCounts& counts, Work& work) const;
     // facing: the first row of the area.
     void castShadows(const PixelArea& tile, const double* facing, Work& work) const;
-    AnyRay shadowRay(const TexturedQuad& quad, const ViewRay& view, double lambda) const;
+    AnyRay shadowRay(std::size_t i) const;
     void boundRow(const PixelArea& tile, int y, std::span<const double> facing, std::span<Horizon> answers) const;
     void faceLight(const PixelArea& tile, int y, std::span<double> facing) const;
     void lightHits(const PixelArea& tile, const double* facing) const;

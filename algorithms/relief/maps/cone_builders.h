@@ -22,6 +22,8 @@ void dummerCones(const HeightField& field, UnfilledVector<float>& slopes, Work& 
 // where the ray through it leaves the surface again; the smallest ratio of distance to height. By SIMD
 // (relaxed_cone_lanes.h); the values are those of relaxedSlope(), rounded to float.
 void relaxedCones(const HeightField& field, int directions, int radius, UnfilledVector<float>& slopes, Work& work);
+// Returns the memory, in bytes, of the strips of heights that relaxedCones() holds with this number of threads.
+std::uint64_t relaxedStripBytes(const HeightField& field, int radius, std::size_t threads);
 // Reference: kappa of the texel (x, y), from all samples up to `reach` texels away. reach: the smaller of radius and
 // the longer side of the map.
 double relaxedSlope(const HeightField& field, int directions, int reach, int x, int y);

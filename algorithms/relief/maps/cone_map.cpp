@@ -39,15 +39,17 @@ std::size_t coneMapBytes(ConeKind kind, const ConeParameters& parameters, const 
 namespace {
 
 // Estimated memory for building. All values are floats until the last is known; conservative cones need planes over the
-// cells in addition.
-std::uint64_t coneBuildBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field) {
+// cells in addition, relaxed ones a strip of heights per thread.
+std::uint64_t coneBuildBytes(ConeKind kind, const ConeParameters& parameters, const HeightField& field,
+                             std::size_t threads) {
     const ConeShape shape = coneMapShape(kind, parameters, field);
     const std::size_t codes = parameters.precision == Precision::Float ? 0 : bytesEach(parameters.precision);
     constexpr std::uint64_t kPlanes = 28, kStrips = 4;  // bytes per texel
     const bool ofCells = kind == ConeKind::Conservative || kind == ConeKind::Robust;
     return byteSum(
         {byteProduct({valuesOf(shape), static_cast<std::uint64_t>(shape.sectors) + 1, sizeof(float) + codes}),
-         bytesForTexels(field, ofCells ? kPlanes : kStrips)});
+         bytesForTexels(field, ofCells ? kPlanes : kStrips),
+         kind == ConeKind::Relaxed ? relaxedStripBytes(field, parameters.radius, threads) : 0});
 }
 
 }  // namespace
@@ -103,7 +105,8 @@ std::shared_ptr<const ConeMap> coneMap(ConeKind kind, const ConeParameters& para
         throw InputError("--surface", Message(MessageId::ConesBilinear, {{"kind", std::string(coneKindName(kind))}}));
     }
     checkMapMemory(std::string(coneKindName(kind)), coneMapBytes(kind, parameters, field), cache);
-    return cache.get<ConeMap>(coneMapKey(kind, parameters, field), coneBuildBytes(kind, parameters, field), work,
+    return cache.get<ConeMap>(coneMapKey(kind, parameters, field),
+                              coneBuildBytes(kind, parameters, field, work.threads().size()), work,
                               [&](Work& w) { return buildConeMap(kind, parameters, field, w); });
 }
 

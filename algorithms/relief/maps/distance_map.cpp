@@ -1,5 +1,6 @@
 #include "relief/maps/distance_map.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -104,7 +105,8 @@ void toVoxel(DistanceMap& map, const Shape& shape, const HeightField& field, Unf
         envelope2D(squares, static_cast<double>(field.width()) / shape.nx,
                    static_cast<double>(field.height()) / shape.ny, field.address() == Address::Repeat,
                    scratch.envelope);
-        rootsOf(squares.data(), shape.nx * shape.ny, 1, plane(values, shape, k));
+        float* const out = plane(values, shape, k);
+        for (int y = 0; y < shape.ny; ++y) rootsOf(&squares(0, y), shape.nx, 1, out + std::ptrdiff_t{y} * shape.nx);
     });
 }
 
@@ -230,9 +232,10 @@ double DistanceMap::trilinear(double s, double t, double z) const {
     const double y0 = std::floor(y);
     const int k0 = static_cast<int>(w);
     const int k1 = std::min(k0 + 1, layers() - 1);
+    const auto whole = [](double i) { return static_cast<std::int64_t>(std::clamp(i, -0x1p53, 0x1p53)); };
     const auto column = [&](double i, double j) {
-        const int bx = addressIndex(static_cast<std::int64_t>(i), nx(), address);
-        const int by = addressIndex(static_cast<std::int64_t>(j), ny(), address);
+        const int bx = addressIndex(whole(i), nx(), address);
+        const int by = addressIndex(whole(j), ny(), address);
         const double below = static_cast<double>(values(bx, by, k0));
         return below + (w - k0) * (static_cast<double>(values(bx, by, k1)) - below);
     };

@@ -62,7 +62,7 @@ EngineVolume volumeOf(const Json& json, const std::string& kind, const std::stri
     const auto within = [](int number, int most) { return number >= 1 && number <= most; };
     const bool valid = volume.scale > 0 && within(p.layers, kMost) && within(p.sectors, kMost) &&
                        within(p.footprint, kMost) && within(volume.columns, p.layers * p.sectors) && volume.nx > 0 &&
-                       volume.ny > 0 && volume.slabTexels > 0 && volume.maxRun > 0 && volume.cap > 0;
+                       volume.ny > 0 && volume.slabTexels >= 0 && volume.maxRun >= 0 && volume.cap > 0;
     if (!valid) refuseDamaged(path, "distance");
     return volume;
 }
@@ -108,7 +108,7 @@ EngineSidecar sidecarOf(const Json& json, const std::string& path) {
     if (json.contains("cone")) readCone(json.at("cone"), c, path);
     if (json.contains("distance")) c.volume = volumeOf(json.at("distance"), c.kind, path);
     if (json.contains("normal")) c.greenUp = json.at("normal").at("green") == Json("up");
-    if (c.fieldWidth < 1 || c.fieldHeight < 1 || !(c.reliefDepth > 0)) refuseDamaged(path, "field");
+    if (c.fieldWidth < 1 || c.fieldHeight < 1 || !(c.reliefDepth >= 0)) refuseDamaged(path, "field");
     return sidecar;
 }
 

@@ -214,7 +214,7 @@ Shell shellOf(const std::string& path, const Json& header, const HeightField& fi
         map.slabTexels = field.slabTexels();
         map.maxRun = numberOf(header.at("metric").at("max run"));
         map.cap = numberOf(header.at("metric").at("cap"));
-        if (!(map.maxRun > 0) || !(map.cap > 0)) refuseDamaged(path, "metric");
+        if (!(map.maxRun >= 0) || !(map.cap > 0)) refuseDamaged(path, "metric");
         shell.precision = map.parameters.precision;
         shell.distances = std::make_shared<DistanceMap>(std::move(map));
     } else if (cone) {

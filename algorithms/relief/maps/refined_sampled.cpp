@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,25 +30,28 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         HitBlock hits;
     };
     ScratchPool<Scratch> pool;
-    // Computes a row of voxels of layer k.
-    const auto row = [&](int y, int k, Scratch& scratch, float* out) {
+    // Voxels of a row that are traced together, so that a thread holds some megabytes of rays.
+    constexpr std::size_t kMostRays = std::size_t{1} << 16;
+    const int together = static_cast<int>(std::clamp<std::size_t>(kMostRays / count, 1, static_cast<std::size_t>(nx)));
+    // Computes the voxels first ... last - 1 of a row of layer k.
+    const auto voxels = [&](int first, int last, int y, int k, Scratch& scratch, float* out) {
         const double lambda = 1 - map.centreZ(k);
         const double t = (y + 0.5) * field.height() / ny;
-        scratch.rays.resize(static_cast<std::size_t>(nx) * count);
-        for (int x = 0; x < nx; ++x) {
+        scratch.rays.resize(static_cast<std::size_t>(last - first) * count);
+        for (int x = first; x < last; ++x) {
             const double s = (x + 0.5) * field.width() / nx;
             for (std::size_t d = 0; d < count; ++d) {
                 const SampledDirection& direction = directions[d];
-                scratch.rays.set(static_cast<std::size_t>(x) * count + d,
+                scratch.rays.set(static_cast<std::size_t>(x - first) * count + d,
                                  {s - lambda * direction.a, t - lambda * direction.b, direction.a, direction.b});
             }
         }
         exactHits(scratch.rays, scratch.hits);
-        for (int x = 0; x < nx; ++x) {
+        for (int x = first; x < last; ++x) {
             const bool solid = field.at((x + 0.5) * field.width() / nx, t) >= 1 - lambda;
             double least = solid ? 0 : (1 - lambda + 1) * map.slabTexels;  // if no ray arrives: more than any drop
             for (std::size_t d = 0; !solid && d < count; ++d) {
-                const Hit hit = scratch.hits[static_cast<std::size_t>(x) * count + d];
+                const Hit hit = scratch.hits[static_cast<std::size_t>(x - first) * count + d];
                 if (hit.outcome != Outcome::Hit || hit.lambda < lambda - kReached) continue;
                 least = std::min(least, std::max(hit.lambda - lambda, 0.0) * directions[d].length);
             }
@@ -60,7 +64,8 @@ void refinedSampled(const DistanceMap& map, int nx, int ny, const HeightField& f
         const auto scratch = pool.borrow();
         for (int k = 0; k < layers; ++k) {
             const auto first = static_cast<std::size_t>(k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y);
-            row(y, k, *scratch, values.data() + first * static_cast<std::size_t>(nx));
+            float* const out = values.data() + first * static_cast<std::size_t>(nx);
+            for (int x = 0; x < nx; x += together) voxels(x, std::min(x + together, nx), y, k, *scratch, out);
         }
         work.progress().advance();
     });

@@ -7,6 +7,7 @@
 #include "base/scratch_pool.h"
 #include "relief/maps/cone_builders.h"
 #include "relief/maps/relaxed_cone_lanes.h"
+#include "relief/memory.h"
 
 namespace relief {
 
@@ -127,6 +128,14 @@ double relaxedSlope(const HeightField& field, int directions, int reach, int x, 
         kappa = std::max(kappa, slopeOfProfile(profile));
     }
     return kappa;
+}
+
+std::uint64_t relaxedStripBytes(const HeightField& field, int radius, std::size_t threads) {
+    const int reach = std::min(radius, std::max(field.width(), field.height()));
+    const auto around = static_cast<std::uint64_t>(2 * (reach + kRelaxedMargin));
+    const auto strips = static_cast<std::uint64_t>((field.height() + kStripRows - 1) / kStripRows);
+    return byteProduct({std::min<std::uint64_t>(strips, threads), static_cast<std::uint64_t>(field.width()) + around,
+                        static_cast<std::uint64_t>(kStripRows) + around, sizeof(float)});
 }
 
 void relaxedCones(const HeightField& field, int directions, int radius, UnfilledVector<float>& slopes, Work& work) {

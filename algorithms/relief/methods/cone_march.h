@@ -3,6 +3,8 @@
 // SIMD: simd/texel_cone_lanes-inl.h.
 #pragma once
 
+#include <algorithm>
+
 #include "relief/maps/cone_map.h"
 #include "relief/methods/lane_fallback.h"
 #include "relief/methods/texel_cone_lanes.h"
@@ -106,8 +108,8 @@ class ConeMarch {
     double slopeAt(double s, double t) const {
         const double x = s - 0.5;
         const double y = t - 0.5;
-        const auto i = static_cast<std::int64_t>(std::floor(x));
-        const auto j = static_cast<std::int64_t>(std::floor(y));
+        const auto i = static_cast<std::int64_t>(std::clamp(std::floor(x), -0x1p53, 0x1p53));
+        const auto j = static_cast<std::int64_t>(std::clamp(std::floor(y), -0x1p53, 0x1p53));
         const double u = x - std::floor(x);
         const double v = y - std::floor(y);
         const auto at = [&](std::int64_t p, std::int64_t q) {

@@ -201,7 +201,11 @@ bool supports(const MethodChoice& choice, Surface surface, Address address) {
         if (option.kind != OptionKind::Method) continue;
         const auto given = choice.options.find(option.name);
         const std::string inner = given == choice.options.end() ? method.defaults.at(option.name) : given->second;
-        if (has(option.choices, inner) && !supports({inner, {}}, surface, address)) return false;
+        MethodChoice nested{inner, {}};
+        for (const auto& [name, value] : choice.options) {
+            if (name.starts_with(kInnerPrefix)) nested.options[name.substr(kInnerPrefix.size())] = value;
+        }
+        if (has(option.choices, inner) && !supports(nested, surface, address)) return false;
     }
     return true;
 }

@@ -98,7 +98,9 @@ void sweepLine(const HorizonLine& line) {
         const V low = set(line.lowest), perUnit = set(line.perUnit);
         const V above = hn::Mul(hn::Sub(upper, low), perUnit);
         const V below = hn::Mul(hn::Sub(lower, low), perUnit);
-        const V up = hn::IfThenElseZero(hn::Gt(above, zero), hn::Add(above, set(1)));
+        // At most 16 bits: in a map of little relief kHorizonStep is many units, and the last unit is above all
+        // heights.
+        const V up = hn::IfThenElseZero(hn::Gt(above, zero), hn::Min(hn::Add(above, set(1)), set(65535)));
         const auto high = hn::ShiftLeft<16>(hn::ConvertTo(di, up));
         hn::StoreU(hn::Or(high, hn::ConvertTo(di, hn::Max(below, zero))), di,
                    reinterpret_cast<std::int32_t*>(line.out + k));

@@ -200,6 +200,29 @@ TEST(Rays, behindBricksTheErrorIsAtMostHalfOfPlain) {
     EXPECT_LT(rows[1].rmse, rows[2].rmse);
 }
 
+// Samples that miss the relief, here those left of the picture, read nothing; if all do, the colour at the hit is read.
+TEST(Rays, onlyTexelsThatAreReadAreCounted) {
+    const Picture picture = randomPicture(64, 48, kSeed);
+    MadeFilter made(rays(), picture, fieldFor(*picture, Address::Border, 0.5F));
+    constexpr double kSide = 0.5;  // so small that samples are read bilinearly
+    const auto texelsAt = [&](double s) {
+        const std::int64_t before = made.counts.texels;
+        made.at({{s, 24}, jacobian(kSide, kSide, 0), {s, 24, 0, 0}, 0.5});
+        return made.counts.texels - before;
+    };
+    constexpr double kNear = 0.1;
+    const RayPattern pattern = RayPattern::of(EllipticalSettings::of({}), 16);
+    const auto hits = std::count_if(pattern.places.begin(), pattern.places.end(),
+                                    [](const glm::dvec2& p) { return kNear + kSide * p.x > 0; });
+    EXPECT_GT(hits, 4);
+    EXPECT_LT(hits, 12);
+    EXPECT_EQ(texelsAt(kNear), 4 * hits);
+    EXPECT_EQ(made.counts.allHidden, 0);
+    EXPECT_EQ(texelsAt(-5), 4);
+    EXPECT_EQ(made.counts.allHidden, 1);
+    EXPECT_EQ(made.counts.tested, 2 * 16);
+}
+
 // Rays and the grid serve uniform and Gaussian weights only.
 TEST(Rays, withOtherWeightsTheTexelsAreReadInstead) {
     const Picture picture = randomPicture(128, 96, kSeed);

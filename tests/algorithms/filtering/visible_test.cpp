@@ -108,6 +108,36 @@ TEST(Visible, aFarWallHidesFlatGround) {
     EXPECT_LT(hidden, static_cast<int>(log.texels.size()));
 }
 
+// The same wall hides the red third of an lcd pixel: red is the colour at the hit, and the other channels the mean of
+// their visible texels. The logged weights sum up to the colour.
+TEST(Visible, aChannelThatSeesNothingLeavesTheOthers) {
+    FloatImage heights(64, 64, 0.1F);
+    for (int y = 0; y < 64; ++y) heights(10, y) = 1;
+    const HeightField field(std::make_shared<const FloatImage>(heights), Surface::Bilinear, Address::Clamp, 0.25);
+    const Picture picture = randomPicture(64, 64, 6);
+    const double a = 20;
+    const FilterQuery query{{29.5, 32}, jacobian(12, 6, 0), {29.5 - 0.9 * a, 32, a, 0}, 0.9};
+    MadeFilter visible({"elliptical-visible", {{"form", "plane"}, {"weights", "lcd"}, {"levels", "exhaustive"}}},
+                       picture, field);
+    FootprintLog log;
+    const Color color = visible.at(query, &log);
+    EXPECT_FALSE(log.allHidden);
+    EXPECT_EQ(visible.counts.allHidden, 0);
+    EXPECT_GT(visible.counts.hidden, 0);
+    EXPECT_EQ(visible.counts.texels, static_cast<std::int64_t>(log.texels.size()) + 2)
+        << "two of the four texels at the hit have no weight and are not logged";
+    const Color atHit = ColorLevels(picture, visible.work).bilinear(0, query.place, field.address());
+    EXPECT_EQ(color.r, atHit.r);
+    glm::dvec3 sum(0), total(0);
+    for (const FootprintTexel& texel : log.texels) {
+        if (texel.hidden) continue;
+        sum += glm::dvec3(texel.weight * (*picture)(texel.i, texel.j));
+        total += glm::dvec3(texel.weight);
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / total[c], color[c], 1e-5) << c;
+    EXPECT_EQ(color, visible.at(query)) << "the log changed it";
+}
+
 // Texels reported as hidden are hidden according to an exact traversal from the viewer: the ray through the texel's
 // point hits something in front of it.
 TEST(Visible, hiddenTexelsAreBehindTheFirstHit) {

@@ -210,12 +210,17 @@ TEST(Skip, theBoundHoldsAndIsMeasured) {
         EXPECT_GT(error.rayMax, 0);
         EXPECT_GT(error.rayMean, 0);
         EXPECT_LE(error.rayMean, error.rayMax);
-        // All other pixels are unchanged.
+        // All other pixels are unchanged. The light is steeper than the hills, which therefore cast no shadow, not even
+        // on hits below them.
+        std::int64_t darker = 0;
         for (std::size_t i = 0; i < frame->hits->by.size(); ++i) {
             if (frame->hits->by[i] != HitBy::LittleParallax) {
                 ASSERT_TRUE(sameBits(frame->hits->hits[i], plain->hits->hits[i]));
+            } else if (frame->shadows->shadowed[i] > plain->shadows->shadowed[i]) {
+                ++darker;
             }
         }
+        EXPECT_LE(darker, error.rays / 20);
     }
     request.bounded = 0;
     EXPECT_FALSE(rendered(request)->counters.contains(MessageId::CountRaysParallax));
@@ -294,6 +299,40 @@ TEST(Skip, everyRayIsCountedOnce) {
         }
     }
     EXPECT_GT(highest, 0);
+}
+
+// Hits that are kept, all or those of some tiles, are no share of the rays that the frame traces itself.
+TEST(Skip, keptHitsAreNotCountedAsRaysOfTheFrame) {
+    FrameRequest request = small(HeightField(terraces()));
+    request.method.name = "max-pyramid-paper";  // reports rays that start at the highest point
+    request.width = 320;
+    request.height = 240;
+    request.camera.elevation = 75;
+    request.shadows = false;
+    Work work;
+    FrameRenderer renderer(std::make_shared<MapCache>());
+    renderer.render(request, work);
+    const auto expectShares = [&](double traced) {
+        const auto frame = renderer.counted(work);
+        EXPECT_EQ(counted(*frame, MessageId::CountRaysTraced), traced);
+        EXPECT_GT(counted(*frame, MessageId::CountSteps), 0);
+        EXPECT_FALSE(frame->counters.contains(MessageId::CountRaysHighest));
+        for (const SkipRow& row : skipLedger(*frame, request)) EXPECT_LE(row.count, row.of) << row.name;
+    };
+    request.light.azimuth += 20;
+    renderer.render(request, work);
+    expectShares(0);
+    FloatImage edited = *terraces();
+    edited(12, 10) -= 0.05F;
+    request.field = HeightField(share(std::move(edited)));
+    const auto frame = renderer.render(request, work);
+    EXPECT_GT(counted(*frame, MessageId::CountTilesKept), 0);
+    const double traced = counted(*frame, MessageId::CountRaysTraced);
+    EXPECT_GT(traced, 0);
+    expectShares(traced);
+    EXPECT_GT(counted(*rendered(request), MessageId::CountRaysTraced), traced);
+    request.counts = true;
+    EXPECT_GT(counted(*rendered(request), MessageId::CountRaysHighest), 0);
 }
 
 // A change of the filter, the light or the shadows leaves rays and hits unchanged; a change of depth leaves the maps of

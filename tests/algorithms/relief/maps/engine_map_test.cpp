@@ -266,6 +266,14 @@ TEST(EngineFiles, KeepNumbersAndConventions) {
     }
 }
 
+TEST(EngineFiles, AReliefWithoutDepthIsReadBack) {
+    const TemporaryFolder folder;
+    const EngineMap map =
+        cones({randomHeights(9, 6, 2), Surface::Bilinear, Address::Clamp, 0}, conventions("R=height,G=cone", 16));
+    writeEngineMap(folder / "map.png", map);
+    expectSame(readBack(folder / "map.png"), map, "depth 0");
+}
+
 TEST(EngineFiles, OtherKindsAreKept) {
     const HeightField field(randomHeights(16, 8, 4), Surface::Bilinear, Address::Repeat, 0.5);
     Work work(2);

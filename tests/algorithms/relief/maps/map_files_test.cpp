@@ -117,6 +117,17 @@ TEST(MapFiles, SameBitsOfEveryKind) {
     EXPECT_EQ(folder.files(), 1);
 }
 
+TEST(MapFiles, AReliefWithoutDepthIsReadBack) {
+    const TemporaryFolder folder;
+    Work work;
+    const HeightField field(randomHeights(13, 9, 5), Surface::Bilinear, Address::Repeat, 0);
+    for (const std::string& kind : mapKinds()) {
+        MapCache cache;
+        saveMap(folder / "map.tif", buildMap(kind, {}, field, cache, work), field.heights());
+        EXPECT_EQ(loadFault(folder / "map.tif", field), "") << kind;
+    }
+}
+
 // Distances are rounded down, cone slopes up, so that values never exceed those of float.
 TEST(MapFiles, CoarserValuesLieOnTheSafeSide) {
     Work work;
@@ -372,6 +383,12 @@ TEST(MapFiles, usedMapsAreThoseOfTheMethod) {
     EXPECT_EQ(inner->kind, "cone");
     EXPECT_EQ(inner->options.at("sectors"), "4");
     EXPECT_EQ(usedMap({"distance-conservative", {{"map", "refined"}}})->kind, "refined") << "another map is given";
+    for (const Address address : {Address::Repeat, Address::Clamp}) {
+        EXPECT_EQ(supports({"hybrid", {{"inner", "distance-conservative"}, {"inner.map", "refined"}}},
+                           Surface::Bilinear, address),
+                  address == Address::Repeat)
+            << "no refined map is made under clamp";
+    }
 }
 
 }  // namespace relief::test

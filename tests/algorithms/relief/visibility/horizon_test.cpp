@@ -253,6 +253,21 @@ TEST(HorizonBounds, HoldFarBehindAWall) {
     EXPECT_GT(tally.blocked, 1000U);
 }
 
+// Where the whole relief is lower than the margins of float, these are many of the stored units.
+TEST(HorizonBounds, HoldOverVeryLittleRelief) {
+    Tally tally;
+    Random random(kSeed);
+    FloatImage heights(20, 20, 0.0F);
+    heights(8, 8) = heights(9, 9) = 3e-4F;
+    const HeightField field(share(std::move(heights)), Surface::Bilinear, Address::Clamp, 0.3);
+    Checker checker(field, {10000, 0}, kSeed);
+    for (int n = 0; n < 2000; ++n) {
+        const double s = random.between(6, 11), t = random.between(8, 11);
+        ASSERT_NO_FATAL_FAILURE(checker.check({s, t, field.at(s, t)}, tally));
+    }
+    EXPECT_GT(tally.all(), 1000U);
+}
+
 // A slope that rises faster than the light by less than float distinguishes blocks it after a hundred cells
 // (kHorizonSteepest).
 TEST(HorizonBounds, SlopesAsSteepAsTheLightAreNotClear) {
