@@ -16,6 +16,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kBuilding = 0.55;
 constexpr double kOneMap = 0.2;
 constexpr double kFilters = 0.2;
+// Share of the given time for rebuilding maps of forms that are named, at least, also when the time is up.
+constexpr double kVerifying = 0.1;
 constexpr int kRounds = 32;
 constexpr int kFewestRounds = 3;
 // A form whose first measurement is this many times the best cost is dropped. The factor for counts is smaller because,
@@ -30,10 +32,19 @@ double outAfter(int rounds) {
     return 1 + std::max(1.6 / std::sqrt(static_cast<double>(rounds)) - 0.2, 0.08);
 }
 
+// As adviceOf(), for a relief with these figures.
+Advice ranked(const AdviceOptions& options, const std::vector<AdviceTrial>& trials, const ReliefFigures& relief);
+
+// Returns true if the advice names the method as one that keeps the bounds.
+bool names(const Advice& advice, const MethodChoice& method) {
+    const auto is = [&](std::optional<std::size_t> form) { return form && advice.forms[*form].method == method; };
+    return is(advice.chosen) || is(advice.next) || is(advice.withoutMap) || is(advice.rebuilt);
+}
+
 class Elimination {
   public:
     Elimination(const AdviceOptions& options, bool keepAll, Work& work)
-        : options_(options), keepAll_(keepAll), work_(work), rays_(options, options.seed, work) {}
+        : options_(options), keepAll_(keepAll), work_(work), rays_(options, options.seed, work), maps_(options, work) {}
 
     std::vector<AdviceTrial> run(std::size_t& stillClose) {
         const std::vector<MethodChoice> forms =
@@ -52,12 +63,15 @@ class Elimination {
         } else {
             byCounts();
         }
-        verify();
+        for (AdviceTrial* trial : live()) verify(*trial);
+        verifyNamed();
         return std::move(trials_);
     }
 
   private:
     double lowest() const { return options_.views.front() ? *options_.views.front() : kLowestRandomElevation; }
+    // When the time for comparing forms is up, in seconds since the beginning.
+    double formsUntil() const { return (1 - (options_.filters ? kFilters : 0)) * options_.seconds; }
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
 
     void drop(AdviceTrial& trial, Verdict verdict) const {
@@ -67,11 +81,10 @@ class Elimination {
 
     // Builds each form, counts it on one block of rays and times it once.
     void screen(WholeProgress& progress) {
-        AdviceMaps maps(options_, work_);
         const double building = elapsed() + kBuilding * options_.seconds;
         double best = std::numeric_limits<double>::infinity();
         for (AdviceTrial& trial : trials_) {
-            maps.make(trial, std::min(kOneMap * options_.seconds, building - elapsed()));
+            maps_.make(trial, std::min(kOneMap * options_.seconds, building - elapsed()));
             progress.advance();
             if (!trial.tracer) continue;
             rays_.count(trial, 1, work_);
@@ -111,7 +124,7 @@ class Elimination {
 
     void rounds(std::size_t& stillClose, WholeProgress& progress) {
         std::vector<double> middles;  // median time of each round, over the forms in it
-        const double until = (1 - (options_.filters ? kFilters : 0)) * options_.seconds;
+        const double until = formsUntil();
         std::vector<AdviceTrial*> in = live();
         for (int round = 0; round < kRounds && in.size() > 1; ++round) {
             if (round >= kFewestRounds && elapsed() > until) {
@@ -163,15 +176,42 @@ class Elimination {
         }
     }
 
-    // Drops forms that break a bound on the whole set of rays.
-    void verify() {
-        for (AdviceTrial* trial : live()) {
-            rays_.count(*trial, AdviceRays::kBlocks, work_);
-            if (!rays_.keepsBound(trial->facts)) {
-                drop(*trial, Verdict::Error);
-            } else if (!rays_.keepsSteps(trial->facts)) {
-                drop(*trial, Verdict::Steps);
+    // Drops the form if it breaks a bound on the whole set of rays.
+    void verify(AdviceTrial& trial) const {
+        rays_.count(trial, AdviceRays::kBlocks, work_);
+        if (!rays_.keepsBound(trial.facts)) {
+            drop(trial, Verdict::Error);
+        } else if (!rays_.keepsSteps(trial.facts)) {
+            drop(trial, Verdict::Steps);
+        }
+    }
+
+    // Returns true for a slow form that was counted on a part of the rays and may break a bound on the others.
+    bool isUnverified(const AdviceTrial& trial) const {
+        return trial.facts.verdict == Verdict::Slow && trial.blocks < AdviceRays::kBlocks &&
+               (options_.maxSteps > 0 || trial.facts.guarantee != Guarantee::Exact);
+    }
+
+    // Verifies the slow forms that the advice names, for example as the best one without a map. The other ones are not
+    // worth the time. Those whose map cannot be built in the time that is left are dropped.
+    void verifyNamed() {
+        const auto unverified = [&](const AdviceTrial& trial) { return isUnverified(trial); };
+        if (std::none_of(trials_.begin(), trials_.end(), unverified)) return;
+        const ReliefFigures relief = reliefFigures(options_.field);
+        const double until = std::max(formsUntil(), elapsed() + kVerifying * options_.seconds);
+        for (;;) {
+            const Advice advice = ranked(options_, trials_, relief);
+            const auto named = std::find_if(trials_.begin(), trials_.end(), [&](const AdviceTrial& trial) {
+                return isUnverified(trial) && names(advice, trial.facts.method);
+            });
+            if (named == trials_.end()) return;
+            if (!named->tracer) {
+                named->facts.verdict = Verdict::Kept;
+                maps_.make(*named, std::min(kOneMap * options_.seconds, until - elapsed()));
+                if (!named->tracer) continue;
+                named->facts.verdict = Verdict::Slow;
             }
+            verify(*named);
         }
     }
 
@@ -180,6 +220,7 @@ class Elimination {
     Work& work_;
     Clock::time_point begun_ = Clock::now();
     AdviceRays rays_;
+    AdviceMaps maps_;
     std::vector<AdviceTrial> trials_;
 };
 
@@ -235,6 +276,32 @@ void weighBuilding(Advice& advice) {
                                : std::numeric_limits<double>::infinity();
 }
 
+Advice ranked(const AdviceOptions& options, const std::vector<AdviceTrial>& trials, const ReliefFigures& relief) {
+    Advice advice;
+    advice.relief = relief;
+    for (const AdviceTrial& trial : trials) advice.forms.push_back(trial.facts);
+    std::stable_sort(advice.forms.begin(), advice.forms.end(), before);
+    std::vector<AdvisedForm>& forms = advice.forms;
+    // Among forms of equal cost within kAdviceTie, the one with the smallest map is chosen.
+    for (std::size_t f = 1; f < forms.size() && forms[f].verdict == Verdict::Kept; ++f) {
+        if (forms[f].cost <= (1 + kAdviceTie) * forms[0].cost && leaner(forms[f], forms[advice.chosen])) {
+            advice.chosen = f;
+        }
+    }
+    for (std::size_t f = 0; f < forms.size(); ++f) {
+        if (forms[f].method.name == "exact") advice.exact = f;
+        if (!advice.withoutMap && keepsBounds(forms[f]) && forms[f].bytes == 0) advice.withoutMap = f;
+    }
+    // Over a flat map every method reaches the hit at once, so that no map is worth building.
+    if (advice.relief.flat && advice.withoutMap) advice.chosen = advice.cheapest = *advice.withoutMap;
+    advice.keepsBounds = keepsBounds(forms[advice.chosen]);
+    if (!advice.keepsBounds) advice.chosen = advice.cheapest = nearestToBounds(options, forms);
+    advice.next = advice.chosen;
+    if (advice.chosen == 0 && forms.size() > 1 && keepsBounds(forms[1])) advice.next = 1;
+    if (advice.keepsBounds) weighBuilding(advice);
+    return advice;
+}
+
 }  // namespace
 
 double adviceSeconds(const HeightField& field) {
@@ -248,29 +315,7 @@ std::vector<AdviceTrial> runTrials(const AdviceOptions& options, bool keepAll, s
 }
 
 Advice adviceOf(const AdviceOptions& options, const std::vector<AdviceTrial>& trials) {
-    Advice advice;
-    for (const AdviceTrial& trial : trials) advice.forms.push_back(trial.facts);
-    std::stable_sort(advice.forms.begin(), advice.forms.end(), before);
-    std::vector<AdvisedForm>& forms = advice.forms;
-    // Among forms of equal cost within kAdviceTie, the one with the smallest map is chosen.
-    for (std::size_t f = 1; f < forms.size() && forms[f].verdict == Verdict::Kept; ++f) {
-        if (forms[f].cost <= (1 + kAdviceTie) * forms[0].cost && leaner(forms[f], forms[advice.chosen])) {
-            advice.chosen = f;
-        }
-    }
-    advice.relief = reliefFigures(options.field);
-    for (std::size_t f = 0; f < forms.size(); ++f) {
-        if (forms[f].method.name == "exact") advice.exact = f;
-        if (!advice.withoutMap && keepsBounds(forms[f]) && forms[f].bytes == 0) advice.withoutMap = f;
-    }
-    // Over a flat map every method reaches the hit at once, so that no map is worth building.
-    if (advice.relief.flat && advice.withoutMap) advice.chosen = advice.cheapest = *advice.withoutMap;
-    advice.keepsBounds = keepsBounds(forms[advice.chosen]);
-    if (!advice.keepsBounds) advice.chosen = advice.cheapest = nearestToBounds(options, forms);
-    advice.next = advice.chosen;
-    if (advice.chosen == 0 && forms.size() > 1 && keepsBounds(forms[1])) advice.next = 1;
-    if (advice.keepsBounds) weighBuilding(advice);
-    return advice;
+    return ranked(options, trials, reliefFigures(options.field));
 }
 
 Advice recommend(const AdviceOptions& options, Work& work) {

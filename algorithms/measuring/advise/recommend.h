@@ -41,7 +41,7 @@ struct AdviceOptions {
     double error = 0.5;                             // texels
     double outliers = 1e-4;                         // share of the rays that may have a larger error or another outcome
     std::int64_t memory = std::int64_t{256} << 20;  // bytes, of maps without the heights
-    double seconds;                                 // total time; a filter's reference may exceed it a little
+    double seconds;  // total time; verifying forms and a filter's reference may exceed it a little
     // Simd: the cost is processor time of this library's fastest code on one thread. Scalar: the cost of a port to a
     // shader, with only the maps that the port needs; it is dominated by memory look-ups and is therefore counted,
     // reads + stepCost x steps, equal on every machine.
@@ -126,7 +126,7 @@ struct Advice {
     bool keepsBounds = true;     // whether the chosen form keeps the bounds; otherwise it is the one that comes nearest
     std::size_t stillClose = 0;  // number of forms whose order is undecided because the time was up; 0: decided
     ReliefFigures relief;
-    std::optional<FilterAdvice> filter;
+    std::optional<FilterAdvice> filter;  // empty without options.filters, and for maps too narrow to compare filters
 
     const AdvisedForm& best() const { return forms[chosen]; }
 };
@@ -135,13 +135,13 @@ struct Advice {
 Advice recommend(const AdviceOptions& options, Work& work);
 
 // Measures the library's filters on small pictures of the map; with more than 10 seconds the pictures are larger.
-// Throws Cancelled.
-FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work& work);
+// Returns std::nullopt if the map is so narrow that no pixel of them can be compared. Throws Cancelled.
+std::optional<FilterAdvice> recommendFilter(const AdviceOptions& options, double seconds, Work& work);
 
 // Returns the advice as text with reasons, and as JSON.
 std::string adviceText(const AdviceOptions& options, const Advice& advice, Language language = Language::English);
 std::string adviceJson(const AdviceOptions& options, const Advice& advice);  // with "\n"
-// Returns notes for standard error: the time was too short, or building the map dominates.
+// Returns notes for standard error: the time was too short, no filter could be compared, or building the map dominates.
 std::vector<Message> adviceNotes(const AdviceOptions& options, const Advice& advice);
 
 // Quality of the advice. The regret is the chosen form's cost divided by that of the best valid form, minus 1, where

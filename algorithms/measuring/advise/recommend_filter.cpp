@@ -58,21 +58,35 @@ FilterScene sceneOf(const AdviceOptions& options) {
     return {options.name, field, color};
 }
 
+// Measures the filters in a view and adds their rows. From a low elevation a small or narrow map may be a strip without
+// a pixel that can be compared; then the camera moves nearer. Adds nothing if that is no help.
+void addRows(FilterBenchOptions bench, double elevation, std::vector<FilterBenchRow>& rows, Work& work) {
+    constexpr double kNearest = 0.125;  // share of the distance
+    bench.elevations = {elevation};
+    for (const double nearest = kNearest * bench.distance; bench.distance >= nearest; bench.distance /= 2) {
+        const std::vector<FilterBenchRow> seen = benchFilters(bench, work);
+        if (std::isnan(seen.front().rmse)) continue;
+        rows.insert(rows.end(), seen.begin(), seen.end());
+        return;
+    }
+}
+
 }  // namespace
 
-FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work& work) {
+std::optional<FilterAdvice> recommendFilter(const AdviceOptions& options, double seconds, Work& work) {
     FilterBenchOptions bench;
     bench.scenes = {sceneOf(options)};
     bench.filters = advisedFilters();
     bench.pixelModels = {PixelModel::Gaussian};
-    bench.elevations = elevations(options.views);
     const int times = seconds >= kRichSeconds ? 2 : 1;
     bench.width = kWidth * times;
     bench.height = kHeight * times;
     bench.samples = kSamples;
     bench.rounds = 1;
     bench.distance = std::clamp(kTexelsPerPixel * bench.width / bench.scenes.front().color->width(), 0.3, 1.4);
-    const std::vector<FilterBenchRow> rows = benchFilters(bench, work);
+    std::vector<FilterBenchRow> rows;
+    for (const double elevation : elevations(options.views)) addRows(bench, elevation, rows, work);
+    if (rows.empty()) return std::nullopt;
 
     FilterAdvice advice;
     for (const FilterChoice& choice : bench.filters) {
@@ -98,7 +112,9 @@ FilterAdvice recommendFilter(const AdviceOptions& options, double seconds, Work&
         if (figures.rmse < advice.filters[advice.still].rmse) advice.still = f;
         if (figures.rate >= slowest && figures.rmse < advice.filters[advice.live].rmse) advice.live = f;
     }
-    advice.elevation = *std::min_element(bench.elevations.begin(), bench.elevations.end());
+    advice.elevation = std::min_element(rows.begin(), rows.end(), [](const FilterBenchRow& a, const FilterBenchRow& b) {
+                           return a.elevation < b.elevation;
+                       })->elevation;
     advice.anisotropy = 1 / std::sin(advice.elevation * std::numbers::pi / 180);
     return advice;
 }

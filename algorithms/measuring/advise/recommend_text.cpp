@@ -6,6 +6,7 @@
 #include "measuring/advise/recommend.h"
 #include "measuring/bench/machine.h"
 #include "measuring/text_table.h"
+#include "relief/tracers/map_choice.h"
 
 namespace relief {
 
@@ -18,13 +19,14 @@ std::string number(double value) {
     return std::isnan(value) ? "-" : readable(value, kDigits);
 }
 
+// Returns the names of the maps that the method and the one inside it trace with.
 std::string mapNames(const MethodChoice& method) {
-    std::string names = commaList(findTracer(method.name).maps);
-    const auto inner = method.options.find("inner");
-    if (inner != method.options.end() && !findTracer(inner->second).maps.empty()) {
-        names += ", " + mapNames({inner->second, {}});
-    }
-    return names;
+    std::vector<std::string> names = findTracer(method.name).maps;
+    const auto inner = innerMethod(method);
+    const auto used = usedMap(method);
+    if (used && !inner) names = {used->kind};
+    if (inner && !findTracer(inner->name).maps.empty()) names.push_back(mapNames(*inner));
+    return commaList(names);
 }
 
 double percentMore(const AdvisedForm& form, const AdvisedForm& than) {
@@ -286,12 +288,13 @@ std::string adviceJson(const AdviceOptions& options, const Advice& advice) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<Message> adviceNotes(const AdviceOptions&, const Advice& advice) {
+std::vector<Message> adviceNotes(const AdviceOptions& options, const Advice& advice) {
     std::vector<Message> notes;
     if (advice.stillClose > 0) {
         notes.emplace_back(MessageId::AdviceTimeUp,
                            std::vector<MessageValue>{{"count", advice.stillClose}, {"percent", kClosePercent}});
     }
+    if (options.filters && !advice.filter) notes.emplace_back(MessageId::AdviceNoFilter);
     if (advice.rebuilt && std::isinf(advice.paysAfterRays)) {
         notes.emplace_back(MessageId::AdviceBuildNeverPays,
                            std::vector<MessageValue>{{"seconds", numberText(advice.best().buildSeconds, kDigits)},

@@ -31,10 +31,9 @@ double processorSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Returns true for options that change only the traversal, or the layout, and not the map that is built.
+// Returns true for options that change only the traversal and not the map that is built.
 bool keepsMap(const std::string& name) {
-    return name == "iterations" || name == "rule" || name == "bisections" || name == "base" || name == "level" ||
-           name == kLayoutOption;
+    return name == "iterations" || name == "rule" || name == "bisections" || name == "level";
 }
 
 // Returns the same text for methods that trace with the same map; empty: without a map.
@@ -117,6 +116,7 @@ void AdviceRays::count(AdviceTrial& trial, std::size_t blocks, Work& work) const
     std::size_t beyond = 0;
     std::size_t over = 0;
     BlockCounts counts;
+    trial.blocks = blocks;
     facts.largest = 0;
     facts.mostSteps = 0;
     for (const auto& view : views_) {

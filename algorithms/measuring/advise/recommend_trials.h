@@ -17,6 +17,7 @@ struct AdviceTrial {
     AdvisedForm facts;
     std::shared_ptr<const Tracer> tracer;  // null: the form was dropped
     std::vector<double> times;             // processor seconds per ray, by round
+    std::size_t blocks = 0;                // blocks of each view on which the form was counted
 };
 
 // The rays of all views and their exact answers. The blocks of a view are pictures of the whole map from different

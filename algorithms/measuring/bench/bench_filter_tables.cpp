@@ -78,7 +78,7 @@ bool sameBlock(const FilterBenchRow& a, const FilterBenchRow& b) {
 
 // Returns one line per filter, with the errors for each pixel model next to each other.
 TableRow tableRow(std::span<const FilterBenchRow> models) {
-    const auto number = [](double value) { return readable(value, kDigits); };
+    const auto number = [](double value) { return std::isnan(value) ? std::string("-") : readable(value, kDigits); };
     const FilterBenchRow& first = models.front();
     TableRow row{filterText(first.filter), number(first.rate / 1e6), number(first.spread * 100)};
     for (const FilterBenchRow& model : models) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "measuring/bench/filter_queries.h"
 #include "measuring/compare/flip.h"
@@ -69,6 +70,14 @@ std::vector<glm::ivec2> countedPixels(const Frame& frame) {
     return pixels;
 }
 
+// Sets what is measured to NaN.
+void clearValues(FilterBenchRow& row) {
+    for (double* const value : {&row.rate, &row.spread, &row.rmse, &row.psnr, &row.flip, &row.texelsRead, &row.tested,
+                                &row.hidden, &row.skipped}) {
+        *value = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
 struct Ready {
     const FilterChoice* choice;
     std::unique_ptr<const TextureFilter> filter;
@@ -80,9 +89,7 @@ class FilterBench {
 
     std::vector<FilterBenchRow> run() {
         const auto cells = static_cast<std::int64_t>(options_.scenes.size() * options_.elevations.size());
-        const auto perCell = std::int64_t{options_.samples} * options_.samples +
-                             static_cast<std::int64_t>(options_.filters.size()) * (options_.rounds + 1);
-        work_.progress().begin("bench", cells * perCell);
+        work_.progress().begin("bench", cells * unitsPerView());
         for (const FilterScene& scene : options_.scenes) {
             for (const double elevation : options_.elevations) measure(scene, elevation);
         }
@@ -90,6 +97,12 @@ class FilterBench {
     }
 
   private:
+    // Units of progress.
+    std::int64_t unitsPerView() const {
+        return std::int64_t{options_.samples} * options_.samples +
+               static_cast<std::int64_t>(options_.filters.size()) * (options_.rounds + 1);
+    }
+
     FrameRequest request(const FilterScene& scene, double elevation) const {
         FrameRequest request(scene.field);
         request.width = options_.width;
@@ -106,11 +119,15 @@ class FilterBench {
     void measure(const FilterScene& scene, double elevation) {
         const FrameRequest request = this->request(scene, elevation);
         const bool timed = options_.pass != BenchPass::Counts;
-        const std::vector<ColorImage> truth =
-            options_.pass == BenchPass::Times ? std::vector<ColorImage>{} : references(request, options_, maps_, work_);
         FrameRenderer renderer(maps_, true);
         const auto frame = renderer.render(request, work_);
         const std::vector<glm::ivec2> pixels = countedPixels(*frame);
+        if (pixels.empty()) {
+            addEmptyRows(scene.name, elevation);
+            return;
+        }
+        const std::vector<ColorImage> truth =
+            options_.pass == BenchPass::Times ? std::vector<ColorImage>{} : references(request, options_, maps_, work_);
         const FilterQueries queries(*frame, request, pixels);
         const auto levels = std::make_shared<const ColorLevels>(scene.color, work_);
         std::vector<Ready> ready;
@@ -134,9 +151,30 @@ class FilterBench {
                 rows[r].rate = quantile(rate, 0.5);
                 rows[r].spread = relativeSpread(rate);
             }
-            if (options_.onRow) options_.onRow(rows[r]);
-            rows_.push_back(std::move(rows[r]));
+            add(std::move(rows[r]));
         }
+    }
+
+    // Adds the rows of a view in which no pixel can be compared.
+    void addEmptyRows(const std::string& scene, double elevation) {
+        for (const FilterChoice& choice : options_.filters) {
+            for (const PixelModel model : options_.pixelModels) {
+                FilterBenchRow row;
+                row.filter = choice;
+                row.pixelModel = model;
+                row.scene = scene;
+                row.elevation = elevation;
+                row.threads = work_.threads().size();
+                clearValues(row);
+                add(std::move(row));
+            }
+        }
+        work_.progress().advance(unitsPerView());
+    }
+
+    void add(FilterBenchRow row) {
+        if (options_.onRow) options_.onRow(row);
+        rows_.push_back(std::move(row));
     }
 
     // Measures everything except the rate, with a row for each pixel model; if truth is empty, only the data known

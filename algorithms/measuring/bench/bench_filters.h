@@ -32,6 +32,7 @@ FilterScene filterScene(const std::string& name, int size, std::uint64_t seed);
 // picture.
 std::shared_ptr<const ColorImage> patchPicture(const FloatImage& heights, std::uint64_t seed);
 
+// Rows of a view in which no pixel can be compared, because it shows too little of the relief, have NaN in all values.
 struct FilterBenchRow {
     FilterChoice filter;
     PixelModel pixelModel = PixelModel::Box;

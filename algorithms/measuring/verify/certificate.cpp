@@ -20,15 +20,14 @@ constexpr std::size_t kWitnesses = 4096;
 // Returns the storable map that the method, or its inner method, traverses, as that tracer gets it. Maps in other
 // layouts are tested with rays only.
 std::optional<StoredMap> mapOf(const MethodChoice& choice, const HeightField& field, MapCache& cache, Work& work) {
-    const MethodDescription& method = findTracer(choice.name);
-    const auto layout = choice.options.find(std::string(kLayoutOption));
-    if (layout != choice.options.end() && layout->second != kStoredLayout) return std::nullopt;
-    for (const std::string& kind : mapKinds()) {
-        if (std::find(method.maps.begin(), method.maps.end(), kind) == method.maps.end()) continue;
-        return buildMap(kind, choice.options, field, cache, work);
-    }
-    const auto inner = innerMethod(choice);
-    return inner ? mapOf(*inner, field, cache, work) : std::nullopt;
+    auto used = usedMap(choice);
+    if (!used) return std::nullopt;
+    const auto layout = used->options.find(std::string(kLayoutOption));
+    if (layout != used->options.end() && layout->second != kStoredLayout) return std::nullopt;
+    // A tracer that is given another map than its own has options which that map's own tracer does not have.
+    const OptionValues& known = findTracer(methodOfMap(used->kind)).defaults;
+    std::erase_if(used->options, [&](const auto& option) { return !known.contains(option.first); });
+    return buildMap(used->kind, used->options, field, cache, work);
 }
 
 class Certifier {

@@ -112,11 +112,17 @@ class ConeProof {
     Image<double> slopes_;
 };
 
-// Searches for the texel that stands highest above a cone.
+// Searches for the texel that stands highest above a cone. A cone in texture coordinates is an ellipse in texels; its
+// slope is that of the longer axis, so distances along the shorter one count more.
 class TexelSearch {
   public:
-    TexelSearch(const HeightField& field, Work& work)
-        : pyramid_(PyramidKind::Max, field.sharedHeights(), work), wraps_(field.address() == Address::Repeat) {}
+    TexelSearch(const HeightField& field, const ConeCoding& coding, Work& work)
+        : pyramid_(PyramidKind::Max, field.sharedHeights(), work),
+          wraps_(field.address() == Address::Repeat),
+          perX_(coding.texels(field.width(), field.height()) /
+                coding.texelsAlong(field.width(), field.height(), false)),
+          perY_(coding.texels(field.width(), field.height()) /
+                coding.texelsAlong(field.width(), field.height(), true)) {}
 
     struct Found {
         double above = 0;  // height above the cone
@@ -145,7 +151,7 @@ class TexelSearch {
         const int x1 = std::min((i + 1) << level, heights.width()) - 1 + shiftX - x;
         const int y0 = (j << level) + shiftY - y;
         const int y1 = std::min((j + 1) << level, heights.height()) - 1 + shiftY - y;
-        const double gap = std::hypot(std::max({0, x0, -x1}), std::max({0, y0, -y1}));
+        const double gap = std::hypot(perX_ * std::max({0, x0, -x1}), perY_ * std::max({0, y0, -y1}));
         const auto top = static_cast<double>(pyramid_.level(level)(i, j));
         const double above = top - static_cast<double>(heights(x, y)) - slope * gap;
         if (!(above > found.above)) return;
@@ -163,6 +169,7 @@ class TexelSearch {
 
     Pyramid pyramid_;
     bool wraps_;
+    double perX_, perY_;  // texels of the longer axis per texel along each axis
 };
 
 struct RowViolations {
@@ -172,11 +179,11 @@ struct RowViolations {
 };
 
 // The ray from the top of the slab above a texel to a point below the top of the higher one.
-std::optional<ViewRay> rayTo(int x, int y, double apex, double slope, const TexelSearch::Found& found,
-                             double longestRun) {
+std::optional<ViewRay> rayTo(int x, int y, const TexelSearch::Found& found, double longestRun) {
     const double away = std::hypot(found.dx, found.dy);
     const double z = std::min(found.height - 0.5 * found.above, 1 - away / longestRun);
-    if (!(z > apex + slope * away)) return std::nullopt;
+    const double cone = found.height - found.above;
+    if (!(z > cone)) return std::nullopt;
     const double perDescent = 1 / (1 - z);
     return ViewRay{x + 0.5, y + 0.5, found.dx * perDescent, found.dy * perDescent};
 }
@@ -204,7 +211,7 @@ EngineBoundCheck checkEngineCones(const HeightField& field, const FloatImage& co
 
 EngineViolations violationsOfTexels(const HeightField& field, const FloatImage& codes, const ConeCoding& coding,
                                     double longestRun, Work& work) {
-    const TexelSearch search(field, work);
+    const TexelSearch search(field, coding, work);
     std::vector<RowViolations> rows(static_cast<std::size_t>(field.height()));
     work.progress().begin("searching texels in cones", field.height());
     parallelFor(work, field.height(), [&](int y) {
@@ -217,8 +224,7 @@ EngineViolations violationsOfTexels(const HeightField& field, const FloatImage& 
             if (!(found.above > kNegligible)) continue;
             ++row.texels;
             if (!(found.above > row.above)) continue;
-            const auto apex = static_cast<double>(field.heights()(x, y));
-            if (const auto ray = rayTo(x, y, apex, slope, found, longestRun)) {
+            if (const auto ray = rayTo(x, y, found, longestRun)) {
                 row.above = found.above;
                 row.ray = ray;
             }

@@ -36,8 +36,9 @@ struct EngineBoundCheck {
 EngineBoundCheck checkEngineCones(const HeightField& field, const FloatImage& codes, const ConeCoding& coding,
                                   Work& work);
 
-// Texels whose own cone holds another texel, and the rays that show it: each enters the slab above the texel and
-// descends to just below the other's top, which the first step passes.
+// Texels whose own cone, in texels an ellipse where lengths are texture coordinates, holds another texel, and the rays
+// that show it: each enters the slab above the texel and descends to just below the other's top, which the first step
+// passes.
 struct EngineViolations {
     std::uint64_t texels = 0;
     RayBlock rays;  // at most one per row of texels: that of the largest violation

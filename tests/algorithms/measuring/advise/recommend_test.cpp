@@ -169,7 +169,8 @@ TEST(Recommend, CostsAreTheStatedOnesAndDependOnTheSeedAlone) {
     EXPECT_NE(recommend(options, all).best().cost, a.best().cost);
 }
 
-// A map that an earlier form built has its building time, too, in every layout and inside another method.
+// A map that an earlier form built has its building time, too, inside another method. Another layout and another base
+// level are other maps.
 TEST(Recommend, BuildTimesAreThoseOfTheMap) {
     AdviceOptions options = optionsFor("city");
     Work work;
@@ -181,16 +182,17 @@ TEST(Recommend, BuildTimesAreThoseOfTheMap) {
         EXPECT_TRUE(trial.tracer) << text;
         return trial.facts.buildSeconds;
     };
-    const double cone = built("cone:layout=texel");
+    const double cone = built("cone");
     const double distance = built("distance-conservative");
-    EXPECT_GE(built("cone"), cone);
+    built("max-pyramid");  // puts the map into the cache for the check below
     EXPECT_GE(built("hybrid:inner=cone"), cone);
     EXPECT_GE(built("distance-conservative:rule=classic"), distance);
     EXPECT_GE(built("hybrid"), distance);
     EXPECT_GE(built("hybrid:level=2"), distance);
     // With no time left, forms whose map exists are still measured, and no other map is built.
     for (const auto& [text, verdict] :
-         {std::pair("cone", Verdict::Kept), std::pair("max-pyramid", Verdict::BuildTime)}) {
+         {std::pair("cone", Verdict::Kept), std::pair("cone:layout=texel", Verdict::BuildTime),
+          std::pair("max-pyramid", Verdict::Kept), std::pair("max-pyramid:base=1", Verdict::BuildTime)}) {
         AdviceTrial late;
         late.facts.method = choices({text})[0];
         maps.make(late, 0);
@@ -308,6 +310,39 @@ TEST(Recommend, KeepsTheStepBudget) {
     EXPECT_NE(adviceText(options, none).find("No method stays within all bounds"), std::string::npos);
 }
 
+// Slow forms are counted on a part of the rays, but those that the advice names on all.
+TEST(Recommend, NamesNoSlowFormThatBreaksTheStepLimit) {
+    AdviceOptions options = optionsFor("hills");
+    options.views = parseViews("10", "--views");
+    options.forms = choices({"cone-dummer:iterations=2", "exact"});
+    options.error = 1e5;
+    Work work;
+    MapCache maps;
+    AdviceTrial exact;
+    exact.tracer = makeTracer({"exact", {}}, options.field, maps, work, options.form);
+    // The rays that are counted first need fewer steps than others do.
+    std::int64_t first = 0, most = 0;
+    while (first == most && options.seed < 20) {
+        ++options.seed;
+        const AdviceRays rays(options, options.seed, work);
+        rays.count(exact, 1, work);
+        first = exact.facts.mostSteps;
+        rays.count(exact, AdviceRays::kBlocks, work);
+        most = exact.facts.mostSteps;
+    }
+    ASSERT_LT(first, most);
+    options.outliers = 0;
+    for (const auto& [limit, verdict] : {std::pair(first, Verdict::Steps), std::pair(most, Verdict::Slow)}) {
+        options.maxSteps = limit;
+        const Advice advice = recommend(options, work);
+        EXPECT_EQ(advice.best().method.name, "cone-dummer");
+        EXPECT_EQ(advice.forms[advice.exact].verdict, verdict);
+        EXPECT_EQ(advice.forms[advice.exact].mostSteps, most);
+        EXPECT_EQ(advice.withoutMap.has_value(), verdict == Verdict::Slow);
+        EXPECT_EQ(advice.next != advice.chosen, verdict == Verdict::Slow);
+    }
+}
+
 // Methods that violate a bound are listed with their errors, and no factor is printed as thousands of percent.
 TEST(Recommend, ApproximateMethodsAreListedWithTheirErrors) {
     AdviceOptions options = optionsFor("columns");
@@ -370,7 +405,7 @@ TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
     AdviceOptions options = optionsFor("hills");
     options.views = parseViews("30", "--views");
     Work work;
-    const FilterAdvice advice = recommendFilter(options, 1, work);
+    const FilterAdvice advice = recommendFilter(options, 1, work).value();
     // Every filter of the list except the reference itself; rates are relative to that of trilinear.
     for (const FilterDescription& filter : filterList()) {
         const bool tried = std::any_of(advice.filters.begin(), advice.filters.end(), [&](const FilterFigures& figures) {
@@ -385,6 +420,47 @@ TEST(Recommend, FilterOfLeastErrorAndTheFootprintsShape) {
     EXPECT_NE(advice.filters[advice.still].filter.name, "nearest");
     EXPECT_NEAR(advice.anisotropy, 2, 1e-9);
     EXPECT_EQ(advice.elevation, 30);
+}
+
+// Seen from 10 degrees, a narrow map and a small one are strips of a few pixels, so they are seen from nearer.
+TEST(Recommend, FiltersAreComparedWherePixelsCanBe) {
+    AdviceOptions options(HeightField(std::make_shared<FloatImage>(makeRelief("hills", 512, 64, 1))));
+    Work work;
+    for (const char* views : {"10,80", "10"}) {
+        options.views = parseViews(views, "--views");
+        const FilterAdvice advice = recommendFilter(options, 1, work).value();
+        EXPECT_EQ(advice.elevation, 10);
+        for (const FilterFigures& figures : advice.filters) {
+            EXPECT_GT(figures.rmse, 0) << figures.filter.name;
+            EXPECT_GT(figures.texels, 0) << figures.filter.name;
+            EXPECT_GT(figures.rate, 0) << figures.filter.name;
+        }
+        options.field = optionsFor("hills").field;
+    }
+    // A single row of texels has no pixel to compare in any view.
+    options.field = HeightField(std::make_shared<FloatImage>(1024, 1, 0.5F));
+    EXPECT_FALSE(recommendFilter(options, 1, work));
+    AdviceTrial exact;
+    exact.facts.method = {"exact", {}};
+    const std::vector<Message> notes = adviceNotes(options, adviceOf(options, {exact}));
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes.front().id, MessageId::AdviceNoFilter);
+}
+
+TEST(Recommend, NamesTheMapsOfTheMethodAndOfTheOneInsideIt) {
+    const AdviceOptions options = optionsFor("bricks");
+    for (const auto& [text, maps] : {std::pair<std::string, std::string>("max-pyramid", "max-pyramid"),
+                                     {"hybrid", "max-pyramid, euclidean-conservative"},
+                                     {"hybrid:inner=cone", "max-pyramid, cone"},
+                                     {"hybrid:inner.map=refined", "max-pyramid, refined"},
+                                     {"distance-conservative:map=refined", "refined"}}) {
+        AdviceTrial trial;
+        trial.facts.method = choices({text})[0];
+        trial.facts.bytes = 1000;
+        const Advice advice = adviceOf(options, {trial});
+        EXPECT_EQ(nlohmann::json::parse(adviceJson(options, advice))["map"], maps) << text;
+        EXPECT_NE(adviceText(options, advice).find("\nMap: " + maps + ", 1000 "), std::string::npos) << text;
+    }
 }
 
 TEST(Recommend, SaysWhyInBothLanguagesAndAsJson) {

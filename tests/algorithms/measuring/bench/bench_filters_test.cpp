@@ -1,6 +1,8 @@
 // The rows of the filters' benchmark: which pixels of a view are compared, and how.
 #include "measuring/bench/bench_filters.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "rendering/supersample.h"
@@ -27,6 +29,14 @@ TEST(BenchFilters, theErrorIsAMeanOverThePixelsWhoseNeighboursAreSeen) {
     EXPECT_GT(rows[0].rmse, 0);
     EXPECT_GT(rows[0].flip, 0);
     EXPECT_LE(rows[0].flip, 1);
+    // One column less, and no pixel can be compared: the row has no values.
+    --options.width;
+    const auto none = benchFilters(options, work);
+    ASSERT_EQ(none.size(), 1U);
+    for (const double value : {none[0].rate, none[0].rmse, none[0].psnr, none[0].flip, none[0].texelsRead}) {
+        EXPECT_TRUE(std::isnan(value)) << value;
+    }
+    EXPECT_NE(filterBenchText(none).find(" - "), std::string::npos) << filterBenchText(none);
 }
 
 }  // namespace

@@ -397,6 +397,36 @@ TEST(Certificate, ARayShowsALargeDamage) {
     }
 }
 
+// A tracer that walks another map than its own, chosen by an option or by a map file, is certified with that map.
+TEST(Certificate, TheMapThatTheTracerWalksIsChecked) {
+    const HeightField field(share(makeRelief("columns", 32, 32, 9)), Surface::Bilinear, Address::Repeat, 0.25);
+    MapCache building;
+    Work work;
+    const StoredMap stored = buildMap("refined", {{"layers", "8"}, {"footprint", "2"}}, field, building, work);
+    auto damaged = std::make_shared<DistanceMap>(*std::get<0>(stored));
+    const auto codes = damaged->values.codes();
+    const auto& distances = std::get<0>(codes);
+    const auto first = std::find_if(distances.begin(), distances.end(), [](float value) { return value > 0; });
+    damaged->values = altered(damaged->values, static_cast<std::size_t>(first - distances.begin()), 10'000);
+    for (const char* name : {"distance-conservative", "hybrid"}) {
+        MapCache cache;
+        const MethodChoice choice =
+            useMap("damaged", std::shared_ptr<const DistanceMap>(damaged), {name, {}}, field, cache);
+        const Certificate certificate = certified(choice, field, kValuesOnly, cache);
+        EXPECT_EQ(certificate.map, "refined") << describe(choice);
+        ASSERT_TRUE(certificate.bounds) << describe(choice);
+        EXPECT_EQ(certificate.bounds->broken, 1U) << failure(certificate, field);
+    }
+    // With options that only the refined map has, or only the map that it replaces.
+    MapCache cache;
+    const Certificate sectors = certified(
+        {"distance-conservative", {{"map", "refined"}, {"sectors", "4"}, {"layers", "8"}}}, field, kFewRays, cache);
+    EXPECT_EQ(sectors.map, "refined");
+    EXPECT_TRUE(sectors.proven()) << failure(sectors, field);
+    EXPECT_EQ(certified({"distance", {{"map", "refined-sampled"}, {"directions", "4"}}}, field, kValuesOnly, cache).map,
+              "refined-sampled");
+}
+
 TEST(Certificate, MarksTakenAwayAndNoNumbersAreFound) {
     const HeightField field(share(makeRelief("bricks", 16, 16, 2)));
     MapCache building;

@@ -149,20 +149,24 @@ TEST(EngineCertificate, TheSlopeOfTheSurfaceItselfIsABound) {
 }
 
 // A spike of height 1 at the corner of a picture that repeats, and cones that are safe only farther than 1 / 0.3 texels
-// from it: all nearer cells and texels are found, on every side of the spike and of the picture's edges.
+// from it: all nearer cells and texels are found, on every side of the spike and of the picture's edges. In texture
+// coordinates the cones are ellipses, of which the proof takes the longer axis all around.
 TEST(EngineCertificate, ConesAroundASpikeAreFoundOnAllSides) {
     constexpr int kWidth = 24, kHeight = 16;
     FloatImage image(kWidth, kHeight);
     image(0, 0) = 1;
     const HeightField field(share(std::move(image)), Surface::Bilinear, Address::Repeat, 0.5);
-    ConeCoding coding;
-    coding.unit = ConeUnit::Slope, coding.length = ConeLength::Width, coding.scale = kWidth;
+    ConeCoding round;
+    round.unit = ConeUnit::Slope, round.length = ConeLength::Width, round.scale = kWidth;
+    ConeCoding ellipse = round;
+    ellipse.length = ConeLength::Uv;
     const FloatImage codes(kWidth, kHeight, 0.3F);
-    std::uint64_t cells = 0, texels = 0;
+    std::uint64_t cells = 0, texels = 0, texelsInEllipse = 0;
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             const int right = std::min(x, kWidth - x), down = std::min(y, kHeight - y);
             if (right + down > 0 && 0.3 * std::hypot(right, down) < 1) ++texels;
+            if (right + down > 0 && 0.3 * std::hypot(right, 1.5 * down) < 1) ++texelsInEllipse;
             // Cell x lies between the texels x and x + 1; the spike's cells are the last and the first.
             const int gapX = std::max(0, std::min(x - 1, kWidth - 2 - x));
             const int gapY = std::max(0, std::min(y - 1, kHeight - 2 - y));
@@ -170,8 +174,10 @@ TEST(EngineCertificate, ConesAroundASpikeAreFoundOnAllSides) {
         }
     }
     Work work(1);
-    EXPECT_EQ(checkEngineCones(field, codes, coding, work).open, cells);
-    EXPECT_EQ(violationsOfTexels(field, codes, coding, 100, work).texels, texels);
+    EXPECT_EQ(checkEngineCones(field, codes, round, work).open, cells);
+    EXPECT_EQ(checkEngineCones(field, codes, ellipse, work).open, cells);
+    EXPECT_EQ(violationsOfTexels(field, codes, round, 100, work).texels, texels);
+    EXPECT_EQ(violationsOfTexels(field, codes, ellipse, 100, work).texels, texelsInEllipse);
 }
 
 TEST(EngineCertificate, ConesWithoutWidthAreCounted) {
