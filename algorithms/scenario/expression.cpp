@@ -30,8 +30,9 @@ using Node = Expression::Node;
 using NodePointer = std::shared_ptr<const Node>;
 
 constexpr std::array<std::string_view, 6> kFunctions{"abs", "min", "max", "sqrt", "log2", "floor"};
-// Parentheses and signs of an expression, nested or not: bounds the recursion.
+// Parentheses and signs of an expression, nested or not; its length in bytes: both bound the recursion.
 constexpr int kDeepest = 64;
+constexpr std::size_t kLongest = 1000;
 
 bool isFunction(const std::string& name) {
     return std::find(kFunctions.begin(), kFunctions.end(), name) != kFunctions.end();
@@ -42,6 +43,7 @@ class Parser {
     explicit Parser(const std::string& text) : text_(text), rest_(text) {}
 
     NodePointer whole() {
+        if (text_.size() > kLongest) fail(MessageId::LessonWantShallow);
         NodePointer node = disjunction();
         skipSpace();
         if (!rest_.empty()) fail(MessageId::LessonWantEnd);

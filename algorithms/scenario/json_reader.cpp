@@ -46,6 +46,22 @@ std::size_t lineAt(const std::string& text, std::size_t at) {
     return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
 }
 
+// The library copies and writes nested values by recursion.
+void checkDepth(const std::string& text, const std::string& fileName) {
+    constexpr int kDeepest = 100;
+    int depth = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '"') at = pastString(text, at);
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (depth > kDeepest) {
+            throw InputError(fileName,
+                             Message(MessageId::JsonTooDeep, {{"line", lineAt(text, at)}, {"most", kDeepest}}));
+        }
+    }
+}
+
 }  // namespace
 
 std::string placeText(const JsonPlace& place) {
@@ -68,6 +84,7 @@ std::size_t lineOf(const std::string& text, const JsonPath& path) {
 }
 
 Json parseJson(const std::string& text, const std::string& fileName) {
+    checkDepth(text, fileName);
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {

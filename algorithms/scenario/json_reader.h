@@ -28,7 +28,7 @@ std::string placeText(const JsonPlace& place);
 // Returns the line (from 1) on which the text contains the value at this path, which is the line reported for an error
 // in it.
 std::size_t lineOf(const std::string& text, const JsonPath& path);
-// Throws InputError with the line if the text is not JSON.
+// Throws InputError with the line if the text is not JSON, or is nested more than 100 levels deep.
 Json parseJson(const std::string& text, const std::string& fileName);
 
 struct JsonSource {

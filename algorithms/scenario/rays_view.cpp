@@ -1,6 +1,7 @@
 #include "scenario/rays_view.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include "relief/files.h"
 #include "scenario/json_reader.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr const char* kFormat = "reliefscope rays";
 constexpr int kVersion = 1;
+constexpr std::size_t kFormatWithin = 64;  // first bytes of the file that name its format
 
 Json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
@@ -73,6 +75,16 @@ std::string raysViewText(const Scenario& scenario, const FrameRequest& request, 
                 std::to_string(view.polygon[r]) + "]";
     }
     return text + "\n  ]\n}\n";
+}
+
+bool isRaysView(const std::string& path) {
+    // Opening a named pipe would wait for its writer.
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(path, none)) return false;
+    // The format is the first member; a file of a large view has hundreds of megabytes.
+    std::string begin(kFormatWithin, '\0');
+    std::ifstream(path, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return begin.find("\"" + std::string(kFormat) + "\"") != std::string::npos;
 }
 
 std::optional<RaysView> readRaysView(const std::string& raysPath, std::size_t rays) {

@@ -18,6 +18,9 @@ std::string raysViewPath(const std::string& raysPath);
 std::string raysViewText(const Scenario& scenario, const FrameRequest& request, const ViewRays& view,
                          const std::string& path);
 
+// Returns true if raysViewText() made the file.
+bool isRaysView(const std::string& path);
+
 struct RaysView {
     Scenario scenario;
     std::vector<PixelChoice> pixels;  // of each ray

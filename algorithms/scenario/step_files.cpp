@@ -244,8 +244,10 @@ Row jsonRow(const Json& object, const Place& place) {
         const auto found = object.find(key);
         if (found == object.end() && otherwise) return *otherwise;
         if (found == object.end() || !found->is_number_integer()) wrong(key, MessageId::WantWhole);
+        if (found->is_number_unsigned() && found->get<std::uint64_t>() > kFarthestTexel)
+            wrong(key, MessageId::WantWhole);
         const auto value = found->get<std::int64_t>();
-        if (std::abs(value) > kFarthestTexel) wrong(key, MessageId::WantWhole);
+        if (value < -kFarthestTexel || value > kFarthestTexel) wrong(key, MessageId::WantWhole);
         return value;
     };
     const auto real = [&](const char* key) -> double {

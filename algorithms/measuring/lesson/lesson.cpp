@@ -84,7 +84,8 @@ LessonQuestion questionOf(JsonReader reader) {
     return question;
 }
 
-LessonKnob knobOf(JsonReader reader) {
+// scenario: the page's.
+LessonKnob knobOf(JsonReader reader, Json scenario) {
     LessonKnob knob;
     reader.read("set", knob.set);
     if (knob.set.size() < 2 || knob.set.front() != '/') reader.fail("set", MessageId::WantAPointer);
@@ -96,6 +97,7 @@ LessonKnob knobOf(JsonReader reader) {
         if (!value.is_primitive() || value.is_null()) reader.fail("values", MessageId::WantValues);
         knob.values.push_back(value);
     }
+    if (!putValue(scenario, knob.set, knob.values.front())) reader.fail("set", MessageId::WantAPointer);
     reader.readObjects("watch", [&](JsonReader item) {
         std::optional<Expression> value;
         Trend trend = Trend::None;
@@ -153,7 +155,7 @@ LessonPage pageOf(JsonReader reader, Json& scenario) {
     });
     if (reader.has("step")) page.step = stepRuleOf(reader);
     if (reader.has("question")) page.question = questionOf(reader.child("question"));
-    if (reader.has("knob")) page.knob = knobOf(reader.child("knob"));
+    if (reader.has("knob")) page.knob = knobOf(reader.child("knob"), scenario);
     page.claims = expressionsOf(reader, "claims");
     page.scenario = scenario;
     reader.finish();
@@ -240,6 +242,26 @@ std::string knobValueText(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+bool putValue(Json& scenario, const std::string& pointer, const Json& value) {
+    // The library throws for what is no pointer, and for names in an array that are no number or too large a one.
+    try {
+        std::vector<std::string> names;
+        for (Json::json_pointer rest(pointer); !rest.empty(); rest.pop_back()) names.push_back(rest.back());
+        // By hand, because the library's operator fills an array with as many elements as the pointer's number says.
+        Json* at = &scenario;
+        for (auto name = names.rbegin(); name != names.rend(); ++name) {
+            if (at->is_null()) *at = Json::object();
+            const Json::json_pointer step = Json::json_pointer() / *name;
+            if (!at->is_object() && !at->contains(step)) return false;
+            at = at->is_object() ? &(*at)[*name] : &(*at)[step];
+        }
+        *at = value;
+        return true;
+    } catch (const Json::exception&) {
+        return false;
+    }
+}
+
 std::string Lesson::file() const {
     return joined(folder, kLessonFile);
 }
@@ -255,9 +277,7 @@ Scenario Lesson::scenarioOf(std::size_t page, std::optional<std::size_t> turned)
     const LessonPage& chosen = pages[page];
     if (!turned) return parsedScenario(chosen.scenario, file(), chosen.line);
     Json scenario = chosen.scenario;
-    try {
-        scenario[Json::json_pointer(chosen.knob->set)] = chosen.knob->values[*turned];
-    } catch (const Json::exception&) {
+    if (!putValue(scenario, chosen.knob->set, chosen.knob->values[*turned])) {
         throw InputError(file(), Message(MessageId::ScenarioLine,
                                          {{"line", chosen.line}, {"why", Message(MessageId::WantAPointer)}}));
     }
@@ -268,7 +288,7 @@ std::optional<Scenario> Lesson::scenarioAt(const std::string& place, const Scena
     if (const auto page = pageOf(place)) return scenarioOf(*page);
     for (const auto& [name, patch] : variants) {
         if (name != place) continue;
-        Json scenario = Json::parse(scenarioText(from));
+        Json scenario = Json::parse(scenarioText(from, folder));
         scenario.merge_patch(patch);
         return parsedScenario(scenario, file(), 1);
     }

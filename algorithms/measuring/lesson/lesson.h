@@ -43,6 +43,10 @@ struct LessonKnob {
 
 // Returns a value of a knob as it is shown: a string without quotation marks.
 std::string knobValueText(const Json& value);
+// Sets the value at the JSON pointer; missing objects are made. Returns false, with the scenario possibly changed, if
+// that is no pointer, or if it leads to an element that its array does not have or below a value that is neither object
+// nor array.
+bool putValue(Json& scenario, const std::string& pointer, const Json& value);
 
 struct LessonPage {
     std::string name;

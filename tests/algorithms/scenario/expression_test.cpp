@@ -89,6 +89,10 @@ TEST(LessonExpression, RefusesWhatIsNone) {
     }
     EXPECT_THROW(Expression(std::string(200, '(') + "1" + std::string(200, ')')), InputError) << "too deep";
     EXPECT_THROW(Expression(std::string(200, '-') + "1"), InputError) << "too deep";
+    std::string sum = "1";
+    while (sum.size() < 999) sum += "+1";
+    EXPECT_NO_THROW(Expression{sum});
+    EXPECT_THROW(Expression(sum + "+1"), InputError) << "too long";
     for (const char* const text : {"word + 1", "not 1", "1 and 2", "word < 1", "yes == 1", "-word", "abs(word)"}) {
         EXPECT_THROW(Expression(text).value(quantity), InputError) << text;
     }

@@ -1,9 +1,16 @@
 #include "scenario/ray_files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "algorithms/images/temporary_folder.h"
+#include "scenario/rays_view.h"
 
 namespace relief {
 namespace {
@@ -25,6 +32,19 @@ TEST(RayFiles, NumbersAreReadExactly) {
     EXPECT_EQ(rays[1], (ViewRay{5, 0, 3, 4})) << "a number that underflows becomes zero";
     EXPECT_EQ(parseRays("s0,t0,a,b", "r.csv").size(), 0U);
     EXPECT_EQ(parseRays("\xEF\xBB\xBFs0,t0,a,b\r\n1,2,3,4\r\n\r\n", "r.csv").size(), 1U);
+}
+
+// A named pipe is not opened, which could wait for its writer for ever.
+TEST(RayFiles, OnlyAnOrdinaryFileIsAView) {
+    const testing::TemporaryFolder folder;
+    const std::string text = R"({"format": "reliefscope rays"})" + std::string(100, ' ');
+    EXPECT_TRUE(isRaysView(folder.with("view.json", text)));
+    const std::string pipe = folder / "pipe.json";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const int descriptor = ::open(pipe.c_str(), O_RDWR);
+    ASSERT_EQ(::write(descriptor, text.data(), text.size()), static_cast<::ssize_t>(text.size()));
+    EXPECT_FALSE(isRaysView(pipe));
+    ::close(descriptor);
 }
 
 TEST(RayFiles, FaultsNameTheLine) {

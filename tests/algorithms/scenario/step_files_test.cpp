@@ -176,6 +176,14 @@ TEST(StepFiles, FaultsNameTheLine) {
         "{\"ray\": 0, \"number\": 1, \"lambda_in\": 0, \"lambda_out\": 0.5, \"value\": null, \"decision\": \"hit\", "
         "\"lambda_after\": 0.5}";
     EXPECT_EQ(refusal("[" + object + "]"), "");
+    for (const std::string index : {"-9223372036854775808", "9223372036854775808", "18446744073709551615"}) {
+        EXPECT_NE(refusal("[{\"k\": " + index + ", " + object.substr(1) + "]").find("line 1: \"k\" is missing"),
+                  std::string::npos)
+            << index;
+    }
+    EXPECT_NE(refusal("[{\"deep\": " + std::string(200, '[') + std::string(200, ']') + ", " + object.substr(1) + "]")
+                  .find("line 1: lists and objects are nested more than 100 levels deep"),
+              std::string::npos);
     EXPECT_NE(refusal("[\n" + object + ",\n\n7]").find("line"), std::string::npos);
     EXPECT_NE(refusal("[\n" + object + ",\n" + object + "]").find("line 3: step 1 of ray 0 is out of order"),
               std::string::npos);

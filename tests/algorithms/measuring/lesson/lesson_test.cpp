@@ -192,6 +192,34 @@ TEST_F(LessonFiles, ThatAreWrongAreRefusedWithTheirPlace) {
     }
 }
 
+TEST_F(LessonFiles, HaveKnobsThatSetOnlyWhatTheScenarioCanHold) {
+    Json scenario = Json::parse(R"({"size": [64, 48], "method": {"name": "cone"}, "step": 1})");
+    EXPECT_TRUE(putValue(scenario, "/method/options/base", "2"));
+    EXPECT_TRUE(putValue(scenario, "/size/1", 50));
+    EXPECT_EQ(scenario,
+              Json::parse(R"({"size": [64, 50], "method": {"name": "cone", "options": {"base": "2"}}, "step": 1})"));
+    for (const char* const pointer :
+         {"/size/2", "/size/400000000", "/size/9000000000000000000", "/size/99999999999999999999", "/size/", "/size/-",
+          "/size/x", "/step/1", "/a~2", "size"}) {
+        EXPECT_FALSE(putValue(scenario, pointer, 1)) << pointer;
+    }
+    for (const std::string pointer : {"/size/400000000", "/size/99999999999999999999", "/size/"}) {
+        write(replaced(kJson, "/method/options/layers\", \"values\": [\"8\", \"16\"]",
+                       pointer + "\", \"values\": [8, 16]"),
+              kText);
+        EXPECT_THROW(read(), InputError) << pointer;
+    }
+}
+
+TEST_F(LessonFiles, MayBeNamedByARelativePath) {
+    fs::copy_file(std::string(RELIEF_DATASETS) + "/gray_rocks/height.png", lessonFolder() + "/own.png");
+    write(replaced(kJson, R"("recipe": {"name": "bricks", "width": 32, "height": 32})", R"("height": "own.png")"),
+          kText);
+    const Lesson lesson = readLesson(fs::relative(lessonFolder()).string(), RELIEF_DATASETS);
+    const Scenario twice = lesson.scenarioAt("more", lesson.scenarioOf(0)).value();
+    EXPECT_TRUE(fs::exists(twice.pictures.height)) << twice.pictures.height;
+}
+
 TEST_F(LessonFiles, OfAFolderMakeACourse) {
     for (const char* const name : {"102", "own"})
         fs::copy(lessonFolder(), fs::path(folder_) / name, fs::copy_options::recursive);
