@@ -19,7 +19,7 @@
 #endif
 RWByteAddressBuffer reliefBuffer : register(RELIEF_RECORDER_REGISTER);
 static uint reliefRay, reliefTaken;
-static float reliefAt, reliefValue;
+static float reliefLastAt, reliefLastHeight;
 void reliefPut(uint record, float4 values) { reliefBuffer.Store4(16 + 16 * record, asuint(values)); }
 uint reliefCapacity() { return reliefBuffer.Load(0); }
 uint reliefAnswers() { return reliefBuffer.Load(12); }
@@ -42,7 +42,7 @@ layout(std430, binding = RELIEF_RECORDER_BINDING) buffer ReliefRecorder {
     vec4 reliefData[];
 };
 uint reliefRay, reliefTaken;
-float reliefAt, reliefValue;
+float reliefLastAt, reliefLastHeight;
 void reliefPut(uint record, vec4 values) { reliefData[record] = values; }
 uint reliefCapacity() { return uint(reliefRecords); }
 uint reliefAnswers() { return uint(reliefRays); }
@@ -54,8 +54,8 @@ uint reliefNext() { return uint(atomicAdd(reliefCount, 1)); }
 void reliefBegin(uint ray) {
     reliefRay = ray;
     reliefTaken = 0u;
-    reliefAt = 0.0;
-    reliefValue = 1.0;
+    reliefLastAt = 0.0;
+    reliefLastHeight = 1.0;
 }
 
 // Decisions: 0 advance, 1 hit, 2 miss, 3 limit.
@@ -69,16 +69,17 @@ void reliefLog(float from, float to, float height, float decision) {
 // The search has looked at the surface at lambda = to, found the height there, and moved on to it from `from`.
 void reliefStep(float from, float to, float height) {
     reliefLog(from, to, height, 0.0);
-    reliefAt = to;
-    reliefValue = height;
+    reliefLastAt = to;
+    reliefLastHeight = height;
 }
 
 void reliefAnswer(float lambda, float outcome) {
-    reliefLog(min(reliefAt, lambda), lambda, reliefValue, outcome);
-    if (reliefRay < reliefAnswers()) reliefPut(reliefRay, RELIEF_VEC4(outcome, lambda, float(reliefTaken), 0.0));
+    reliefLog(min(reliefLastAt, lambda), lambda, reliefLastHeight, outcome);
+    bool hasRoom = reliefRay < reliefAnswers() && reliefRay < reliefCapacity();
+    if (hasRoom) reliefPut(reliefRay, RELIEF_VEC4(outcome, lambda, float(reliefTaken), 0.0));
 }
 void reliefHit(float lambda) { reliefAnswer(lambda, 1.0); }
-void reliefMiss() { reliefAnswer(reliefAt, 2.0); }
-void reliefLimit() { reliefAnswer(reliefAt, 3.0); }
+void reliefMiss() { reliefAnswer(reliefLastAt, 2.0); }
+void reliefLimit() { reliefAnswer(reliefLastAt, 3.0); }
 
 #endif

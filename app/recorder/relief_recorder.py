@@ -90,8 +90,9 @@ class Recorder:
         """The answer: lambda of the hit."""
         self._write("refine", "hit", min(self._at, descent), descent, self._value)
         s0, t0, a, b = self._ray
-        place = (s0 + descent * a, t0 + descent * b)
-        self._hits.write(f"hit,{descent!r},{place[0]!r},{place[1]!r},{self._count}\n")
+        # As floats of Python: repr() writes the type of NumPy's numbers, too.
+        numbers = map(float, (descent, s0 + descent * a, t0 + descent * b))
+        self._hits.write(f"hit,{','.join(map(repr, numbers))},{self._count}\n")
 
     def miss(self):
         """The answer: there is no hit."""
@@ -116,15 +117,24 @@ class Recorder:
 
 def write_buffer(data, rays, hits, steps, width, height):
     """Writes the files from the bytes of the shader's buffer (relief_recorder.glsl). Steps are those of the ray that the
-    shader was told to record."""
+    shader was told to record. Raises ValueError if an answer is missing, or a step for which the buffer had no room."""
     capacity, count, chosen, answers = struct.unpack_from("<4i", data)
     records = list(struct.iter_unpack("<4f", data[16:16 + 16 * capacity]))
+    wants_steps = bool(steps) and chosen >= 0
+    if answers != len(rays):
+        raise ValueError(f"the buffer is for {answers} rays, not for {len(rays)}")
+    wanted = answers + (count if wants_steps else 0)
+    if len(records) < wanted:
+        raise ValueError(f"the buffer has {len(records)} records, but the answers and steps need {wanted}")
     outcomes = records[:answers]
-    log = records[answers:answers + min(count, capacity - answers)]
+    log = records[answers:answers + count]
+    for number, record in enumerate(outcomes):
+        if record[0] not in (1.0, 2.0, 3.0):
+            raise ValueError(f"ray {number} has no answer")
     with Recorder(hits, None, width, height) as recorder:
         for number, ray in enumerate(rays):
             recorder.ray(ray)
-            outcome, descent, taken, _ = outcomes[number] if number < answers else (0.0, 0.0, 0.0, 0.0)
+            outcome, descent, taken, _ = outcomes[number]
             recorder._count = int(taken) - 1
             if outcome == 1.0:
                 recorder.hit(descent)
@@ -132,7 +142,7 @@ def write_buffer(data, rays, hits, steps, width, height):
                 recorder.limit()
             else:
                 recorder.miss()
-    if not steps or chosen < 0:
+    if not wants_steps:
         return
     with open(steps, "w", encoding="utf-8") as file:
         file.write(_STEPS + "\n")

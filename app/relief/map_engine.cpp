@@ -90,6 +90,11 @@ void checkChannels(const std::string& kind, Group group, const std::vector<Engin
     }
 }
 
+// Returns true if the scale of the cones follows from the map: integers must reach its steepest slope.
+bool scalesToMap(const EngineConventions& c) {
+    return packs(c.channels, EngineRole::Cone) && c.cone.unit == ConeUnit::Slope && c.bits != 32;
+}
+
 EngineConventions conventionsOf(const std::string& kind, Group group, const EngineOptions& engine,
                                 const std::string& output) {
     EngineConventions c;
@@ -106,6 +111,10 @@ EngineConventions conventionsOf(const std::string& kind, Group group, const Engi
         throw InputError("--bits", Message(MessageId::EngineBits, {{"ending", ".png"}, {"known", "8, 16"}}));
     }
     checkChannels(kind, group, c.channels);
+    if (engine.scaleGiven() && scalesToMap(c)) {
+        throw InputError("--cone-scale", Message(MessageId::ArgumentsExclude,
+                                                 {{"other", "--unit slope --bits " + std::to_string(c.bits)}}));
+    }
     return c;
 }
 
@@ -152,6 +161,13 @@ EngineMap built(const std::string& kind, Group group, const Scenario& scenario, 
     return buildEngineDistances(*std::get<std::shared_ptr<const DistanceMap>>(map), field, c, work);
 }
 
+// The options of the shader that follow from the map, for the line that the command writes.
+std::string shaderOptions(const EngineConventions& c) {
+    if (!scalesToMap(c)) return "";
+    return "; relief export shader: --unit slope --length " + std::string(coneLengthName(c.cone.length)) +
+           " --cone-scale " + numberText(c.cone.scale);
+}
+
 // Says how many cones have no width.
 void noteStalled(const EngineMap& map, const std::string& output, Session& session) {
     const FloatImage* cones = map.channel(EngineRole::Cone);
@@ -180,6 +196,9 @@ int writeMapForEngine(const std::string& kind, const std::string& text, const Sc
     const bool ofMethod = group == Group::Cones || group == Group::Distances;
     chosen.chooseTracer(ofMethod ? methodOfMap(kind) + text.substr(kind.size()) : "max-pyramid", text);
     const Scenario scenario = chosen.scenario();
+    const std::vector<std::string> inputs = inputFiles(chosen, scenario);
+    refuseOverwriting("--output", output, inputs);
+    refuseOverwriting("--output", output, inputs, engineSidecar(output));
     checkOptions(kind, group, scenario.method.options);
     if (group == Group::Cones && scenario.surface == Surface::Columns && (kind == "cone" || kind == "cone-robust") &&
         !packs(conventions.channels, EngineRole::Apex)) {
@@ -207,7 +226,8 @@ int writeMapForEngine(const std::string& kind, const std::string& text, const Sc
     writeStandardOutput(kind + ": " + std::to_string(first.width()) + " x " + std::to_string(first.height()) + ", " +
                         std::to_string(map.levels.size()) + (map.levels.size() == 1 ? " level, " : " levels, ") +
                         enginePackText(c.channels) + ", " + engineBitsText(c.bits) + ", built in " +
-                        numberText(seconds, kDigits) + " s; conventions in " + engineSidecar(output) + "\n");
+                        numberText(seconds, kDigits) + " s" + shaderOptions(c) + "; conventions in " +
+                        engineSidecar(output) + "\n");
     return kDone;
 }
 

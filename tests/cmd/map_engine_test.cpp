@@ -5,6 +5,7 @@
 #include "command_test.h"
 #include "relief/files.h"
 #include "relief/maps/engine_builders.h"
+#include "relief/messages.h"
 
 namespace relief::test {
 
@@ -42,6 +43,12 @@ TEST_P(MapEngineTest, ConesAreProvenInEveryFormat) {
         const std::string said = runFine(all);
         EXPECT_TRUE(said.starts_with("cone: 32 x 32, 1 level, ")) << said;
         expectPart(said, "conventions in " + path(form[0]) + ".json");
+        if (form[0] == "d.tif") {
+            const std::string json = read("d.tif.json"), key = "\"scale\":";
+            ASSERT_NE(json.find(key), std::string::npos) << json;
+            const double scale = std::stod(json.substr(json.find(key) + key.size()));
+            expectPart(said, "export shader: --unit slope --length uv --cone-scale " + numberText(scale) + ";");
+        }
         const bool cells = form[0] == "g.png";
         const Result proven = cells ? certified({height, "--map", path(form[0])}) : certified({"--map", path(form[0])});
         EXPECT_EQ(proven.status, 0) << proven.out;
@@ -173,6 +180,8 @@ TEST_P(MapEngineTest, WrongUse) {
     refused({"cone", height, "-o", path("x.png"), "--bits", "float"}, {"--bits", ".png"});
     refused({"cone", height, "-o", path("x.exr"), "--bits", "8"}, {"--bits", ".exr"});
     refused({"cone", height, "-o", path("x.png"), "--unit", "ration"}, {"--unit", "ration", "ratio"});
+    refused({"cone", height, "-o", path("x.png"), "--unit", "slope", "--cone-scale", "8"},
+            {"--cone-scale", "--unit slope --bits 16"});
     refused({"cone", height, "-o", path("x.png"), "--surface", "columns"}, {"--surface", "apex"});
     refused({"cone", height, "-o", path("x.png"), "--set", "sectors=4"}, {"--set sectors"});
     refused({"cone", height, "-o", path("x.png"), "--mips", "7"}, {"--mips", "32x32", "6"});

@@ -86,6 +86,7 @@ void trace(const Map& map, const std::string& rays, const std::string& hits, con
             recorder.limit();
         }
     }
+    recorder.close();
 }
 
 }  // namespace

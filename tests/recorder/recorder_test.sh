@@ -35,6 +35,11 @@ grep -q '"steps": "steps.csv"' worst.json || fail "the scenario does not name th
 head -n 1 steps.csv | grep -q ',kind,gap$' || fail "the column gap is missing"
 diagnose --steps steps.csv
 expect 1 "stair-steps: "
+[ "$(sed -n 2p hits.csv | cut -d , -f 5)" = "$(grep -c '^0,' steps.csv)" ] || fail "the hit counts other steps than the log"
+for files in "/dev/full steps.csv" "hits.csv /dev/full"; do
+    if "$marcher" trace map.pgm rays.csv $files 2>said; then fail "a full disk is not reported ($files)"; fi
+    grep -q '^/dev/full: ' said || { cat said; fail "the message does not name the file"; }
+done
 
 # Python, with and without its fault.
 python=
@@ -72,12 +77,42 @@ if command -v glslangValidator >/dev/null; then
 fi
 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$recorder python3 - <<'PYTHON'
 import struct
-from relief_recorder import write_buffer
+from relief_recorder import Recorder, write_buffer
 rays = [(1.5, 2.5, 4.0, 0.0), (3.5, 2.5, 0.0, 0.0)]
 # Two answers, then the steps of ray 0: one that moves on, and the hit.
 records = [(1.0, 0.5, 2.0, 0.0), (2.0, 0.0, 1.0, 0.0), (0.0, 0.5, 0.625, 0.0), (0.5, 0.5, 0.625, 1.0)]
 data = struct.pack("<4i", 8, 2, 0, 2) + b"".join(struct.pack("<4f", *record) for record in records) + bytes(16 * 4)
 write_buffer(data, rays, "hits.csv", "steps.csv", 96, 64)
+
+def refused(header, second, rays, part):
+    records = [(1.0, 0.5, 2.0, 0.0), second]
+    data = struct.pack("<4i", *header) + b"".join(struct.pack("<4f", *record) for record in records)
+    try:
+        write_buffer(data, rays, "refused.csv", "steps.csv", 96, 64)
+    except ValueError as error:
+        assert part in str(error), error
+    else:
+        raise AssertionError("not refused: " + part)
+
+miss = (2.0, 0.0, 1.0, 0.0)
+refused((2, 0, -1, 2), (0.0, 0.0, 0.0, 0.0), rays, "ray 1 has no answer")
+refused((2, 0, -1, 2), miss, rays[:1], "for 2 rays, not for 1")
+refused((2, 3, 0, 2), miss, rays, "2 records, but the answers and steps need 5")
+refused((2, 0, -1, 3), miss, rays + rays[:1], "2 records, but the answers and steps need 3")
+
+class Number(float):  # NumPy's, which repr() writes with their type
+    def __repr__(self):
+        return f"np.float64({float(self)})"
+    def __mul__(self, other):
+        return Number(float(self) * other)
+    def __radd__(self, other):
+        return Number(other + float(self))
+
+with Recorder("numbers.csv", None, 96, 64) as recorder:
+    recorder.ray(rays[0])
+    recorder.hit(Number(0.5))
+with open("numbers.csv") as file:
+    assert file.read().splitlines()[1] == "hit,0.5,3.5,2.5,1"
 PYTHON
 [ "$(sed -n 2p hits.csv)" = "hit,0.5,3.5,2.5,2" ] || { cat hits.csv; fail "the hit of the buffer is wrong"; }
 [ "$(sed -n 3p hits.csv)" = "miss,,,,1" ] || { cat hits.csv; fail "the miss of the buffer is wrong"; }

@@ -93,6 +93,17 @@ class ShaderPicture : public ShaderTest {
         exact_->trace(rays, hits, sink, work_);
         return hits[0];
     }
+    // Returns whether the surface covers a point of the ray over the map, above the depth `last`. By points, because
+    // methods begin at the top of the slab, where a ray that enters through the map's side is outside.
+    bool isCovered(const ViewRay& ray, double last) const {
+        constexpr int kPoints = 800;
+        for (int n = 0; n <= kPoints; ++n) {
+            const double lambda = last * n / kPoints, s = ray.s0 + lambda * ray.a, t = ray.t0 + lambda * ray.b;
+            const bool inside = s >= 0 && t >= 0 && s <= kSide && t <= kSide;
+            if (inside && field_.at(s, t) >= 1 - lambda) return true;
+        }
+        return false;
+    }
 
     static constexpr int kSide = 64;
     HeightField field_{share(makeRelief("bricks", kSide, kSide, 1)), Surface::Bilinear, Address::Border, 0.15};
@@ -172,7 +183,7 @@ TEST_F(ShaderPicture, ReliefShadowsItself) {
     exact_ = makeTracer({"exact", {}}, field_, maps_, work_);
     const Gl::Picture picture = draw("max-pyramid", {0, 1, 1, -0.1F}, places());
     const glm::dvec3 light = glm::normalize(kLight);
-    int shadowed = 0, lit = 0, wrong = 0;
+    int shadowed = 0, lit = 0, wrong = 0, throughSide = 0, wrongThroughSide = 0;
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             const auto view = viewOf(x, y);
@@ -186,9 +197,14 @@ TEST_F(ShaderPicture, ReliefShadowsItself) {
             const double cosine = glm::dot(glm::normalize(glm::dvec3(-alongS * slab, -alongT * slab, 1)), light);
             ViewRay down{0, 0, -light.x / light.z * slab, -light.y / light.z * slab};
             down.s0 = hit.s - hit.lambda * down.a, down.t0 = hit.t - hit.lambda * down.b;
-            if (down.s0 < 0 || down.t0 < 0 || down.s0 > kSide || down.t0 > kSide) continue;  // enters through the side
-            const Hit blocker = exactHit(down);
             constexpr double kBias = 0.01;
+            if (down.s0 < 0 || down.t0 < 0 || down.s0 > kSide || down.t0 > kSide) {
+                const bool dark = cosine < 0 || isCovered(down, hit.lambda - kBias);
+                throughSide += dark;
+                wrongThroughSide += dark != (found <= 0);
+                continue;
+            }
+            const Hit blocker = exactHit(down);
             const bool dark = cosine < 0 || (blocker.outcome == Outcome::Hit && blocker.lambda < hit.lambda - kBias);
             ++(dark ? shadowed : lit);
             wrong += dark != (found <= 0);
@@ -197,6 +213,8 @@ TEST_F(ShaderPicture, ReliefShadowsItself) {
     EXPECT_GT(shadowed, 300);
     EXPECT_GT(lit, 3000);
     EXPECT_LE(wrong, 10) << "of " << shadowed << " dark and " << lit << " lit pixels";
+    EXPECT_GT(throughSide, 200);
+    EXPECT_LE(wrongThroughSide, 3) << "of " << throughSide << " that are dark, their light entering through the side";
 }
 
 }  // namespace

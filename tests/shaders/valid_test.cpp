@@ -66,6 +66,31 @@ TEST_F(ShaderText, IsValidForTheCompilers) {
     }
 }
 
+// The text with the recorder in front, and calls of it at the beginning of `main`, as it is written there.
+std::string recorded(const std::string& head, const std::string& text, const std::string& main) {
+    std::string all = head + readTextFile(RELIEF_RECORDER "/relief_recorder.glsl") + text;
+    const std::size_t at = all.find(main);
+    EXPECT_NE(at, std::string::npos);
+    return all.insert(at + main.size(), "reliefBegin(0u); reliefStep(0.0, 0.5, 0.25); reliefHit(0.5); reliefMiss();\n");
+}
+
+TEST_F(ShaderText, TakesTheRecorder) {
+    for (const std::string& tracer : shaderTracers()) {
+        ShaderChoice choice{{tracer, {}}, {}, {}, {}};
+        std::string text = shaderText(choice, "test");
+        // In GLSL the version comes first.
+        const std::string version = "#version 450\n";
+        text.erase(text.find(version), version.size());
+        writeTextFile(path("s.frag"), recorded(version, text, "void main() {\n"));
+        EXPECT_TRUE(runs("glslangValidator -S frag s.frag && glslangValidator -V -o s.spv s.frag"))
+            << tracer << ": " << said();
+        choice.language = ShaderLanguage::Hlsl;
+        writeTextFile(path("s.hlsl"),
+                      recorded("#define RELIEF_HLSL\n", shaderText(choice, "test"), "void frag_main()\n{\n"));
+        EXPECT_TRUE(runs("glslangValidator -D -V -S frag -e main -o h.spv s.hlsl")) << tracer << ": " << said();
+    }
+}
+
 TEST_F(ShaderText, HoldsTheOptionsInBothLanguages) {
     for (const std::string& tracer : shaderTracers()) {
         ShaderChoice choice = unusual(tracer);

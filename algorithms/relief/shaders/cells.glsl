@@ -1,3 +1,5 @@
+//@header Rows: cells are counted from the maps' first row, which must be the textures' first one, at v = 0. Where pictures are
+//@header loaded with the last row first, flip the finished maps, the heights and the colours before that; v then grows downwards.
 const float FAR = 1e30;  // greater than every depth
 
 // The bilinear surface is a patch in each cell between four texel centres. Cells are numbered from 0: under repeat cell

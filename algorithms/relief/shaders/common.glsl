@@ -7,10 +7,11 @@
 //@header Between texels: INTERPOLATION 1 weights texels in float, as Reliefscope's tracers do; 0 uses the sampler, one fetch for
 //@header all channels, but graphics cards round its weights to 8 bits: hits move, and steps may pass the surface.
 //@header Axes: texel (0, 0) is the picture's upper left one; v grows with its rows, downwards, as in Direct3D and Vulkan.
-//@header If your pictures are stored with the last row first (OpenGL), flip them, or flip v and the signs of the tangent
-//@header frame's y. Tangent frame: x along u, y along v, z out of the polygon; lengths in widths of the texture on it.
-//@header Depth: the hit's, by relief.depthOfDistance; x = (f / (f - n)), y = -f n / (f - n) for planes n and f and a
-//@header depth buffer from 0 to 1. Sides: relief.size in texels, relief.depth in texture widths; texels are square.
+//@header Where textures hold the last row first (OpenGL, Unity), v grows upwards: pass the v at which they are sampled, and
+//@header let the tangent frame's y point up the picture. Tangent frame: x along u, y along growing v, z out of the polygon;
+//@header lengths in widths of the texture on it.
+//@header Depth: the hit's, by relief.depthOfDistance, in perspective projections only; x = (f / (f - n)), y = -f n / (f - n)
+//@header for planes n and f and a depth buffer from 0 to 1. Sides: relief.size in texels, relief.depth in texture widths; texels are square.
 const int ADDRESS = 0;  // relief outside the map: 0 repeat, 1 clamp, 2 border (clamp the samplers; the rest is discarded)
 const int WHITE = 0;    // what white means in reliefMap: 0 high, 1 deep
 const int INTERPOLATION = 1;  // between texels: 0 by the sampler, 1 in float

@@ -1,9 +1,9 @@
 
-// --- The pixel. Tangent frame: x along u, y along v (down the picture's rows), z out of the polygon; the unit of length
+// --- The pixel. Tangent frame: x along u, y along growing v, z out of the polygon; the unit of length
 // is the width of the texture on the polygon.
 const float SHADOW_BIAS = 0.01;  // depth by which a blocker must lie above the point that it shadows
 
-layout(location = 0) in vec2 texcoord;  // 0 to 1 over the map, v downwards
+layout(location = 0) in vec2 texcoord;  // 0 to 1 over the map, as the textures are sampled
 layout(location = 1) in vec3 fromEye;   // from the eye to the polygon's point, tangent frame
 layout(location = 2) in vec3 toLight;   // tangent frame, any length
 layout(location = 0) out vec4 color;
@@ -27,6 +27,8 @@ bool inShadow(vec2 place, float lambda, vec3 light) {
         if (ray.start.y < 0.0) ray.from = max(ray.from, -ray.start.y / ray.run.y);
         if (ray.start.x > relief.size.x) ray.from = max(ray.from, (relief.size.x - ray.start.x) / ray.run.x);
         if (ray.start.y > relief.size.y) ray.from = max(ray.from, (relief.size.y - ray.start.y) / ray.run.y);
+        // Deeper by more than the rounding: just outside the map the tracer would find nothing.
+        ray.from *= 1.000002;
     }
     Hit blocker = @trace@(ray);
     return blocker.found && blocker.lambda < lambda - SHADOW_BIAS;
@@ -51,5 +53,6 @@ void main() {
     float lit = max(dot(normalAt(place), light), 0.0);
     if (lit > 0.0 && inShadow(place, hit.lambda, light)) lit = 0.0;
     color = vec4(albedo.rgb * (relief.ambient + relief.intensity * lit), albedo.a);
+    // gl_FragCoord.w is one over the distance along the view axis, in perspective projections only.
     gl_FragDepth = relief.depthOfDistance.x + relief.depthOfDistance.y * gl_FragCoord.w / farther;
 }
