@@ -120,6 +120,11 @@ std::string linkTarget(const std::string& path) {
     throwUnwritable(path, ELOOP, path);
 }
 
+void takePermissions(int descriptor, const std::string& target) {
+    struct stat existing {};
+    if (::stat(target.c_str(), &existing) == 0) static_cast<void>(::fchmod(descriptor, existing.st_mode & 0777));
+}
+
 void replaceFile(const std::string& complete, const std::string& target, const std::string& path) {
     if (::rename(complete.c_str(), target.c_str()) != 0) throwUnwritable(path, errno, target);
     // Makes the new name survive a power cut. Not every file system allows it; the file is complete either way.
@@ -143,8 +148,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
         temporary_ = (folder / freshName(extension)).string();
         Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
         if (file.open()) {
-            // Best effort: some file systems have no permissions, which is no reason to fail.
-            if (exists) static_cast<void>(::fchmod(file.number(), existing.st_mode & 0777));
+            takePermissions(file.number(), target_);
             return;
         }
         if (errno != EEXIST) throwUnwritable(path_, errno, target_);

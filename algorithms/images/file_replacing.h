@@ -13,6 +13,10 @@ namespace relief {
 // Throws WorkError.
 std::string linkTarget(const std::string& path);
 
+// Gives an open file the permissions of the file that it will replace, if that is there. Best effort: some file systems
+// have no permissions, which is no reason to fail.
+void takePermissions(int descriptor, const std::string& target);
+
 // Renames the complete file to linkTarget(path) so that the new name survives a power cut where the file system allows
 // it. Throws WorkError, and leaves both files.
 void replaceFile(const std::string& complete, const std::string& target, const std::string& path);

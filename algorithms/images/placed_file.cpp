@@ -60,14 +60,14 @@ PlacedPicture wholeOf(const std::vector<PlacedPart>& parts) {
 }  // namespace
 
 PlacedFile::PlacedFile(std::string path, PictureLayout layout)
-    : path_(std::move(path)), rows_(path_ + ".rows"), layout_(std::move(layout)) {
+    : path_(std::move(path)), target_(linkTarget(path_)), rows_(target_ + ".rows"), layout_(std::move(layout)) {
     const AtomicFile probe(path_);
 }
 
 PlacedFile::~PlacedFile() {
     if (descriptor_ < 0) return;
     ::close(descriptor_);
-    if (::access((path_ + ".part").c_str(), F_OK) != 0) ::unlink(rows_.c_str());
+    if (::access((target_ + ".part").c_str(), F_OK) != 0) ::unlink(rows_.c_str());
 }
 
 void PlacedFile::fail(int error) const {
@@ -77,6 +77,7 @@ void PlacedFile::fail(int error) const {
 void PlacedFile::open(bool keep) {
     descriptor_ = ::open(rows_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | (keep ? 0 : O_TRUNC), 0666);
     if (descriptor_ < 0) fail(errno);
+    takePermissions(descriptor_, target_);
     const std::uint64_t bytes = layout_.fileBytes();
     while (::fallocate(descriptor_, 0, 0, static_cast<::off_t>(bytes)) != 0) {
         if (errno == EINTR) continue;
@@ -116,7 +117,7 @@ void PlacedFile::finish() {
     if (::ftruncate(descriptor_, static_cast<::off_t>(layout_.fileBytes())) != 0 ||
         (::fsync(descriptor_) != 0 && errno != EINVAL))
         fail(errno);
-    replaceFile(rows_, linkTarget(path_), path_);
+    replaceFile(rows_, target_, path_);
     ::close(std::exchange(descriptor_, -1));
 }
 

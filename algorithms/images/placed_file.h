@@ -12,7 +12,8 @@
 
 namespace relief {
 
-// The unfinished picture, FILE.rows: the rows at their final places. FILE.part beside it names the rows that are done.
+// The unfinished picture, FILE.rows: the rows at their final places. FILE.part next to it names the rows that are done.
+// Where FILE is a symbolic link, both stand next to the link's target.
 class PlacedFile {
   public:
     // path: of the picture. Touches no file yet. Throws WorkError if the picture could not replace `path` in the end.
@@ -38,7 +39,7 @@ class PlacedFile {
     [[noreturn]] void fail(int error) const;
     [[noreturn]] void failReserving(int error) const;
 
-    std::string path_, rows_;
+    std::string path_, target_, rows_;  // target_: the file that is replaced
     PictureLayout layout_;
     int descriptor_ = -1;
 };

@@ -47,7 +47,8 @@ std::uint64_t stateBytes(std::uint64_t work, std::uint64_t learned, std::uint64_
 
 TiledPart::TiledPart(const std::string& path, const TiledLayout& layout, const std::string& work, EarlierRun earlier)
     : path_(path),
-      part_(path + ".part"),
+      target_(linkTarget(path)),
+      part_(target_ + ".part"),
       work_(work),
       layout_(layout),
       most_(roundedUp(stateBytes(work.size(), kMostLearned, TiledLevels::savedBytes(layout)), kBlock)) {
@@ -87,6 +88,7 @@ void TiledPart::open(EarlierRun earlier) {
     if (descriptor_ < 0) fail(errno);
     kept_ = fresh ? 0 : 1;  // what an exception leaves alone
     lock();
+    takePermissions(descriptor_, target_);
     if (!fresh && earlier == EarlierRun::Resume && !untouched()) {
         findEarlier();
         kept_ = earlier_->bands;
@@ -222,7 +224,7 @@ void TiledPart::finish() {
     if (::ftruncate(descriptor_, static_cast<::off_t>(layout_.fileBytes)) != 0 ||
         (::fsync(descriptor_) != 0 && errno != EINVAL))
         fail(errno);
-    replaceFile(part_, linkTarget(path_), path_);
+    replaceFile(part_, target_, path_);
     finished_ = true;
 }
 

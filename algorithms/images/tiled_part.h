@@ -22,8 +22,9 @@ class TiledPart {
         std::vector<std::byte> levels;  // TiledLevels::save()
     };
 
-    // Creates or opens `path`.part. work: what the file will hold; Resume refuses what another work has left. Throws
-    // InputError (it is there and `earlier` is Refuse, another process writes it, or it is of other work), WorkError.
+    // Creates or opens `path`.part; if `path` is a symbolic link, it stands next to the link's target. work: what the
+    // file will hold; Resume refuses what another work has left. Throws InputError (it is there and `earlier` is
+    // Refuse, another process writes it, or it is of other work), WorkError.
     TiledPart(const std::string& path, const TiledLayout& layout, const std::string& work, EarlierRun earlier);
     // Removes the file if nothing has been kept in it.
     ~TiledPart();
@@ -58,7 +59,7 @@ class TiledPart {
     }
     [[noreturn]] void fail(int error) const;
 
-    std::string path_, part_, work_;
+    std::string path_, target_, part_, work_;  // target_: the file that is replaced
     TiledLayout layout_;
     std::uint64_t most_;  // bytes reserved for a state
     std::vector<std::uint64_t> checksums_;

@@ -196,8 +196,9 @@ Json sweepText(const BenchCommandOptions& given, const BenchOptions& options, co
               {"relief depth", options.reliefDepth},
               {"threads", session.threads()},
               {"tracers", given.tracers.value_or("")}};
-    // Written only if it is not the default, so that sweeps of the first version can be resumed.
+    // Written only if they are not the default, so that sweeps of the first version can be resumed.
     if (formOf(given) == Form::Scalar) what["form"] = formName(Form::Scalar);
+    if (given.memory) what["memory"] = parseTileMemory(*given.memory);
     return what;
 }
 

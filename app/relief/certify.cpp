@@ -93,6 +93,7 @@ int runCertify(const CertifyOptions& options, Session& session) {
     if (options.seed) rayOptions.seed = parseSeed(*options.seed, "--seed");
     if (isForEngine(options)) return certifyEngineMap(options.scenario, options.engine, rayOptions, session);
     Scenario scenario = options.scenario.scenario();
+    refuseOverwriting("--output", options.output.value_or(""), inputFiles(options.scenario, scenario));
     scenario.method = withStoredMap(scenario.method);
     Work& work = session.work();
     AssetStore store;
@@ -119,11 +120,11 @@ void addCertifyCommand(CLI::App& program, Commands& commands) {
     CLI::App* parser = addCommand(
         program, "certify", "prove or refute that a map is safe",
         "A map is safe if no ray that is traced with it ends past the first hit, that is, passes through the relief. "
-        "Every value of the maps that are made to be safe (euclidean-conservative, refined, cone, cone-robust) is compared with an exact bound "
-        "that is computed independently; if no value violates its bound, the map is proven safe for all rays for which "
-        "it is valid. In addition, seeded rays that are likely to fail (grazing, along walls, into walls, at edges) "
-        "are traced with the method and with exact. Other interpolated maps, and methods without a map, are checked with "
-        "these rays only, which can refute safety but not prove it. "
+        "Every value of the maps that are made to be safe (euclidean-conservative, refined, cone, cone-robust) is "
+        "compared with an exact bound that is computed independently; if no value violates its bound, the map is "
+        "proven safe for all rays for which it is valid. In addition, seeded rays that are likely to fail (grazing, "
+        "along walls, into walls, at edges) are traced with the method and with exact. Other interpolated maps, and "
+        "methods without a map, are checked with these rays only, which can refute safety but not prove it. "
         "A --map for engines, by its description or by options of the group Maps of engines, is certified as a shader "
         "reads it: its numbers are decoded, heights interpolated, cones fetched as told, and the ray steps to the edge "
         "of the cone on the surface below it. Weights are taken in float; that a graphics card's sampler rounds them "

@@ -80,6 +80,7 @@ int runCompare(const CompareOptions& options, Session& session) {
     const std::string& nameA = needed(options.reference, "A", "compare");
     const std::string& nameB = needed(options.test, "B", "compare");
     if (options.output) checkOutput(*options.output, {"png", "tif", "tiff", "bmp", "exr"});
+    refuseOverwriting("--output", options.output.value_or(""), {nameA, nameB});
     const double pixelsPerDegree =
         options.pixelsPerDegree ? within(*options.pixelsPerDegree, "--ppd", 1, 1000) : kPixelsPerDegree;
     std::optional<double> limit;

@@ -115,6 +115,14 @@ struct Report {
     }
 };
 
+void refuseOwnInputs(const DiagnoseOptions& options, const Scenario& scenario) {
+    std::vector<std::string> inputs = inputFiles(options.scenario, scenario);
+    for (const OptionText& file : {options.rays, options.hits, options.steps}) inputs.push_back(file.value_or(""));
+    inputs.push_back(raysViewPath(*options.rays));
+    refuseOverwriting("--picture", options.picture.value_or(""), inputs);
+    refuseOverwriting("--output", options.output.value_or(""), inputs);
+}
+
 int runDiagnose(const DiagnoseOptions& options, Session& session) {
     options.run.apply(session);
     if (options.picture) checkOutput(*options.picture, {"png", "tif", "tiff", "bmp", "exr"});
@@ -124,6 +132,7 @@ int runDiagnose(const DiagnoseOptions& options, Session& session) {
     const OptionText file =
         options.scenario.heightsGiven() ? options.scenario.file() : OptionText(raysViewPath(raysFile));
     Scenario scenario = options.scenario.scenario(file);
+    refuseOwnInputs(options, scenario);
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
     Work& work = session.work();

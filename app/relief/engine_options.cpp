@@ -36,10 +36,10 @@ void EngineOptions::addCommon(CLI::App& parser) {
             "numbers that stand for cones. ratio: by how much a cone widens per height of the slab (default); "
             "sqrt-ratio: its square root, which 8 bits hold better; slope: 1 / ratio",
             kGroup);
-    addText(
-        parser, "--cone-scale", scale_, "S",
-        "ratio (or slope) for which 1 is stored; default 1. When slopes are written as integers, it is the steepest",
-        kGroup);
+    addText(parser, "--cone-scale", scale_, "S",
+            "ratio (or slope) for which 1 is stored; default 1. When slopes are written as integers, it is the "
+            "steepest, and cannot be given",
+            kGroup);
     addText(parser, "--length", length_, "uv|width",
             "unit of length of a ratio: texture coordinates (default), or texture widths on both axes", kGroup);
     addText(parser, "--white", white_, "high|deep",

@@ -26,6 +26,7 @@ class EngineOptions {
     // Number of MIP levels of a map that is written, for a map of that size; 1 if the option is not given.
     int mips(int width, int height) const;
     bool mipsGiven() const { return mips_.has_value(); }
+    bool scaleGiven() const { return scale_.has_value(); }
 
   private:
     void addCommon(CLI::App& parser);

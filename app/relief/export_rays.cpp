@@ -8,10 +8,20 @@ namespace relief::app {
 
 namespace {
 
+// Throws InputError if the rays or their view would replace a file of the command, or the view any other file than an
+// earlier view: its name was not given, so nobody expects it to be written.
+void refuseReplacing(const std::string& output, const std::string& view, std::vector<std::string> inputs) {
+    refuseOverwriting("--output", output, inputs);
+    if (!isRaysView(view)) inputs.push_back(view);
+    refuseOverwriting("--output", output, inputs, view);
+}
+
 int runRays(const ExportOptions& given, Session& session) {
     const std::string& output = needed(given.output, "--output", "export rays");
     checkOutput(output, {"csv"});
+    const std::string path = raysViewPath(output);
     Scenario scenario = given.scenario.scenario();
+    refuseReplacing(output, path, inputFiles(given.scenario, scenario));
     // Rays depend on the size of the height map alone.
     scenario.pictures.color.clear();
     scenario.pictures.normal.clear();
@@ -22,7 +32,6 @@ int runRays(const ExportOptions& given, Session& session) {
     const FrameRequest request = frameRequest(scenario, assets);
     const ViewRays view = viewRays(request);
     if (view.rays.size() == 0) throw InputError("--camera", Message(MessageId::ViewNoRays));
-    const std::string path = raysViewPath(output);
     TextOutput rays(output, session.stop());
     TextOutput beside(path, session.stop());
     rays.write(std::string(kRaysHeader) + "\n" + rayLines(view.rays, work));

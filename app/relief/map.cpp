@@ -84,6 +84,7 @@ int writePyramid(const MapOptions& options, const std::string& kind, const std::
         throw InputError("--set",
                          unknownName({"what", Message(MessageId::WordOptionOf, {{"method", kind}})}, name, {}));
     }
+    refuseOverwriting("--output", output, inputFiles(chosen, scenario));
     Work& work = session.work();
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);
@@ -129,6 +130,7 @@ int runMap(const MapOptions& options, Session& session) {
     ScenarioOptions chosen = options.scenario;
     chosen.chooseTracer(methodOfMap(kind) + text.substr(kind.size()), text);
     const Scenario scenario = chosen.scenario();
+    if (!options.at) refuseOverwriting("--output", *options.output, inputFiles(chosen, scenario));
     Work& work = session.work();
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work);

@@ -1,16 +1,20 @@
 // relief merge FILE... [-o OUT]: joins the parts of one run (--part K/N) into the output that one process would have
 // written.
+#include <fcntl.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include "help_formatter.h"
+#include "images/file_descriptor.h"
 #include "images/picture_bands.h"
 #include "images/placed_file.h"
+#include "images/system_error.h"
 #include "merge_tables.h"
 #include "options_common.h"
 #include "output.h"
@@ -38,10 +42,16 @@ struct MergedPart : TextPart {
     throw InputError(path, Message(MessageId::PartNone));
 }
 
-// Returns the first character of a regular file; 0 if there is none.
+// Returns the first character of a regular file; 0 if there is none. Throws InputError if it cannot be read.
 char firstLetter(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (error) throw InputError(path, systemMessage(error.value(), FileAccess::Read));
     char letter = 0;
-    if (std::filesystem::is_regular_file(path)) std::ifstream(path, std::ios::binary).get(letter);
+    if (!std::filesystem::is_regular_file(status)) return letter;
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.open() || readAt(file.number(), 0, &letter, 1) < 0)
+        throw InputError(path, systemMessage(errno, FileAccess::Read));
     return letter;
 }
 
@@ -110,7 +120,7 @@ PlacedPart placedPart(const MergedPart& part, int height) {
     const bool groups = begin % PictureLayout::kGroup == 0 && (last || end % PictureLayout::kGroup == 0) && begin < end;
     const std::vector<std::string>& channels = part.info.channels;
     const bool rgb = channels == std::vector<std::string>{"R", "G", "B"};
-    if (!groups || !more.value("tiled", false) || (!exr && !rgb)) {
+    if (!groups || more.value("tiled", Json()) != Json(true) || (!exr && !rgb)) {
         throw InputError(part.path, Message(MessageId::FileTruncated));
     }
     return {part.path, PictureLayout({exr, part.info.width, height, begin, end, channels, part.line})};
@@ -143,11 +153,8 @@ int runMerge(const MergeOptions& options, Session& session) {
     if (options.files.empty()) needed(std::nullopt, "FILE", "merge");
     std::vector<MergedPart> parts;
     std::vector<PartFile> numbers;
+    refuseOverwriting("--output", options.output.value_or(""), options.files);
     for (const std::string& path : options.files) {
-        std::error_code none;
-        if (options.output && std::filesystem::equivalent(path, *options.output, none)) {
-            throw InputError("--output " + *options.output, Message(MessageId::ArgumentsExclude, {{"other", path}}));
-        }
         parts.push_back(readPart(path));
         if (parts.back().content != parts.front().content) {
             throw InputError(path, Message(MessageId::PartOtherKind, {{"other", parts.front().path}}));

@@ -214,6 +214,11 @@ std::string ReadingOptions::given() const {
     return channel_ ? "--channel" : invert_ ? "--invert" : range_ ? "--range" : maxPixels_ ? "--max-pixels" : "";
 }
 
+std::vector<std::string> inputFiles(const ScenarioOptions& options, const Scenario& scenario) {
+    const Pictures& pictures = scenario.pictures;
+    return {options.file().value_or(""), pictures.height, pictures.color, pictures.normal, options.map().value_or("")};
+}
+
 void noteHeights(Session& session, const Assets& assets, const Scenario& scenario) {
     const Pictures& pictures = scenario.pictures;
     const std::string name = pictures.recipe.empty() ? heightsName(pictures) : pictures.recipe;

@@ -186,6 +186,10 @@ class ScenarioOptions {
     OptionText scene_, camera_, eye_, target_, fov_, size_, light_, bounded_, mapping_;
 };
 
+// Returns the files of a scenario with these options: its own, its pictures, the stored map; empty names for those that
+// it does not have.
+std::vector<std::string> inputFiles(const ScenarioOptions& options, const Scenario& scenario);
+
 // Parses "elevation=20,azimuth=30". The camera becomes an orbit camera unless only the field of view is given. option:
 // the option's name, for messages.
 void applyOrbit(Scenario& scenario, const std::string& text, const std::string& option);

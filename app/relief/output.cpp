@@ -157,4 +157,16 @@ void checkOutputFolder(const std::string& path) {
     if (target && S_ISDIR(*target)) throw WorkError(path, Message(MessageId::FileIsDirectory));
 }
 
+void refuseOverwriting(const std::string& option, const std::string& output, const std::vector<std::string>& files,
+                       const std::string& written) {
+    const std::string& path = written.empty() ? output : written;
+    const auto mode = fileMode(path);
+    if (path == "-" || !mode || !S_ISREG(*mode)) return;
+    for (const std::string& file : files) {
+        std::error_code none;
+        if (!std::filesystem::equivalent(file, path, none)) continue;
+        throw InputError(file, Message(MessageId::FileOverwritten, {{"output", option + " " + output}}));
+    }
+}
+
 }  // namespace relief::app

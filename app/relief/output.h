@@ -54,6 +54,11 @@ std::string readStandardInput(const std::stop_token& stop);
 void checkOutput(const std::string& path, const std::vector<std::string>& endings);
 // Throws WorkError if the folder does not exist, or if `path` is itself a folder.
 void checkOutputFolder(const std::string& path);
+// Throws InputError if writing `output`, the value of `option`, would replace one of the files that the command reads,
+// by whatever name or link. written: the file that is written if it is not `output` itself. Empty names and "-" are no
+// files; devices and pipes are not replaced.
+void refuseOverwriting(const std::string& option, const std::string& output, const std::vector<std::string>& files,
+                       const std::string& written = {});
 
 // Returns the ending of the file's name, in lower case, without the dot.
 std::string fileEnding(const std::string& path);

@@ -83,6 +83,7 @@ std::vector<Scenario> checkedScenarios(const RecommendOptions& given) {
 int runCheck(const RecommendOptions& given, Session& session) {
     std::vector<CheckedRelief> checked;
     for (const Scenario& scenario : checkedScenarios(given)) {
+        refuseOverwriting("--output", given.output.value_or("-"), inputFiles(given.scenario, scenario));
         AssetStore store;
         const Assets assets = store.load(scenario.pictures, session.work(), true);
         AdviceOptions options(assets.field(scenario));
@@ -141,9 +142,14 @@ int runRecommend(const RecommendOptions& given, Session& session) {
     given.run.apply(session);
     checkForm(given);
     if (given.output) checkOutputFolder(*given.output);
+    // The regret is a text, which a file of this name would not hold.
+    if (given.check && given.asJson()) {
+        throw InputError("--check", Message(MessageId::ArgumentsExclude, {{"other", "--output " + *given.output}}));
+    }
     if (given.check) return runCheck(given, session);
     Scenario scenario = given.scenario.scenario();
     if (given.color) scenario.pictures.color = *given.color;
+    refuseOverwriting("--output", given.output.value_or("-"), inputFiles(given.scenario, scenario));
     Work& work = session.work();
     AssetStore store;
     const Assets assets = store.load(scenario.pictures, work, true);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "images/file_replacing.h"
 #include "images/picture_bands.h"
 #include "images/placed_file.h"
 #include "one_picture.h"
@@ -134,7 +135,8 @@ void renderTiled(OnePicture& picture, const RenderOptions& options, const PartNu
     PartsRun run;
     run.bar = "render";
     run.parts = static_cast<std::size_t>((all.count() + block - 1) / block);
-    run.output = output;
+    // Both files of an unfinished picture stand next to the file that is replaced in the end.
+    run.output = linkTarget(output);
     run.work = {{"run", what}, {"rows", {all.begin, all.end, block}}};
     run.earlier = options.many.restart.chosen();
     run.alone = options.part.has_value();
@@ -205,6 +207,9 @@ int runRender(const RenderOptions& options, Session& session) {
     if (options.report && *options.report != "-") checkOutput(*options.report, {"json"});
     const Scenario scenario = options.scenario.scenario();
     checkSides(scenario, output);
+    const std::vector<std::string> inputs = inputFiles(options.scenario, scenario);
+    refuseOverwriting("--output", output, inputs);
+    refuseOverwriting("--report", options.report.value_or(""), inputs);
     const bool huge = std::int64_t{scenario.width} * scenario.height > kMostWholePixels;
     OnePicture picture(options.scenario, scenario, layers, options.report.has_value(), session);
     if (options.tiled || (huge && canTile(fileEnding(output)) && !options.report)) {

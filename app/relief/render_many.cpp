@@ -1,5 +1,7 @@
 #include "render_many.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -9,6 +11,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "output.h"
 #include "parts_run.h"
 #include "relief/files.h"
 #include "relief/memory.h"
@@ -105,6 +108,7 @@ struct PictureList {
     std::string ending;
     std::vector<Scenario> scenarios;
     std::vector<Picture> pictures;
+    std::set<std::string> inputs;  // the scenarios' own pictures
     Json what;
 
     // to: the end of the camera path.
@@ -133,19 +137,69 @@ struct PictureList {
             scenarios.push_back(std::move(scenario));
         }
     }
+    // Adds the files' sizes and times to the description, so that pictures of an edited map are not mixed with earlier
+    // ones.
+    void describeInputs() {
+        for (const std::string& input : inputs) {
+            struct stat file {};
+            if (stat(input.c_str(), &file) != 0) continue;
+            what["files"].push_back({file.st_size, file.st_mtim.tv_sec, file.st_mtim.tv_nsec});
+        }
+    }
 
   private:
     void describe(const char* list, Scenario scenario) {
+        const Pictures& files = scenario.pictures;
+        for (const std::string& file : {files.height, files.color, files.normal}) {
+            if (!file.empty()) inputs.insert(file);
+        }
         scenario.ui.clear();  // the window's state does not affect pictures
         what[list].push_back(scenarioText(scenario));
     }
 };
 
 void makeFolder(const std::string& folder) {
-    std::error_code error;
+    std::error_code error, none;
     std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder)) {
+    if (!std::filesystem::is_directory(folder, none)) {
         throw WorkError(folder, Message(MessageId::FileUnwritable, {{"why", error.message()}}));
+    }
+}
+
+// Lists the pictures of all files. frames: of the camera path of each, if there is no sweep.
+PictureList listed(const ManyFrames& many, const ScenarioOptions& options, const std::vector<std::string>& layers,
+                   const std::optional<Sequence>& swept, std::int64_t frames) {
+    std::vector<OptionText> files{options.file()};
+    files.insert(files.end(), many.more.begin(), many.more.end());
+    PictureList list;
+    list.ending = layers.empty() ? ".png" : ".exr";
+    list.what = {{"kind", "render"}, {"layers", layers}};
+    std::set<std::string> stems;
+    for (const OptionText& file : files) {
+        const std::string stem = file ? std::filesystem::path(*file).stem().string() : "frame";
+        if (!stems.insert(stem).second) throw InputError(*file, Message(MessageId::ArgumentRepeated));
+        const Scenario scenario = options.scenario(file);
+        if (swept) {
+            list.addSweep(framesOf(*swept, scenario, "--sweep"), stem);
+        } else {
+            list.addPath(scenario, many.to, frames, stem);
+        }
+    }
+    // Each is written only if there is one, so that a run of an earlier version that has none of them can be resumed.
+    if (frames > 1) list.what["frames"] = frames;
+    list.describeInputs();
+    if (const std::string map = options.mapContent(); !map.empty()) list.what["map"] = map;
+    return list;
+}
+
+// Throws InputError if one of the pictures would replace a file that the run reads.
+void refuseReplacing(const PictureList& list, const ManyFrames& many, const ScenarioOptions& options,
+                     const std::string& folder) {
+    std::vector<std::string> inputs(list.inputs.begin(), list.inputs.end());
+    inputs.insert(inputs.end(), many.more.begin(), many.more.end());
+    for (const OptionText& file : {options.file(), options.map()}) inputs.push_back(file.value_or(""));
+    for (const Picture& picture : list.pictures) {
+        refuseOverwriting("--output", folder, inputs, (std::filesystem::path(folder) / picture.name).string());
     }
 }
 
@@ -193,30 +247,16 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     const std::int64_t count = sweep ? 1 : given.value_or(1);
     if (to && !frames) throw InputError("--to", Message(MessageId::NeedsArgument, {{"other", "--frames"}}));
     // A picture's file name given for several pictures is a mistake; creating a folder of that name would hide it.
-    if (std::filesystem::path(folder).has_extension() && !std::filesystem::is_directory(folder)) {
+    std::error_code none;
+    if (std::filesystem::path(folder).has_extension() && !std::filesystem::is_directory(folder, none)) {
         throw InputError(!more.empty() ? more.front()
                          : sweep       ? "--sweep"
                                        : "--frames",
                          Message(MessageId::ArgumentsExclude, {{"other", "--output " + folder}}));
     }
-    std::vector<OptionText> files{options.file()};
-    files.insert(files.end(), more.begin(), more.end());
-    PictureList list;
-    list.ending = layers.empty() ? ".png" : ".exr";
-    list.what = {{"kind", "render"}, {"layers", layers}};
-    std::set<std::string> stems;
-    for (const OptionText& file : files) {
-        const std::string stem = file ? std::filesystem::path(*file).stem().string() : "frame";
-        if (!stems.insert(stem).second) throw InputError(*file, Message(MessageId::ArgumentRepeated));
-        const Scenario scenario = options.scenario(file);
-        if (swept) {
-            list.addSweep(framesOf(*swept, scenario, "--sweep"), stem);
-        } else {
-            list.addPath(scenario, to, count, stem);
-        }
-    }
+    PictureList list = listed(*this, options, layers, swept, count);
+    refuseReplacing(list, *this, options, folder);
     std::vector<Picture>& pictures = list.pictures;
-    Json& what = list.what;
     std::string journal = "pictures";
     if (part.of > 1) {
         std::size_t index = 0;
@@ -227,13 +267,11 @@ int ManyFrames::run(const ScenarioOptions& options, const std::string& folder, c
     const bool writes = leadsRun(part.of > 1);
     if (writes) makeFolder(folder);
     Studio studio(options, std::move(list.scenarios), count > 1, session);
-    // Written only if there is a map, so that runs of earlier versions can be resumed.
-    if (const std::string map = options.mapContent(); !map.empty()) what["map"] = map;
     PartsRun run;
     run.bar = "render";
     run.parts = pictures.size();
     run.output = (place / journal).string();
-    run.work = what;
+    run.work = list.what;
     run.earlier = earlier;
     run.alone = part.of > 1;
     run.measure = [&](const Task& task, Work& work) -> Json {

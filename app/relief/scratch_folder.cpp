@@ -10,7 +10,10 @@
 namespace relief::app {
 
 ScratchFolder::ScratchFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "relief-XXXXXX").string();
+    std::error_code error;
+    const std::filesystem::path all = std::filesystem::temp_directory_path(error);
+    if (error) throw WorkError("TMPDIR", Message(MessageId::FileUnwritable, {{"why", error.message()}}));
+    std::string pattern = (all / "relief-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) {
         throw WorkError(pattern, Message(MessageId::FileUnwritable, {{"why", std::strerror(errno)}}));
     }

@@ -146,7 +146,8 @@ int runStress(const StressCommandOptions& given, Session& session) {
     if (given.only) options.only = parseSeed(*given.only, "--case");
     if (given.folder) {
         options.folder = *given.folder;
-        if (!std::filesystem::is_directory(options.folder)) {
+        std::error_code none;
+        if (!std::filesystem::is_directory(options.folder, none)) {
             throw WorkError(options.folder, Message(MessageId::OutputFolderMissing, {{"folder", options.folder}}));
         }
     }

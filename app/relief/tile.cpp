@@ -26,6 +26,7 @@ int runTile(const TileOptions& options, Session& session) {
     const std::string picture = shippedFile(chosenPicture(options));
     const std::string& output = needed(options.output, "--output", "tile");
     checkOutput(output, kTiledEndings);
+    refuseOverwriting("--output", output, {picture});
     HeightReadOptions reading;
     options.reading.apply(reading);
     const auto rows = pictureHeightRows(picture, reading);

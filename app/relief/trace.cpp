@@ -207,6 +207,13 @@ void refuseTwoSources(const TraceOptions& options) {
     if (!view.empty() && !options.single.empty()) refuse(view, "--ray");
 }
 
+void refuseOwnInputs(const TraceOptions& options, const Scenario& scenario) {
+    std::vector<std::string> inputs = inputFiles(options.scenario, scenario);
+    inputs.push_back(options.rays.value_or(""));
+    refuseOverwriting("--output", options.output.value_or("-"), inputs);
+    refuseOverwriting("--steps", options.steps.value_or(""), inputs);
+}
+
 int runTrace(const TraceOptions& options, Session& session) {
     options.run.apply(session);
     const std::string output = options.output.value_or("-");
@@ -219,6 +226,7 @@ int runTrace(const TraceOptions& options, Session& session) {
         throw InputError(colored, Message(MessageId::NeedsArgument, {{"other", "--why"}}));
     }
     Scenario scenario = options.scenario.scenario();
+    refuseOwnInputs(options, scenario);
     if (!options.why) {
         // Tracing depends on the heights only.
         scenario.pictures.color.clear();

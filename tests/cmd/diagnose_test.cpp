@@ -146,10 +146,28 @@ TEST_P(DiagnoseTest, WrongFilesAreRefused) {
     write("rays2.json", read("rays.json"));
     refuse({"--rays", path("rays2.csv"), "--hits", write("h.csv", "outcome,lambda\nhit,0.5\n")},
            {"rays2.json", "rays2.csv"});
+    refuse({"--rays", path("rays.csv"), "--hits", good, "-o", path("rays.json")}, {"rays.json: would be overwritten"});
     expectRefusal({"export", "rays", height_}, 2, {"--output"});
     expectRefusal({"export", "rays", height_, "-o", path("r.txt")}, 2, {"r.txt"});
     expectRefusal({"export", "rays", height_, "--eye", "0,-1,0", "--target", "0,-2,0", "-o", path("r.csv")}, 2,
                   {"--camera"});
+}
+
+// FILE.json next to the rays replaces an earlier view and no other file, whose name only happens to be the same.
+TEST_P(DiagnoseTest, TheViewReplacesNoOtherFile) {
+    write("wall.json", R"({"reliefscope": 1, "pictures": {"height": "height.png"}, "size": [40, 30]})");
+    write("notes.json", "{}");
+    const auto before = files();
+    for (const auto& [input, name] : {std::pair(path("wall.json"), "wall"), std::pair(height_, "notes")}) {
+        const std::string json = std::string(name) + ".json", bytes = read(json);
+        expectRefusal({"export", "rays", input, "-o", path(std::string(name) + ".csv")}, 2,
+                      {path(json) + ": would be overwritten by --output " + path(name)});
+        EXPECT_EQ(read(json), bytes);
+    }
+    EXPECT_EQ(files(), before);
+    const std::string view = read("rays.json");
+    runFine({"export", "rays", height_, "--scene", "wall", "--size", "20x15", "-o", path("rays.csv")});
+    EXPECT_NE(read("rays.json"), view);
 }
 
 }  // namespace relief::test

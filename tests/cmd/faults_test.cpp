@@ -82,7 +82,7 @@ class FaultsTest : public CommandTest {
     void tryFault(const FaultyCommand& command, const std::string& kind, int call, int error, bool stays = false) {
         SCOPED_TRACE(command.name + ": " + kind + " " + std::to_string(call) + " error " + std::to_string(error));
         cleanUp();
-        for (const std::string& output : command.outputs) write(output, "old");
+        for (const std::string& output : command.outputs) write(output, kOld);
         const std::string fault = kind + ":" + std::to_string(call) + ":" + std::to_string(error) + (stays ? "+" : "");
         const Result result = run(command.arguments, preloaded("RELIEF_FAULT", fault));
         ++tried_;
@@ -98,7 +98,7 @@ class FaultsTest : public CommandTest {
         }
         for (const std::string& output : command.outputs) {
             const std::string now = read(output);
-            ASSERT_TRUE(now == good_[output] || (result.status != 0 && now == "old")) << output << " is lost";
+            ASSERT_TRUE(now == good_[output] || (result.status != 0 && now == kOld)) << output << " is lost";
         }
         for (const std::string& file : files()) {
             const bool known = std::count(before_.begin(), before_.end(), file) != 0 || good_.contains(file);

@@ -121,6 +121,8 @@ TEST_P(RecommendTest, Refusals) {
     expectRefusal({"recommend", "--height", path("none.png")}, 2, {"none.png", "no such file"});
     expectRefusal({"recommend"}, 2, {"no height map"});
     expectRefusal(with({"-o", path("no/a.txt")}), 1, {"no"});
+    expectRefusal(with({"--check", "-o", path("regret.json")}), 2, {"--check", path("regret.json")});
+    EXPECT_TRUE(files().empty());
 }
 
 }  // namespace relief::test

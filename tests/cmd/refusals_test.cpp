@@ -1,4 +1,5 @@
-// Pictures that cannot be height maps: each is refused with one line that names the file, and exit status 2.
+// Pictures that cannot be height maps, names that no file can have, and outputs that would replace an input: each is
+// refused with one line that names the file.
 #include <cmath>
 #include <limits>
 
@@ -178,6 +179,68 @@ TEST_P(RefusalTest, WrongValues) {
     expectRefusal({"make", "bricks:262145x1", "-o", path("x.tif")}, 2, {"262144"});
     expectRefusal({"render", "--relief", "pits:32768x32768", "-o", path("x.png")}, 2, {"--relief", "268435456"});
     expectRefusal({"make", "bricks", "--seed", "-1", "-o", path("x.png")}, 2, {"--seed"});
+}
+
+// The system refuses them where other names are only missing.
+TEST_P(RefusalTest, NamesThatAreTooLong) {
+    const std::string name = path(std::string(300, 'n'));
+    for (const std::string& part : {name, name + ".csv"}) {
+        expectRefusal({"merge", part, "-o", path("m.csv")}, 2, {"relief: " + part + ": ", "File name too long"});
+    }
+    const std::vector<std::string> many{"render", "--relief", "hills:16x16", "--frames", "2", "-o"};
+    const auto to = [&](const std::string& folder) {
+        std::vector<std::string> all = many;
+        all.push_back(folder);
+        return all;
+    };
+    expectRefusal(to(name), 1, {"relief: " + name + ": "});
+    expectRefusal(to(name + ".png"), 2, {"relief: --frames: ", name});
+    expectRefusal({"stress", "--cases", "1", "-o", name}, 1, {"relief: " + name + ": ", "there is no folder"});
+    // One process of two, which needs a folder of its own for its bands.
+    RunSetup setup;
+    setup.variables = {{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "0"}, {"TMPDIR", path("none")}};
+    expectRefusal({"render", "--relief", "hills:16x16", "-o", path("x.png")}, 1, {"relief: TMPDIR: "}, setup);
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_P(RefusalTest, OwnFilesAreNotOverwritten) {
+    const std::string a = makeRelief("hills", "a.png", {"--size", "16"});
+    const std::string b = makeRelief("bricks", "b.png", {"--size", "16"});
+    const std::string tif = makeRelief("hills", "t.tif", {"--size", "16"});
+    const std::string exr = write("c.exr", exrBytes(2, 2, {0, 1, 1, 0}));
+    const std::string scene =
+        write("a.json", R"({"reliefscope": 1, "pictures": {"height": "a.png"}, "size": [20, 10]})");
+    const std::string rays = write("rays.csv", "s0,t0,a,b\n1,2,3,4\n");
+    std::filesystem::create_symlink("a.png", path("link.png"));
+    const auto bytesOfAll = [&] {
+        std::vector<std::string> all = files();
+        for (std::string& name : all) name += "\n" + read(name);
+        return all;
+    };
+    const auto before = bytesOfAll();
+    const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& file) {
+        expectRefusal(arguments, 2, {file + ": would be overwritten by --"});
+        EXPECT_EQ(bytesOfAll(), before);
+    };
+    refuse({"render", a, b, "-o", path("")}, a);
+    refuse({"render", scene, b, "-o", path("")}, a);
+    refuse({"render", a, "--frames", "1", "--color", b, "-o", path("")}, a);
+    refuse({"render", exr, b, "--layers", "depth", "-o", path("")}, exr);
+    refuse({"render", a, "-o", path("link.png")}, a);
+    refuse({"render", scene, "--color", b, "-o", b}, b);
+    refuse({"render", tif, "--tiled", "-o", tif}, tif);
+    refuse({"render", scene, "--report", scene, "-o", path("x.png")}, scene);
+    refuse({"tile", tif, "-o", tif}, tif);
+    refuse({"map", "cone", tif, "-o", tif}, tif);
+    refuse({"map", "max-pyramid", tif, "-o", tif}, tif);
+    refuse({"map", "normals", a, "-o", a}, a);
+    refuse({"compare", a, b, "-o", b}, b);
+    refuse({"trace", a, "--ray", "1,1,1,1", "-o", a}, a);
+    refuse({"trace", a, "--rays", rays, "-o", rays}, rays);
+    refuse({"trace", scene, "--ray", "1,1,1,1", "--steps", scene}, scene);
+    refuse({"certify", scene, "-o", scene}, scene);
+    refuse({"recommend", scene, "-o", scene}, scene);
+    refuse({"recommend", a, "--check", "-o", a}, a);
 }
 
 }  // namespace relief::test

@@ -126,16 +126,27 @@ TEST_P(RenderManyTest, ASweepOfAnOption) {
     expectRefusal(with({"--sweep", "layers=2..8", "-o", path("none.png")}), 2, {"--sweep", path("none.png")});
 }
 
-// Frames of two paths must not be mixed in one folder.
+// Frames of two paths, or of two maps, must not be mixed in one folder.
 TEST_P(RenderManyTest, AnotherPathIsNotResumed) {
     auto stopped = pathOf("path", "400");
+    const std::string map = makeRelief("bricks:64x64", "map.png");
+    stopped[1] = "--height";
+    stopped[2] = map;
     const RunSetup setup = interruptedWhen([&] { return std::filesystem::exists(path("path/frame_00002.png")); });
     ASSERT_EQ(run(stopped, setup).status, 130);
     ASSERT_TRUE(std::filesystem::exists(path("path/pictures.part")));
-    auto other = stopped;
-    *std::find(other.begin(), other.end(), "elevation=20,azimuth=90") = "elevation=20,azimuth=80";
-    other.push_back("--resume");
-    expectRefusal(other, 2, {path("path/pictures.part"), "--anew"});
+    const auto refused = [&](const std::string& from, const std::string& to) {
+        auto other = stopped;
+        *std::find(other.begin(), other.end(), from) = to;
+        other.push_back("--resume");
+        expectRefusal(other, 2, {path("path/pictures.part"), "--anew"});
+    };
+    refused("elevation=20,azimuth=90", "elevation=20,azimuth=80");
+    refused("400", "399");
+    const auto time = std::filesystem::last_write_time(map);
+    std::filesystem::last_write_time(map, time + std::chrono::seconds(1));
+    refused(map, map);
+    std::filesystem::last_write_time(map, time);
     stopped.push_back("--resume");
     EXPECT_EQ(run(stopped).status, 0);
 }

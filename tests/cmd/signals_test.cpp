@@ -111,7 +111,7 @@ class SignalsTest : public SweepTest {
         cleanUp();
         std::map<std::string, std::string> old;
         for (const std::string& output : command.outputs) {
-            old[output] = there && output.find('/') == std::string::npos ? "old" : "";
+            old[output] = there && output.find('/') == std::string::npos ? kOld : "";
             if (!old[output].empty()) write(output, old[output]);
         }
         const pid_t child = start(command.arguments, path("said"));

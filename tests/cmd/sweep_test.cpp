@@ -184,8 +184,9 @@ TEST_P(SweepTest, AnotherSweepIsNotResumed) {
     auto other = sweep("b.csv", {"--resume"});
     other[11] = "3001";  // rays
     expectRefusal(other, 2, {path("b.csv.part"), "--resume"});
-    other = sweep("b.csv", {"--resume", "--lowest", "5"});
-    expectRefusal(other, 2, {path("b.csv.part")});
+    for (const auto& [option, value] : {std::pair("--lowest", "5"), std::pair("--memory", "512")}) {
+        expectRefusal(sweep("b.csv", {"--resume", option, value}), 2, {path("b.csv.part")});
+    }
     write("b.csv.part", "");
     expectRefusal(sweep("b.csv", {"--resume"}), 2, {path("b.csv.part")});
     write("b.csv.part", "height,size\nbricks,16\n");

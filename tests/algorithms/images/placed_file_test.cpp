@@ -168,6 +168,27 @@ TEST(PlacedFile, goesOn) {
     EXPECT_EQ(faultOf([&] { PlacedFile(folder / "no/a.tif", layout); }).find(folder / "no/a.tif: "), 0U);
 }
 
+// The rows stand next to the target of a link, which may be on another file system.
+TEST(PlacedFile, aLinkStays) {
+    const TemporaryFolder folder, far;
+    const std::string target = far.with("b.tif", "old"), path = folder / "a.tif";
+    std::filesystem::permissions(target, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::filesystem::create_symlink(target, path);
+    const PlacedPicture made = picture(false, 70, 65);
+    {
+        const std::string journal = far.with("b.tif.part", "");
+        PlacedFile(path, PictureLayout(made)).open(false);
+        EXPECT_TRUE(std::filesystem::exists(target + ".rows"));
+        std::filesystem::remove(journal);
+    }
+    writePlaced(path, made);
+    EXPECT_TRUE(std::filesystem::is_symlink(path));
+    EXPECT_TRUE(bytesOf(target) == bytesOf(writePlaced(folder / "whole.tif", made)));
+    EXPECT_EQ(std::filesystem::status(target).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    EXPECT_EQ(far.files(), 1);
+}
+
 TEST(PlacedFile, aFullDisk) {
     const TemporaryFolder folder;
     const PictureLayout layout(picture(false, 300, 300));

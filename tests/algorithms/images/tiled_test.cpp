@@ -607,6 +607,28 @@ TEST(Tiled, AFailureKeepsWhatIsDone) {
     EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }
 
+// What is done stands next to the target of a link, which may be on another file system.
+TEST(Tiled, ALinkStays) {
+    const TemporaryFolder folder, far;
+    const std::string picture = noisePicture<std::uint16_t>(folder / "a.tif", {100, 300});
+    tile(picture, folder / "whole.tif");
+    const std::string target = far.with("t.tif", "old"), path = folder / "link.tif";
+    std::filesystem::permissions(target, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::filesystem::create_symlink(target, path);
+    Work work;
+    WatchedRows rows(picture, {}, [&](int first) {
+        if (first == 192) throw WorkError(picture, Message(MessageId::DiskFull));
+    });
+    EXPECT_NE(faultOf([&] { TiledWriter(rows, path, {}).write(work); }).find(" kept in " + target + ".part; "),
+              std::string::npos);
+    tile(picture, path, {}, {.earlier = EarlierRun::Resume});
+    EXPECT_TRUE(std::filesystem::is_symlink(path));
+    EXPECT_EQ(bytesOf(target), bytesOf(folder / "whole.tif"));
+    EXPECT_EQ(std::filesystem::status(target).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    EXPECT_EQ(far.files(), 1);
+}
+
 TEST(Tiled, OutputsThatCannotBeWrittenAreRefusedAtOnce) {
     const TemporaryFolder folder;
     const std::string picture = noisePicture<std::uint8_t>(folder / "a.tif", {10, 10});
