@@ -1300,6 +1300,13 @@
     </message>
 </context>
 <context>
+    <name>reliefui::FileDialogs</name>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>%1 уже є. Замінити?</translation>
+    </message>
+</context>
+<context>
     <name>reliefui::FilterBox</name>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;. %2</source>
@@ -2846,8 +2853,8 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
         <translation>Розмір процедурного рельєфу</translation>
     </message>
     <message>
-        <source>Texels along a side</source>
-        <translation>Текселів уздовж сторони</translation>
+        <source>Width in texels; the height keeps its ratio to it</source>
+        <translation>Ширина в текселях; висота зберігає своє відношення до неї</translation>
     </message>
     <message>
         <source>Seed of the procedural relief</source>
@@ -2923,6 +2930,10 @@ Relief texturing on height maps, in a window that explains why a pixel looks as 
     <message>
         <source>Searching for pixels …</source>
         <translation>Пошук пікселів…</translation>
+    </message>
+    <message>
+        <source>The search was cancelled</source>
+        <translation>Пошук зупинено</translation>
     </message>
     <message>
         <source>outcome differs from that of %1</source>

@@ -20,7 +20,6 @@
 #include "display_loss.h"
 #include "end_signals.h"
 #include "lesson_command.h"
-#include "lessons/lesson_player.h"
 #include "measuring/bench/bench_rows.h"
 #include "measuring/bench/pareto.h"
 #include "panes/charts/charts_figure.h"
@@ -319,7 +318,9 @@ void changeLanguage(const QString& language) {
     QApplication::exit(kOtherLanguage);
 }
 
-void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, const Arguments& arguments) {
+// lesson: its folder; empty: none.
+void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, const Arguments& arguments,
+               const std::string& lesson) {
     // A screenshot neither restores nor stores a session.
     const bool shot = !arguments.screenshot.empty();
     if (arguments.width > 0) {
@@ -333,11 +334,8 @@ void openFirst(reliefui::MainWindow& window, reliefui::Workspace& workspace, con
         reliefui::screenshotThenQuit(window, workspace, QString::fromStdString(arguments.screenshot));
     }
     window.show();
-    if (!shot && arguments.lesson.empty()) window.welcome(arguments.anew);
-    if (!arguments.lesson.empty()) {
-        const NamedLessons named = namedLessons(arguments.lesson, shippedPictures());
-        window.findChild<reliefui::LessonMenu*>()->open(QString::fromStdString(named.folders.front()));
-    }
+    if (!shot && lesson.empty()) window.welcome(arguments.anew);
+    if (!lesson.empty()) window.findChild<reliefui::LessonMenu*>()->open(QString::fromStdString(lesson));
     // When the first pictures are ready, brings a lesson's pane to the front, or adds the opened file to the recent
     // files.
     const QString file = shot ? QString() : QString::fromStdString(arguments.file);
@@ -379,6 +377,9 @@ int run(int count, char** values, const Arguments& arguments) {
     }
     if (arguments.checkDisplay) return 0;
     const std::string datasets = shippedPictures();
+    // A wrong name is refused before a session begins, which the next start would take for one that crashed.
+    std::string folder;
+    if (!arguments.lesson.empty()) folder = namedLessons(arguments.lesson, datasets).folders.front();
     // A screenshot neither restores nor stores a session.
     const bool shot = !arguments.screenshot.empty();
     std::optional<reliefui::SessionFiles> session;
@@ -406,8 +407,8 @@ int run(int count, char** values, const Arguments& arguments) {
     }
     displayLoss->saveBy([&] { return keeper && keeper->keepNow(); });
     int status = 0;
-    // The page of the open lesson, which the window in the other language opens again.
-    std::optional<reliefui::LessonPlayer::Place> lesson;
+    // The open lesson, with which the window in the other language goes on.
+    reliefui::LessonMenu::Kept lesson;
     for (bool first = true; first || status == kOtherLanguage; first = false) {
         reliefui::MainWindow window(&workspace, QString::fromStdString(datasets));
         shown = &window;
@@ -415,17 +416,17 @@ int run(int count, char** values, const Arguments& arguments) {
         reliefui::RestoreOffer* offer = nullptr;
         if (keeper) offer = new reliefui::RestoreOffer(&window, &workspace, &*keeper, std::move(left));
         if (first) {
-            openFirst(window, workspace, arguments);
+            openFirst(window, workspace, arguments, folder);
         } else {
             window.takeLayout(layout);
             window.show();
             window.showLesson();
-            if (lesson) window.findChild<reliefui::LessonMenu*>()->open(lesson->folder, lesson->page);
+            window.findChild<reliefui::LessonMenu*>()->resume(std::move(lesson));
         }
         if (const std::string missing = reliefui::glProblem(); !missing.empty())
             Q_EMIT workspace.problem(QString::fromStdString(missing));
         status = QApplication::exec();
-        lesson = window.findChild<reliefui::LessonMenu*>()->player()->place();
+        lesson = window.findChild<reliefui::LessonMenu*>()->kept();
         layout = window.layoutNow();
         if (offer != nullptr) left = offer->unanswered();
         if (status != kOtherLanguage && keeper) {

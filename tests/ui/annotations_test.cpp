@@ -193,6 +193,15 @@ TEST_F(AnnotationsTest, NumbersCount) {
     ASSERT_EQ(notes().size(), 2U);
     EXPECT_EQ(notes()[0].text, "1");
     EXPECT_EQ(notes()[1].text, "2");
+    // The moves of each are a step of undo of their own.
+    QTest::keyClick(canvas(), Qt::Key_Right);
+    QTest::keyClick(canvas(), Qt::Key_Insert, Qt::ShiftModifier);
+    ASSERT_EQ(layer()->chosen(), 0);
+    const std::vector<Annotation> before = notes();
+    QTest::keyClick(canvas(), Qt::Key_Right);
+    EXPECT_NE(notes(), before);
+    workspace_->undo();
+    EXPECT_EQ(notes(), before);
 }
 
 TEST_F(AnnotationsTest, TheMouseMovesOneOrItsEnd) {

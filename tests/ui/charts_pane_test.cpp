@@ -124,6 +124,25 @@ TEST_F(ChartsPane, MeasuringIsCancelledAndFollowsTheView) {
     view()->setLive(true);
     settle();
     EXPECT_TRUE(view()->measured()->of(*snapshot()));
+    EXPECT_TRUE(view()->picture().steps);
+    // Histograms of the picture before are not shown: if counting is cancelled, there are none, nor is there a figure.
+    view()->setLive(false);
+    const auto stop =
+        QObject::connect(workspace_.get(), &Workspace::snapshotChanged, window_.get(), [this] { view()->cancel(); });
+    other = scenario();
+    other.method = {"layers", {{"layers", "64"}}};
+    workspace_->change(other, QStringLiteral("other"));
+    waitForFull();
+    settle();
+    QObject::disconnect(stop);
+    EXPECT_FALSE(view()->picture().steps);
+    EXPECT_TRUE(view()->image(100).isNull());
+    view()->setShown(ChartsShown::Pareto);
+    EXPECT_FALSE(view()->image(100).isNull()) << "this chart needs no counting";
+    view()->setShown(ChartsShown::All);
+    view()->measure();
+    settle();
+    EXPECT_TRUE(view()->picture().steps) << "counted after the measurement";
 }
 
 TEST_F(ChartsPane, ItIsExportedAsItIsShown) {

@@ -2,11 +2,15 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QSvgGenerator>
+#include <QSvgRenderer>
 
 #include "golden.h"
 #include "painting/chart.h"
 #include "painting/painter.h"
-#include "panes/compare/compare_drawing.h"
+#include "panes/compare/compare_painting.h"
 
 namespace reliefui {
 
@@ -156,6 +160,39 @@ TEST(Compare, SwipeSharesOnePictureAndFlickerShowsOne) {
     const CompareLayout flicker = compareLayout(source, 400, 300, {});
     EXPECT_TRUE(flicker.clips[0].empty() && flicker.clips[1].empty());
     EXPECT_EQ(flicker.clips[2], flicker.rooms[2]);
+}
+
+// Qt writes no clips into SVG, where each picture would cover those before it.
+TEST(Compare, SwipeShowsAPartOfEachPictureInSvg) {
+    if (QCoreApplication::instance() == nullptr) GTEST_SKIP() << "no display, no fonts";
+    std::vector<QImage> pictures;
+    for (const Qt::GlobalColor color : {Qt::red, Qt::blue}) {
+        pictures.emplace_back(400, 300, QImage::Format_RGB32);
+        pictures.back().fill(color);
+    }
+    const Style style;
+    constexpr int kSide = 800;
+    const Box page{0, 0, kSide, kSide};
+    const ComparePage parts = comparePage(madeUp(2, relief::CompareMode::Swipe), page, style, true);
+    QBuffer buffer;
+    QSvgGenerator svg;
+    svg.setOutputDevice(&buffer);
+    svg.setViewBox(QRect(0, 0, kSide, kSide));
+    QPainter painter(&svg);
+    paintRedrawn(painter, pictures, parts, page, style, {});
+    painter.end();
+    QImage image(kSide, kSide, QImage::Format_RGB32);
+    QPainter drawn(&image);
+    QSvgRenderer(buffer.data()).render(&drawn);
+    drawn.end();
+    const Box& room = parts.layout.rooms[0];
+    const auto at = [&](double along) {
+        const ViewMap map{style.pixelsPerPoint(), parts.room.x0, parts.room.y0};
+        const Point point = map.toScreen(Point{room.x0 + along * room.width(), room.y0 + 0.7 * room.height()});
+        return image.pixelColor(static_cast<int>(point.x), static_cast<int>(point.y));
+    };
+    for (const double along : {0.1, 0.45}) EXPECT_EQ(at(along), QColor(Qt::red)) << along;
+    for (const double along : {0.55, 0.9}) EXPECT_EQ(at(along), QColor(Qt::blue)) << along;
 }
 
 TEST(Compare, NumbersAndLegendAreWholeInBothLanguages) {

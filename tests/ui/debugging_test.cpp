@@ -10,9 +10,11 @@
 #include <QToolButton>
 
 #include "panes/drawing_canvas.h"
+#include "panes/figure_caption.h"
 #include "panes/formula/formula_view.h"
 #include "panes/profile/profile_view.h"
 #include "panes/steps/step_table.h"
+#include "panes/steps/steps_figure.h"
 #include "panes/watch/watch_view.h"
 #include "panes/why/why_view.h"
 #include "scenario/ray_files.h"
@@ -179,6 +181,15 @@ TEST_F(DebuggingTest, TheHistoryOfThePixelMultipliesOut) {
     grab(const_cast<WhyView*>(view));
     EXPECT_TRUE(view->face()->sheet().places.empty());
     workspace_->setGuessing(false);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->isUpToDate() && view->history() != nullptr; }, 10000));
+    // If it is cancelled, that of the pixel before does not stay.
+    const auto stop = QObject::connect(workspace_.get(), &Workspace::snapshotChanged, window_.get(),
+                                       [this] { window_->pane<WhyView>()->cancel(); });
+    workspace_->choosePixel(pixel.x, pixel.y);
+    waitForFull();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->isUpToDate(); }, 10000));
+    QObject::disconnect(stop);
+    EXPECT_EQ(view->history(), nullptr);
 }
 
 TEST_F(DebuggingTest, ColumnsOfAnotherProgramAreShown) {
@@ -212,6 +223,12 @@ TEST_F(DebuggingTest, ColumnsOfAnotherProgramAreShown) {
     ASSERT_EQ(table->columnCount(), StepModel::Columns + 2);
     EXPECT_EQ(table->headerData(StepModel::Columns, Qt::Horizontal).toString(), QStringLiteral("sdf"));
     EXPECT_EQ(table->index(2, StepModel::Columns + 1).data().toString(), QStringLiteral("near"));
+    // Exported as well, under a caption that numbers the ray as the window does.
+    const TableSource exported = stepTable(snapshot(), 0, relief::Language::English);
+    EXPECT_EQ(exported.titles.back(), "what");
+    ASSERT_EQ(exported.rows[2].cells.size(), exported.titles.size());
+    EXPECT_EQ(exported.rows[2].cells.back(), "near");
+    EXPECT_NE(figureCaption(snapshot())(relief::Language::English).find("ray 0 of steps.csv"), std::string::npos);
     // They stand in conditions, and can be watched.
     stopWhen(QStringLiteral("sdf < 0.01 && what == 'near'"));
     workspace_->chooseStep(0);

@@ -94,6 +94,24 @@ TEST_F(DoctorPane, SaysThatThereIsNoFaultOrNoTracer) {
     QTest::mouseClick(pane()->findChild<QToolButton*>(QStringLiteral("doctor-run")), Qt::LeftButton);
     settle();
     EXPECT_TRUE(pane()->report());
+    // The tracer has written its files again, now with a fault: the other panes show the new hits as well.
+    withForeignTracer(uneven(), folder_, true);
+    QTest::mouseClick(pane()->findChild<QToolButton*>(QStringLiteral("doctor-run")), Qt::LeftButton);
+    settle();
+    ASSERT_TRUE(pane()->report());
+    EXPECT_TRUE(pane()->list()->item(0)->text().startsWith(QStringLiteral("y-flipped")));
+    const std::string file = scenario().other.steps;
+    const relief::HitBlock hits = relief::parseHits(relief::readTextFile(file), file);
+    const std::size_t worst = *pane()->report()->worst[0];
+    EXPECT_EQ(snapshot()->otherFiles->hits->lambda[worst], hits.lambda[worst]);
+    // A faulty file: no report of what it contained before.
+    std::ofstream(file, std::ios::binary) << "oops\n";
+    QTest::mouseClick(pane()->findChild<QToolButton*>(QStringLiteral("doctor-run")), Qt::LeftButton);
+    EXPECT_FALSE(pane()->report());
+    settle();
+    EXPECT_TRUE(snapshot()->otherProblem);
+    EXPECT_FALSE(pane()->report());
+    EXPECT_TRUE(scenario().other);
 }
 
 }  // namespace

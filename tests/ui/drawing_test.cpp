@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QSvgGenerator>
+#include <QSvgRenderer>
 
 #include "painting/legend_rows.h"
 #include "painting/painter.h"
@@ -302,6 +303,44 @@ TEST(Painter, aLineWithoutLengthIsNotWritten) {
     };
     EXPECT_EQ(written(Polyline{{{50, 50}, {50, 50}, {50, 50.0001}}}), written(Polyline{}));
     EXPECT_GT(written(Polyline{{{50, 50}, {50, 51}}}), written(Polyline{}));
+}
+
+// More cells than are written one by one are an image, which Qt does not clip in SVG: it is cut at the plot's edge,
+// also within a cell.
+TEST(Painter, manyCellsStayInTheirPlotInSvg) {
+    auto values = std::make_shared<relief::FloatImage>(100, 100);
+    for (int j = 0; j < 100; ++j) {
+        for (int i = 50; i < 100; ++i) (*values)(i, j) = 1;
+    }
+    Cells cells;
+    cells.values = values;
+    cells.clip = {10.25, 0, 90.5, 80};
+    Drawing drawing;
+    drawing.add({}, Role::HeightFill, cells);
+    const Style style;
+    QBuffer buffer;
+    QSvgGenerator svg;
+    svg.setOutputDevice(&buffer);
+    svg.setViewBox(QRect(0, 0, 200, 200));
+    QPainter painter(&svg);
+    paint(painter, drawing, {2, 0, 0}, style, {0, 0, 200, 200});
+    painter.end();
+    constexpr int kCell = 8;  // pixels
+    QImage image(100 * kCell, 100 * kCell, QImage::Format_RGB32);
+    image.fill(Qt::magenta);
+    QPainter drawn(&image);
+    QSvgRenderer(buffer.data()).render(&drawn);
+    drawn.end();
+    const auto at = [&](double x, double y) {
+        return image.pixelColor(static_cast<int>(x * kCell), static_cast<int>(y * kCell));
+    };
+    for (const auto& [x, y] : {std::pair(10.0, 40.0), {90.8, 40.0}, {50.0, 80.3}}) {
+        EXPECT_EQ(at(x, y), QColor(Qt::magenta)) << x << ' ' << y;
+    }
+    for (const double x : {10.5, 49.5, 50.5, 90.2}) {
+        const Rgba expected = style.cell(cells.map, x < 50 ? 0 : 1, cells.scale);
+        EXPECT_NEAR(at(x, 79.7).green(), expected.g, 2) << x;
+    }
 }
 
 // Numbers stand at the right of their column, words at the left; of the rows, only the chosen one is marked.

@@ -248,6 +248,12 @@ TEST_F(DrawnPane, AHeightIsTypedAndKeysWork) {
     QTest::keyClick(grid(), Qt::Key_PageUp, Qt::ShiftModifier);
     waitForFull();
     EXPECT_EQ(drawn().at(5, 5), 0.35);
+    QTest::keyClick(grid(), Qt::Key_Right);
+    QTest::keyClick(grid(), Qt::Key_PageUp);
+    EXPECT_EQ(drawn().at(6, 5), 0.26);
+    workspace_->undo();
+    EXPECT_EQ(drawn().at(6, 5), 0.25);
+    EXPECT_EQ(drawn().at(5, 5), 0.35) << "each texel's changes are a step of undo of their own";
     grid()->choose(std::nullopt);  // hides its outline
     // Cells show their numbers, and their brightness is their height: probed in a corner, next to the number.
     const QPointF corner = grid()->placeOf(1, 0) - grid()->placeOf(0, 0);

@@ -140,8 +140,17 @@ TEST_F(DuelTest, TheFirstDivergenceIsShownAndNamed) {
     table->setCurrentIndex(last);
     EXPECT_EQ(this->scenario().step, static_cast<int>(duel->runs[0].steps.size()) - 1);
     EXPECT_EQ(view->shownUpTo(), duel->within(near, view->moment()) ? near : 0);
+    // A jump that could not be made, because there was no duel, is not made later.
+    workspace_->chooseStep(0);
+    workspace_->setGuessing(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view->isUpToDate() && view->duel() == nullptr; }, 20000));
+    view->toDivergence();
+    workspace_->setGuessing(false);
+    waitForDuel();
+    EXPECT_EQ(this->scenario().step, 0);
+    EXPECT_EQ(view->shownUpTo(), 0);
     // Another pixel starts another duel.
-    const Duel* const before = duel;
+    const Duel* const before = view->duel();
     workspace_->choosePixel(30, 100);
     waitForDuel();
     EXPECT_NE(view->duel(), before);

@@ -17,6 +17,7 @@
 #include "panes/steps/step_table.h"
 #include "panes/trace/trace3d_view.h"
 #include "window_fixture.h"
+#include "windows/message_bar.h"
 #include "windows/pane_list.h"
 #include "windows/share.h"
 #include "windows/time_pane.h"
@@ -542,12 +543,25 @@ TEST_F(WindowTest, AWriterThatDiesIsReportedOnce) {
     openWindow(smallScenario());
     QSignalSpy problems(workspace_.get(), &Workspace::problem);
     const QTemporaryDir folder;
-    QProcess* const writer = startWriting(window_.get(), workspace_.get(), {QStringLiteral("--lesson")}, folder.path());
+    QProcess* const writer = startWriting(workspace_.get(), {QStringLiteral("--lesson")}, folder.path());
     writer->kill();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !problems.isEmpty(); }, kPatienceMs));
     QTest::qWait(50);
     EXPECT_EQ(problems.size(), 1);
-    EXPECT_FALSE(cancelWriting(window_.get())) << "none is left";
+    EXPECT_FALSE(cancelWriting(workspace_.get())) << "none is left";
+}
+
+// As after a change of language: the window that replaces another says how the writing ended.
+TEST_F(WindowTest, AWriterOutlivesItsWindow) {
+    openWindow(smallScenario());
+    QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    startWriting(workspace_.get(), {QStringLiteral("--nonsense")}, QStringLiteral("page.html"));
+    window_.reset();
+    EXPECT_TRUE(problems.isEmpty()) << "the writer ended with the window";
+    window_ = std::make_unique<MainWindow>(workspace_.get(), QString());
+    window_->show();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window_->messages()->isProblem(); }, kPatienceMs));
+    EXPECT_EQ(problems.size(), 1);
 }
 
 // Messages refer to the window's controls, not to options of the command line.

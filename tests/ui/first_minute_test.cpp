@@ -1,25 +1,32 @@
 // The first minute of a new user: the messages, the first view, the controls; later no message is outdated.
+#include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSettings>
 #include <QStyleOptionToolButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 
 #include "lessons/lessons.h"
 #include "panes/file_dialogs.h"
+#include "panes/profile/profile_view.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
 #include "windows/pane_title.h"
 #include "windows/program.h"
 #include "windows/top_bar.h"
 #include "windows/window_style.h"
+#include "workspace/change_name.h"
 
 namespace reliefui {
 
@@ -214,6 +221,15 @@ TEST_F(FirstMinute, TheLanguageIsChosenInTheMenu) {
     QObject::connect(window_.get(), &MainWindow::languageChosen, [&](const QString& language) { chosen = language; });
     trigger("language-uk");
     EXPECT_TRUE(QTest::qWaitFor([&] { return chosen == QStringLiteral("uk"); }, kPatienceMs));
+    const relief::Camera home = scenario().camera;
+    relief::Scenario turned = scenario();
+    turned.camera.azimuth += 5;
+    workspace_->change(turned, QStringLiteral("test"));
+    workspace_->setLayer(Layer::Depth);
+    EXPECT_EQ(window_->findChild<QComboBox*>(QStringLiteral("layer"))->currentIndex(), static_cast<int>(Layer::Depth));
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    workspace_->chooseStep(1);
+    workspace_->setGuessing(true);
     // The window is created again for the same workspace.
     const relief::Scenario before = scenario();
     const QVariantMap layout = window_->layoutNow();
@@ -225,6 +241,12 @@ TEST_F(FirstMinute, TheLanguageIsChosenInTheMenu) {
     EXPECT_NE(window_->menuBar()->actions().front()->text(), english);
     EXPECT_EQ(scenario(), before);
     EXPECT_FALSE(window_->findChild<QLabel*>(QStringLiteral("status-pixel"))->text().isEmpty());
+    EXPECT_EQ(window_->findChild<QComboBox*>(QStringLiteral("layer"))->currentIndex(), static_cast<int>(Layer::Depth));
+    EXPECT_TRUE(window_->pane<ProfileView>()->options().guessing);
+    EXPECT_TRUE(entry(Qt::Key_G)->isChecked());
+    EXPECT_NE(translatedChangeName(workspace_->undoText()), workspace_->undoText()) << "the name of the step chosen";
+    entry(Qt::Key_H)->trigger();
+    EXPECT_EQ(scenario().camera, home);
     installTranslations({});
 }
 
@@ -260,6 +282,40 @@ TEST_F(FirstMinute, DialogsOpenInTheLastFolderOfTheirKind) {
     EXPECT_EQ(lastFolder(QStringLiteral("test-maps")), maps.path()) << "a cancelled dialog changes nothing";
     QDir(maps.path()).removeRecursively();
     EXPECT_EQ(lastFolder(QStringLiteral("test-maps"), QStringLiteral("/x")), QStringLiteral("/x"));
+}
+
+TEST_F(FirstMinute, NoFileIsReplacedUnasked) {
+    const QTemporaryDir folder;
+    const QString kept = folder.filePath(QStringLiteral("kept.json"));
+    ASSERT_TRUE(QFile(kept).open(QIODevice::WriteOnly));
+    keepFolder(QStringLiteral("test"), kept);
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QStringList typed{QStringLiteral("kept"), QStringLiteral("kept"), QStringLiteral("new")};
+    QList<QMessageBox::StandardButton> answers{QMessageBox::No, QMessageBox::Yes};
+    // The dialogs run event loops of their own.
+    QTimer user;
+    QObject::connect(&user, &QTimer::timeout, [&] {
+        QWidget* const dialog = QApplication::activeModalWidget();
+        if (dialog == nullptr) return;
+        if (auto* const question = qobject_cast<QMessageBox*>(dialog)) {
+            question->button(answers.isEmpty() ? QMessageBox::No : answers.takeFirst())->click();
+        } else if (typed.isEmpty()) {
+            QMetaObject::invokeMethod(dialog, "reject");
+        } else if (auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))) {
+            name->setText(typed.takeFirst());
+            QMetaObject::invokeMethod(dialog, "accept");
+        }
+    });
+    user.start(20);
+    const auto ask = [] {
+        return askSaveFile(nullptr, QStringLiteral("test"), QStringLiteral("Save"), QStringLiteral("scenario.json"),
+                           QStringLiteral("Scenarios (*.json)"));
+    };
+    EXPECT_EQ(ask(), kept);
+    EXPECT_TRUE(answers.isEmpty()) << "after No, another name can be given";
+    EXPECT_EQ(ask(), folder.filePath(QStringLiteral("new.json")));
+    user.stop();
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs, false);
 }
 
 }  // namespace

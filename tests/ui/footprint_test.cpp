@@ -456,8 +456,10 @@ TEST_F(FootprintTest, FilterOptionsChangeThePictureAndUndoGivesTheSameBits) {
     EXPECT_NEAR(sigma->value(), 0.53, 1e-9);
     workspace_->redo();
     waitForFull();
-    // Another filter has none of these options.
+    // The same filter, chosen again, keeps its options; another one has none of them.
     auto* const filter = window_->findChild<QComboBox*>(QStringLiteral("filter"));
+    Q_EMIT filter->activated(filter->currentIndex());
+    EXPECT_EQ(scenario().filter.options.count("sigma"), 1U);
     filter->setCurrentIndex(filter->findData(QStringLiteral("elliptical-visible")));
     Q_EMIT filter->activated(filter->currentIndex());
     waitForFull();
@@ -536,6 +538,15 @@ TEST_F(FootprintTest, TheFigureIsThePane) {
     ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
     EXPECT_TRUE(QString::fromUtf8(svg.readAll()).contains(QStringLiteral("on the top plane")));
     EXPECT_FALSE(QImage(folder.filePath(QStringLiteral("f.png"))).isNull());
+    // While the hit is to be guessed, the pane says that it is hidden, not that there is none.
+    workspace_->setGuessing(true);
+    const QImage shown = grab(canvas());
+    DrawingCanvas expected(view());
+    expected.setStyle(workspace_->style());
+    expected.resize(canvas()->size());
+    expected.showText(relief::MessageId::DrawHidden);
+    EXPECT_EQ(shown, grab(&expected));
+    EXPECT_TRUE(view()->image(900).isNull());
 }
 
 }  // namespace

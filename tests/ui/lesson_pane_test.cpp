@@ -205,6 +205,30 @@ TEST_F(LessonPaneTest, TheKnobTurnsTheScenario) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return player()->turns().size() == 2; }, 20000));
     EXPECT_LT(player()->turns().at(3)[0], player()->turns().at(1)[0]) << "the mean error";
     EXPECT_TRUE(text().contains(QStringLiteral("frame.error.mean")));
+    // A method without the knob's option.
+    relief::Scenario exact = scenario();
+    exact.method = {"exact", {}};
+    workspace_->change(exact, QStringLiteral("exact"));
+    knob->setValue(2);
+    EXPECT_EQ(scenario().method, exact.method);
+    EXPECT_EQ(knob->value(), 3) << "it goes back";
+    ASSERT_TRUE(window_->messages()->isProblem());
+    EXPECT_TRUE(window_->messages()->text().contains(QStringLiteral("layers")));
+    EXPECT_FALSE(window_->messages()->text().contains(QStringLiteral("json"))) << "no file is at fault";
+}
+
+TEST_F(LessonPaneTest, TheKnobKeepsThePixelInThePicture) {
+    openWindow(smallScenario());
+    menu_ = window_->findChild<LessonMenu*>();
+    ASSERT_TRUE(menu_->open(shipped("103"), 1));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace_->loading() && !player()->changed(); }, 30000));
+    auto* const knob = menu_->pane()->findChild<QSlider*>(QStringLiteral("lesson-knob"));
+    knob->setValue(2);
+    ASSERT_EQ(scenario().width, 16384);
+    workspace_->choosePixel(2000, 100);
+    knob->setValue(0);
+    EXPECT_EQ(scenario().width, 1024);
+    EXPECT_EQ(scenario().pixel, (relief::PixelChoice{1023, 100}));
 }
 
 TEST_F(LessonPaneTest, ALectureNeedsTwoKeys) {
@@ -254,6 +278,50 @@ TEST_F(LessonPaneTest, ALectureNeedsTwoKeys) {
     ASSERT_NE(notes, nullptr);
     EXPECT_TRUE(notes->findChild<QTextBrowser*>()->toPlainText().contains(QStringLiteral("Usual misunderstanding")));
     notes->close();
+}
+
+// As after a change of language: another window for the same workspace goes on with the lesson.
+TEST_F(LessonPaneTest, AnotherWindowKeepsTheSceneAndTheAnswers) {
+    ASSERT_NO_FATAL_FAILURE(openLesson(shipped("302")));
+    click("lesson-next");
+    player()->vote(1);
+    follow(QStringLiteral("choose:0"));
+    follow(QStringLiteral("answer:"));
+    relief::Scenario more = scenario();
+    more.method.options["layers"] = "128";
+    workspace_->change(more, QStringLiteral("more"));
+    ASSERT_NO_FATAL_FAILURE(waitForFull());
+    more = scenario();
+    const QTemporaryDir own;  // as if a folder of lessons had been opened
+    const auto notes = [&] { return window_->findChild<QDialog*>(QStringLiteral("lesson-notes")); };
+    menu_->showNotes();
+    const auto replaceWindow = [&] {
+        LessonMenu::Kept kept = menu_->kept();
+        kept.own = own.path();
+        window_.reset();
+        window_ = std::make_unique<MainWindow>(workspace_.get(), QStringLiteral(RELIEF_DATASETS));
+        window_->show();
+        menu_ = window_->findChild<LessonMenu*>();
+        menu_->resume(std::move(kept));
+        return !window_->findChild<QDockWidget*>(QStringLiteral("lesson-dock"))->isHidden();
+    };
+    EXPECT_TRUE(replaceWindow());
+    EXPECT_EQ(menu_->kept().own, own.path());
+    ASSERT_TRUE(notes() != nullptr && notes()->isVisible());
+    notes()->close();
+    const QString steps = QStringLiteral("takes %1 steps").arg(snapshot()->trace.steps.size());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return text().contains(steps); }, 10000)) << text().toStdString();
+    EXPECT_EQ(scenario(), more) << "the page's scene is not opened again";
+    EXPECT_EQ(player()->pageNumber(), 1U);
+    EXPECT_EQ(player()->chosen(), std::size_t{0});
+    EXPECT_TRUE(player()->revealed() && player()->changed());
+    EXPECT_EQ(player()->votes(), (std::vector<int>{0, 1, 0}));
+    // A lesson whose dock was closed does not come back by itself.
+    window_->findChild<QDockWidget*>(QStringLiteral("lesson-dock"))->hide();
+    EXPECT_FALSE(replaceWindow());
+    EXPECT_EQ(notes(), nullptr);
+    EXPECT_TRUE(player()->isOpen());
+    EXPECT_EQ(scenario(), more);
 }
 
 TEST_F(LessonPaneTest, LessonsOfOnesOwnAreMadeAndOpened) {

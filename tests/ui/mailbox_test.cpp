@@ -1,8 +1,10 @@
-// Calls between threads: mailbox.h and background_call.h.
+// Calls between threads: mailbox.h, latest_job.h and background_call.h.
 #include "workspace/mailbox.h"
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -10,6 +12,7 @@
 
 #include "window_fixture.h"
 #include "workspace/background_call.h"
+#include "workspace/latest_job.h"
 
 namespace reliefui {
 
@@ -52,6 +55,24 @@ TEST_F(WindowTest, CallsToAMailboxThatIsGoneAreDropped) {
     QCoreApplication::processEvents();
     EXPECT_EQ(*held, 0);
     EXPECT_EQ(held.use_count(), 2) << "held here and in call, not by a queue";
+}
+
+TEST_F(WindowTest, NoResultFollowsACancelledJob) {
+    std::vector<std::string> told;
+    const auto failed = [&](const QString& problem) { told.push_back("failed" + problem.toStdString()); };
+    LatestJob job(qApp, {failed, [](const QString&, double) {}});
+    EXPECT_FALSE(job.cancel());
+    std::atomic<bool> ended = false;
+    job.start({[&](relief::Work&) { ended = true; }, [&] { told.emplace_back("done"); }});
+    while (!ended) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // its result is on its way
+    EXPECT_TRUE(job.cancel());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !job.busy(); }, 5000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(told, std::vector<std::string>{"failed"});
+    job.start({[](relief::Work&) {}, [&] { told.emplace_back("done"); }});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !job.busy(); }, 5000));
+    EXPECT_EQ(told, (std::vector<std::string>{"failed", "done"}));
 }
 
 TEST_F(WindowTest, BackgroundWorkRunsOnceInAnotherThread) {

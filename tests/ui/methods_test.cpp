@@ -57,15 +57,22 @@ TEST(OptionsForm, AChoiceOfControlsThatAreGoneIsDropped) {
     form.show(describe("hybrid"), {"hybrid", {}});
     QStringList announced;
     QObject::connect(&form, &OptionsForm::changed, [&](const QString& name) { announced << name; });
-    auto* const box = form.findChild<QComboBox*>();
-    ASSERT_NE(box, nullptr);
-    Q_EMIT box->activated(0);
+    const auto choose = [&](bool other) {
+        auto* const box = form.findChild<QComboBox*>();
+        ASSERT_NE(box, nullptr);
+        if (other) box->setCurrentIndex(box->currentIndex() == 0 ? 1 : 0);
+        Q_EMIT box->activated(box->currentIndex());
+    };
+    choose(true);
     form.show(describe("layers"), {"layers", {}});
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QCoreApplication::processEvents();
     EXPECT_TRUE(announced.isEmpty());
     form.show(describe("hybrid"), {"hybrid", {}});
-    Q_EMIT form.findChild<QComboBox*>()->activated(0);
+    choose(false);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(announced.isEmpty()) << "it is chosen already";
+    choose(true);
     QCoreApplication::processEvents();
     EXPECT_EQ(announced.size(), 1);
 }
@@ -139,6 +146,11 @@ TEST_F(WindowTest, AMethodInsideAMethodBringsItsOwnOptions) {
     bisections->box()->setValue(7);
     waitForFull();
     EXPECT_EQ(this->scenario().method.options.at("inner.bisections"), "7");
+    // What is chosen again keeps its options.
+    QComboBox* const method = window_->topBar()->method();
+    for (QComboBox* const list : {inner, method}) Q_EMIT list->activated(list->currentIndex());
+    QTest::qWait(1);
+    EXPECT_EQ(this->scenario().method.options.count("inner.bisections"), 1U);
     const int layers = inner->findText(QStringLiteral("layers"));
     ASSERT_GE(layers, 0);
     inner->setCurrentIndex(layers);

@@ -154,6 +154,9 @@ TEST_F(Moving, APageCountsTheSteps) {
     const nlohmann::json steps = slider(page(pictures))["steps"];
     ASSERT_GE(steps.size(), 2U);
     for (std::size_t n = 0; n < steps.size(); ++n) EXPECT_EQ(steps[n], std::to_string(n + 1));
+    const nlohmann::json trace = slider(page(movingOf("trace", "steps", {}, scenario)));
+    EXPECT_EQ(trace["steps"], steps) << "the 3-D trace moves as well";
+    EXPECT_NE(trace["en"][0], trace["en"][1]);
     scenario.pixel.reset();
     EXPECT_NE(page(movingOf("pyramid", "steps", {}, scenario)).find("<svg"), std::string::npos);
 }

@@ -148,6 +148,7 @@ TEST(PaneFiles, valuesOutOfRangeAreRefused) {
     refused(TracePane{.heights = 100});
     refused(TracePane{.colors = "colour"});
     refused(RowsPane{.pixels = -3});
+    refused(RowsPane{.variants = {"derivatives-direct"}});
     refused(PointState{QueryPoint{1, 2, 1.5}});
     refused(PointState{QueryPoint{1e12, 2, 0.5}});
     refused(PointState{QueryPoint{1, std::nan(""), 0.5}});
@@ -194,6 +195,7 @@ TEST(PaneFiles, wordsOfTheFirstEditionMeanWhatTheyMeant) {
     EXPECT_EQ(stateOf<ChartsPane>(notes(1)).shown, "pareto");
     EXPECT_EQ(stateOf<TracePane>(notes(1)).colors, "phase");
     for (int number = 1; number <= 3; ++number) EXPECT_GE(stateOf<RowsPane>(notes(number)).variants.size(), 3U);
+    EXPECT_EQ(stateOf<RowsPane>(notes(2)).variants.size(), 3U) << "the fourth, fill, is no variant";
 }
 
 // Programs that only read the scenario preserve unknown states unchanged, such as those of later versions.

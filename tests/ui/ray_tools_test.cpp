@@ -2,6 +2,8 @@
 #include <cmath>
 #include <fstream>
 
+#include <QApplication>
+#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -9,11 +11,13 @@
 #include <QSpinBox>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include "panes/drawing_canvas.h"
 #include "panes/profile/profile_view.h"
 #include "panes/steps/step_table.h"
 #include "panes/trace/trace3d_view.h"
+#include "relief/files.h"
 #include "scenario/ray_files.h"
 #include "window_fixture.h"
 #include "windows/bookmarks.h"
@@ -89,6 +93,51 @@ TEST_F(WindowTest, PixelsWorthSeeingAreVisitedOneByOne) {
     EXPECT_TRUE(reported.last().first().toString().contains(QStringLiteral("layers")));
 }
 
+TEST_F(WindowTest, EachPixelOfAMenuIsAStepOfUndo) {
+    openWindow(smallScenario());
+    // The menu and the dialog run event loops of their own.
+    const auto fromMenu = [this](int x, int y) {
+        QTimer user;
+        QObject::connect(&user, &QTimer::timeout, [] {
+            QWidget* const popup = QApplication::activePopupWidget();
+            if (popup == nullptr) return;
+            const auto* const menu = qobject_cast<QMenu*>(popup);
+            EXPECT_NE(menu, nullptr);
+            for (QAction* const action : menu != nullptr ? menu->actions() : QList<QAction*>()) {
+                if (action->text() == QStringLiteral("Choose this pixel")) action->trigger();
+            }
+            popup->close();
+        });
+        user.start(20);
+        Q_EMIT window_->result()->menuRequested(window_->result()->mapToGlobal(onScreen(x, y)));
+        return *scenario().pixel;
+    };
+    const relief::PixelChoice menu = fromMenu(60, 70);
+    EXPECT_EQ(menu, (relief::PixelChoice{60, 70}));
+    QTimer user;
+    QObject::connect(&user, &QTimer::timeout, [] {
+        QWidget* const modal = QApplication::activeModalWidget();
+        if (modal == nullptr) return;
+        auto* const dialog = qobject_cast<QInputDialog*>(modal);
+        EXPECT_NE(dialog, nullptr);
+        if (dialog == nullptr) return void(modal->close());
+        dialog->setTextValue(QStringLiteral("20, 30"));
+        dialog->accept();
+    });
+    user.start(20);
+    for (QAction* const action : window_->findChildren<QAction*>()) {
+        if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+G"))) action->trigger();
+    }
+    user.stop();
+    const relief::PixelChoice typed = *scenario().pixel;
+    EXPECT_EQ(typed, (relief::PixelChoice{20, 30}));
+    EXPECT_EQ(fromMenu(100, 90), (relief::PixelChoice{100, 90}));
+    workspace_->undo();
+    EXPECT_EQ(scenario().pixel, typed);
+    workspace_->undo();
+    EXPECT_EQ(scenario().pixel, menu);
+}
+
 TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {
     openWindow(smallScenario());
     workspace_->chooseStep(2);
@@ -143,6 +192,23 @@ TEST_F(WindowTest, BookmarksKeepPixelCameraAndStep) {
     opened.list()->setCurrentRow(1);
     QTest::keyClick(opened.list(), Qt::Key_Return);
     EXPECT_EQ(scenario().pixel, elsewhere.pixel);
+    waitForFull();
+    // Of a ray with fewer steps the last one is chosen; the next bookmark is found from there.
+    const relief::Camera camera = scenario().camera;
+    const relief::Bookmark longer{"b", {90, 80}, camera, 10000};
+    workspace_->setBookmarks(
+        {{"a", {60, 50}, camera, 0}, longer, {"c", {90, 80}, camera, 20000}, {"d", {30, 40}, camera, 0}},
+        QStringLiteral("test"));
+    for (const auto& pixel : std::vector<relief::PixelChoice>{{60, 50}, {90, 80}, {90, 80}, {30, 40}}) {
+        window_->bookmarks()->next();
+        waitForFull();
+        EXPECT_EQ(scenario().pixel, pixel);
+    }
+    for (int n = 0; n < 2; ++n) {
+        workspace_->goTo(longer);
+        waitForFull();
+        EXPECT_EQ(scenario().step, static_cast<int>(snapshot()->trace.steps.size()) - 1);
+    }
 }
 
 TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
@@ -162,6 +228,28 @@ TEST_F(WindowTest, WhoGuessesSeesNoAnswerUntilTheClick) {
     EXPECT_FALSE(status->text().contains(QString::number(hit.lambda, 'f', 3)));
     workspace_->chooseStep(0);
     EXPECT_EQ(scenario().step, step);
+    // Escape ends a search for pixels, which then chooses none, and not the guessing as well.
+    const auto pixel = scenario().pixel;
+    QSignalSpy reported(window_->finder(), &PixelFinder::reported);
+    const auto search = [&] { QTest::keyClick(window_.get(), Qt::Key_S, Qt::ShiftModifier); };
+    const auto searched = [&] { return QTest::qWaitFor([&] { return !window_->finder()->busy(); }, 20000); };
+    search();
+    EXPECT_TRUE(window_->finder()->busy());
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    ASSERT_TRUE(searched());
+    EXPECT_EQ(reported.last().first().toString(), QStringLiteral("The search was cancelled"));
+    EXPECT_TRUE(window_->finder()->found().empty());
+    EXPECT_EQ(scenario().pixel, pixel);
+    EXPECT_TRUE(workspace_->guessing());
+    reported.clear();
+    search();
+    ASSERT_TRUE(searched());
+    EXPECT_EQ(reported.size(), 2) << "that it begins, and the pixel";
+    const auto& found = window_->finder()->found();
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(scenario().pixel, (relief::PixelChoice{found[0].x, found[0].y}));
+    workspace_->choosePixel(pixel->x, pixel->y);
+    waitForFull();
     ProfileView* const profile = window_->pane<ProfileView>();
     QTest::qWait(200);
     // A click at two thirds of the way to the hit.
@@ -272,6 +360,47 @@ TEST_F(WindowTest, AnotherTracersStepsFillThePanes) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return scenario() == set; }, 5000));
     waitForFull();
     EXPECT_EQ(snapshot()->other->steps, files.logs[1]);
+}
+
+// While the other tracer is writing, what was read stays, and so does what is changed meanwhile.
+TEST_F(WindowTest, AnotherTracerThatIsWritingUndoesNothing) {
+    openWindow(smallScenario());
+    const OtherFilesOnDisk files(*snapshot());
+    relief::Scenario opened = scenario();
+    opened.other = {files.rays.toStdString(), files.steps.toStdString(), 1, true};
+    workspace_->change(opened, QStringLiteral("test"));
+    waitForFull();
+    QSignalSpy problems(workspace_.get(), &Workspace::problem);
+    const std::string rays = relief::readTextFile(files.rays.toStdString());
+    const std::string text = relief::readTextFile(files.steps.toStdString());
+    const auto turn = [&] {
+        relief::Scenario turned = scenario();
+        turned.camera.azimuth += 5;
+        workspace_->change(turned, QStringLiteral("test"));
+        waitForFull();
+        EXPECT_EQ(scenario(), turned);
+        EXPECT_EQ(snapshot()->other->steps, files.logs[1]);
+    };
+    files.write(files.steps, text.substr(0, text.size() / 2) + "oops");
+    turn();
+    EXPECT_TRUE(problems.empty());
+    workspace_->renew();
+    waitForFull();
+    EXPECT_EQ(problems.size(), 1);
+    turn();
+    EXPECT_EQ(problems.size(), 1) << "reported once";
+    // A file without the chosen ray.
+    files.write(files.steps, text.substr(0, text.find("\n1,") + 1));
+    files.write(files.rays, rays.substr(0, rays.rfind('\n', rays.size() - 2) + 1));
+    workspace_->renew();
+    waitForFull();
+    EXPECT_EQ(problems.size(), 2);
+    turn();
+    files.write(files.rays, rays);
+    files.write(files.steps, text);
+    workspace_->renew();
+    waitForFull();
+    EXPECT_FALSE(snapshot()->otherProblem);
 }
 
 TEST_F(WindowTest, BadStepsOfAnotherTracerAreRefusedWithTheLine) {

@@ -83,6 +83,13 @@ TEST_F(RowsPane, AClickChoosesAPixelOfTheRowAndTheWheelZoomsAlongIt) {
     QTest::keyClick(canvas(), Qt::Key_R);
     EXPECT_EQ(view()->frame().from, home.from);
     EXPECT_EQ(view()->frame().to, home.to);
+    // Each click is one step of undo.
+    const double other = home.from + 0.3 * (home.to - home.from);
+    QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier,
+                      canvas()->toWidget({home.xAt(other), home.lower.center().y}).toPoint());
+    EXPECT_LT(scenario().pixel->x, before);
+    workspace_->undo();
+    EXPECT_EQ(scenario().pixel->x, before);
 }
 
 TEST_F(RowsPane, HoverReadsOut) {

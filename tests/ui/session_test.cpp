@@ -197,6 +197,17 @@ TEST_F(SessionTest, AStateThatEndedTheStartIsNotTriedAgain) {
     EXPECT_FALSE(SessionFiles::leftBehind().at(0).failedToStart()) << "said once";
 }
 
+// A window that is closed while the first pictures are being loaded.
+TEST_F(SessionTest, WithoutAFirstPictureTheLastStateStays) {
+    ASSERT_EQ(keepState(smallScenario()), "");
+    Workspace workspace;
+    StateKeeper keeper(&workspace, SessionFiles::begin(), smallScenario(), [] { return QVariantMap(); });
+    EXPECT_EQ(keeper.end(), "");
+    EXPECT_TRUE(unfinished().isEmpty()) << unfinished().join(' ').toStdString();
+    relief::AssetStore store;
+    EXPECT_EQ(lastState(store, stateReaders()), smallScenario());
+}
+
 TEST_F(SessionTest, WhereNothingCanBeWrittenThereIsOneMessage) {
     const QString file = folder_.filePath(QStringLiteral("file"));
     std::ofstream(file.toStdString()) << "no folder";
@@ -263,6 +274,21 @@ TEST_F(SessionTest, KillingTheProgramCostsSeconds) {
     const auto left = SessionFiles::leftBehind();
     ASSERT_EQ(left.size(), 1U) << "the second process left no file";
     EXPECT_EQ(loadWindowScenario(left[0].scenarioFile().toStdString(), stateReaders()), first);
+}
+
+// The next start opens the last state without a question.
+TEST_F(SessionTest, AMisspeltLessonIsNoCrash) {
+    ASSERT_EQ(keepState(smallScenario()), "");
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.path());
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(RELIEFSCOPE), {QStringLiteral("--lesson"), QStringLiteral("3o1")});
+    ASSERT_TRUE(process.waitForFinished(kPatienceMs));
+    EXPECT_EQ(process.exitCode(), 2);
+    EXPECT_TRUE(unfinished().isEmpty()) << unfinished().join(' ').toStdString();
+    relief::AssetStore store;
+    EXPECT_EQ(lastState(store, stateReaders()), smallScenario());
 }
 
 // A shutdown of the system asks every program to end; that is no crash.

@@ -1,10 +1,12 @@
 // Time: breakpoints, stepping over levels, the sorted table; undo and files keep them.
 #include <cmath>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QSpinBox>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -100,6 +102,17 @@ TEST_F(WindowTest, BreakpointsAreUndoneSavedAndOpenedAgain) {
     EXPECT_EQ(snapshot()->picture, picture);
     EXPECT_NE(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-1")), nullptr);
     EXPECT_EQ(bar->findChild<QToolButton*>(QStringLiteral("breakpoint-2")), nullptr);
+    // F9 removes it when it is off, too.
+    std::vector<relief::Breakpoint> off = scenario().breakpoints;
+    off[1].on = false;
+    off[1].ignore = 3;
+    workspace_->setBreakpoints(off, QStringLiteral("test"));
+    QTest::keyClick(window_.get(), Qt::Key_F9);
+    EXPECT_EQ(scenario().breakpoints.size(), 1U);
+    // Without steps there is no texel to stop at.
+    workspace_->setGuessing(true);
+    QTest::keyClick(window_.get(), Qt::Key_F9);
+    EXPECT_EQ(scenario().breakpoints.size(), 1U);
 }
 
 TEST_F(WindowTest, LevelsAreSteppedOverByKeys) {
@@ -139,6 +152,20 @@ TEST_F(WindowTest, ASortedTableStaysInStep) {
     table->scrollTo(top);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(top).center());
     EXPECT_EQ(scenario().step, top.data().toInt() - 1);
+    // With Ctrl another row is added to the rows to be copied; a drag selects all that it passes.
+    const QModelIndex next = table->model()->index(1, 0);
+    const auto selected = [&] { return table->selectionModel()->selectedRows().size(); };
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::ControlModifier, table->visualRect(next).center());
+    EXPECT_EQ(scenario().step, next.data().toInt() - 1);
+    EXPECT_EQ(selected(), 2);
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(top).center());
+    EXPECT_EQ(selected(), 1);
+    QTest::mousePress(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(next).center());
+    const QPoint to = table->visualRect(top).center();
+    QMouseEvent move(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(table->viewport(), &move);
+    QTest::mouseRelease(table->viewport(), Qt::LeftButton, Qt::NoModifier, to);
+    EXPECT_EQ(selected(), 2);
     // The kinds of breakpoints at a texel follow the chosen step.
     window_->time()->breakpoints()->findChild<QComboBox*>(QStringLiteral("breakpoint-kind"))->setCurrentIndex(kTexel);
     const relief::Step& step = steps[static_cast<std::size_t>(scenario().step)];

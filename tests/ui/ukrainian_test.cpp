@@ -141,7 +141,7 @@ bool isUkrainian(const QString& text) {
 // (workspace/change_name.h).
 TEST(Ukrainian, NamesOfChangesAndPartsAreTranslatedAgain) {
     const QRegularExpression changes(
-        QStringLiteral("\\b(?:workspace_?(?:\\(\\))?(?:->|\\.)(?:change|show|setBreakpoints|setBookmarks))"
+        QStringLiteral("\\b(?:workspace_?(?:\\(\\))?(?:->|\\.)(?:show|setBreakpoints|setBookmarks)|past_\\.push|change)"
                        "\\(([^;]*);"));
     const QRegularExpression parts(QStringLiteral("(?:PauseLog::Part|DrawingTime) \\w+\\(\"([^\"]+)\""));
     const auto text = [](const QString& path) {

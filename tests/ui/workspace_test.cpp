@@ -5,14 +5,18 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QUrl>
 
 #include "panes/number_control.h"
 #include "window_fixture.h"
 #include "windows/message_bar.h"
+#include "windows/pictures_box.h"
+#include "windows/seed_box.h"
 #include "windows/top_bar.h"
 #include "workspace/start_scenario.h"
 
@@ -162,6 +166,36 @@ TEST_F(WindowTest, TheDepthSliderChangesThePicture) {
     workspace_->undo();
     waitForFull();
     EXPECT_EQ(snapshot()->picture, before);
+}
+
+TEST_F(WindowTest, AnEditOfAProceduralReliefChangesOnlyThatNumber) {
+    relief::Scenario own = smallScenario();
+    own.pictures.recipeHeight = 32;
+    own.pictures.seed = 12345678901234567890U;
+    own.pictures.reading.invert = true;
+    workspace_ = std::make_unique<Workspace>();
+    workspace_->start(own);
+    waitForFull();
+    PicturesBox box(workspace_.get());
+    auto* const seed = box.findChild<SeedBox*>(QStringLiteral("recipe-seed"));
+    EXPECT_EQ(seed->value(), own.pictures.seed);
+    seed->stepBy(1);
+    waitForFull();
+    ++own.pictures.seed;
+    EXPECT_EQ(scenario().pictures, own.pictures);
+    box.findChild<QSpinBox*>(QStringLiteral("recipe-size"))->setValue(128);
+    waitForFull();
+    own.pictures.recipeWidth = 128;
+    own.pictures.recipeHeight = 64;
+    EXPECT_EQ(scenario().pictures, own.pictures);
+    seed->findChild<QLineEdit*>()->setText(QStringLiteral("7"));
+    Q_EMIT seed->editingFinished();
+    waitForFull();
+    own.pictures.seed = 7;
+    EXPECT_EQ(scenario().pictures, own.pictures);
+    auto* const recipe = box.findChild<QComboBox*>(QStringLiteral("recipe"));
+    Q_EMIT recipe->activated(recipe->currentIndex());
+    EXPECT_FALSE(workspace_->busy()) << "it is chosen already";
 }
 
 TEST_F(WindowTest, MethodsAreChosen) {

@@ -9,6 +9,7 @@
 #include <QPaintEngine>
 
 #include "painting/cell_image.h"
+#include "painting/cropped_image.h"
 #include "painting/formula_text.h"
 #include "painting/tikz.h"
 
@@ -150,7 +151,7 @@ struct ItemPainter {
         painter.save();
         painter.setClipRect(qrect(map.toScreen(cells.clip)), Qt::IntersectClip);
         painter.setRenderHint(QPainter::SmoothPixmapTransform, map.scale * cells.cellWidth * pixels.step < 1);
-        painter.drawImage(qrect(map.toScreen(whole)), image);
+        drawImageIn(painter, qrect(map.toScreen(whole)), image, qrect(map.toScreen(cells.clip)));
         painter.restore();
     }
 

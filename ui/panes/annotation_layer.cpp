@@ -172,6 +172,7 @@ QPointF AnnotationLayer::pointer() const {
 }
 
 void AnnotationLayer::choose(int note) {
+    if (note != chosen_) workspace_->finishInteraction();  // the moves of each are an undo step of their own
     chosen_ = note;
     update();
 }
@@ -181,9 +182,7 @@ void AnnotationLayer::chooseNext() {
     const int count = static_cast<int>(notes_.size());
     for (int k = 1; now && k <= count; ++k) {
         const int n = (chosen_ + k) % count;
-        if (annotationShape(notes_[static_cast<std::size_t>(n)], *now, language()).shown) {
-            return choose(n);
-        }
+        if (annotationShape(notes_[static_cast<std::size_t>(n)], *now, language()).shown) return choose(n);
     }
 }
 
@@ -192,7 +191,8 @@ void AnnotationLayer::store(std::vector<Annotation> notes, const QString& what, 
     workspace_->change(withState(workspace_->scenario(), AnnotationState{std::move(notes)}), what,
                        QString::fromLatin1(series));
     adopt();
-    choose(std::min(choice, static_cast<int>(notes_.size()) - 1));
+    chosen_ = std::min(choice, static_cast<int>(notes_.size()) - 1);  // not choose(), which would end the series
+    update();
 }
 
 // The data at a point, without decimals that do not matter there.

@@ -48,7 +48,7 @@ FigureCaption figureCaption(std::shared_ptr<const Snapshot> snapshot, std::optio
         // For a ray of another program's tracer, the scenario's method and view do not apply.
         if (trace.fromFile) {
             const std::string file = std::filesystem::path(s.other.steps).filename().string();
-            text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray + 1}, {"file", file}}));
+            text += " · " + say(Message(MessageId::CaptionOtherRay, {{"ray", s.other.ray}, {"file", file}}));
         } else {
             text += " · " + (methods.empty() ? relief::methodText(s.method) : methods) + " · " +
                     say(Message(MessageId::CaptionFilter, {{"filter", filters.empty() ? filterOf(s) : filters}}));

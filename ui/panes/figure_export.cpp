@@ -98,7 +98,6 @@ std::optional<FigureFile> askFigureFile(QWidget* parent, const QString& title, c
     FigureFile file;
     file.path = askSaveFile(parent, QStringLiteral("figures"), title, name + ending, FigureView::tr("Figures") + known);
     if (file.path.isEmpty()) return std::nullopt;
-    if (QFileInfo(file.path).suffix().isEmpty()) file.path += ending;
     const bool png = QFileInfo(file.path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0;
     return askFigureOptions(parent, title, png, file) ? std::optional(file) : std::nullopt;
 }

@@ -11,7 +11,8 @@ namespace reliefui {
 // an empty string if the user cancelled.
 QString askOpenFile(QWidget* parent, const QString& kind, const QString& title, const QString& filter,
                     const QString& folder = {});
-// name: proposed file name.
+// name: proposed file name. Its extension is appended to a name typed without one; the user is asked before a file is
+// replaced.
 QString askSaveFile(QWidget* parent, const QString& kind, const QString& title, const QString& name,
                     const QString& filter);
 // Last folder used for a kind; `otherwise` if there is none or it no longer exists.

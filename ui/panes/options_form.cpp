@@ -92,11 +92,12 @@ void OptionsForm::addControl(const Control& control) {
     label->setBuddy(choices);
     form_->addRow(label, choices);
     // Queued, because choosing another nested method recreates the controls while this one is still emitting its
-    // signal. Until then the controls may have been recreated for another reason.
+    // signal. Until then the controls may have been recreated for another reason. QComboBox::activated is also
+    // emitted for the current entry; it is ignored, because a change would reset the nested method's options.
     connect(
         choices, qOverload<int>(&QComboBox::activated), this,
         [this, name, box = QPointer<QComboBox>(choices)](int) {
-            if (box) Q_EMIT changed(name, box->currentText(), false);
+            if (box && box->currentText() != choices_[name]) Q_EMIT changed(name, box->currentText(), false);
         },
         Qt::QueuedConnection);
 }
@@ -137,6 +138,7 @@ void OptionsForm::setText(const Control& control, const std::string& text) {
         if (!word) number->setValue(value);
     } else if (auto* const choices = findChild<QComboBox*>(name)) {
         choices->setCurrentText(QString::fromStdString(text));
+        choices_[name] = choices->currentText();
     }
 }
 

@@ -2,6 +2,7 @@
 // contains another one, the inner method's options are indented below the chooser.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,8 @@ class OptionsForm : public QWidget {
     void setText(const Control& control, const std::string& text);
 
     QFormLayout* form_;
-    std::string shown_;  // identifies the method shown, including nested ones
+    std::string shown_;                   // identifies the method shown, including nested ones
+    std::map<QString, QString> choices_;  // the entries of the lists as shown last, by the key of the option
 };
 
 }  // namespace reliefui

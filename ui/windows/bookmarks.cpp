@@ -66,14 +66,18 @@ void BookmarkMenu::addHere() {
 }
 
 void BookmarkMenu::next() {
-    const relief::Scenario& now = workspace_->scenario();
-    const auto& all = now.bookmarks;
+    const auto& all = workspace_->scenario().bookmarks;
     if (all.empty()) return;
-    const auto here = std::find_if(all.begin(), all.end(), [&](const relief::Bookmark& bookmark) {
-        return bookmark.pixel == now.pixel && bookmark.camera == now.camera && bookmark.step == now.step;
-    });
-    const std::size_t at = here == all.end() ? 0 : static_cast<std::size_t>(here - all.begin() + 1) % all.size();
-    workspace_->goTo(relief::Bookmark(all[at]));
+    std::size_t to = 0;
+    // The search begins at the bookmark reached last, because several may be at the same place.
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const std::size_t here = (last_ + n) % all.size();
+        if (!workspace_->isAt(all[here])) continue;
+        to = (here + 1) % all.size();
+        break;
+    }
+    last_ = to;
+    workspace_->goTo(relief::Bookmark(all[to]));
 }
 
 BookmarkDialog::BookmarkDialog(Workspace* workspace, QWidget* parent)

@@ -25,7 +25,8 @@ class BookmarkMenu : public QObject {
   private:
     Workspace* workspace_;
     QMenu* menu_;
-    int fixed_;  // number of permanent actions at the top of the menu
+    int fixed_;             // number of permanent actions at the top of the menu
+    std::size_t last_ = 0;  // number of the bookmark that next() went to last
 };
 
 class BookmarkDialog : public QDialog {

@@ -162,12 +162,17 @@ void BreakpointBar::add(const relief::Breakpoint& added) {
 }
 
 void BreakpointBar::toggleHere() {
+    const auto snapshot = workspace_->snapshot();
+    if (!snapshot || snapshot->trace.steps.empty()) return;
     kind_->setCurrentIndex(static_cast<int>(relief::StopKind::Texel));
     showFields();
     relief::Breakpoint here = edited();
     here.ignore = 0;
     const std::vector<relief::Breakpoint>& all = workspace_->scenario().breakpoints;
-    const auto found = std::find(all.begin(), all.end(), here);
+    // One that is off, or ignores some stops, is at the texel as well.
+    const auto found = std::find_if(all.begin(), all.end(), [&](const relief::Breakpoint& other) {
+        return other.kind == here.kind && other.level == here.level && other.i == here.i && other.j == here.j;
+    });
     if (found == all.end()) return add(here);
     remove(static_cast<std::size_t>(found - all.begin()));
 }

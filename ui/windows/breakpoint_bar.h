@@ -25,7 +25,7 @@ class BreakpointBar : public QWidget {
   public slots:
     // Adds the edited breakpoint; a wrong condition is refused with a message.
     void add();
-    // Adds a breakpoint at the texel of the chosen step, or removes the one that is there.
+    // Adds a breakpoint at the texel of the chosen step, or removes the one that is there. Does nothing without steps.
     void toggleHere();
 
   private:

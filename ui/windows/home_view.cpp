@@ -5,8 +5,13 @@
 
 namespace reliefui {
 
-HomeView::HomeView(Workspace* workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), seen_(workspace->scenario()), camera_(seen_.camera) {
+HomeView* HomeView::of(Workspace* workspace) {
+    auto* const there = workspace->findChild<HomeView*>(QString(), Qt::FindDirectChildrenOnly);
+    return there != nullptr ? there : new HomeView(workspace);
+}
+
+HomeView::HomeView(Workspace* workspace)
+    : QObject(workspace), workspace_(workspace), seen_(workspace->scenario()), camera_(seen_.camera) {
     connect(workspace_, &Workspace::scenarioChanged, this, &HomeView::watch);
 }
 

@@ -1,4 +1,5 @@
-// The home view: the camera with which the scene was opened.
+// The home view: the camera with which the scene was opened. It belongs to the workspace, because a window that
+// replaces another, after a change of language, finds the camera already turned.
 #pragma once
 
 #include <QObject>
@@ -10,11 +11,13 @@ namespace reliefui {
 class HomeView : public QObject {
     Q_OBJECT
   public:
-    explicit HomeView(Workspace* workspace, QObject* parent = nullptr);
+    // Returns that of the workspace, which is made for the first window.
+    static HomeView* of(Workspace* workspace);
 
     void go();
 
   private:
+    explicit HomeView(Workspace* workspace);
     void watch();
 
     Workspace* workspace_;

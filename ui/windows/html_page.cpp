@@ -258,6 +258,11 @@ bool followsSteps(const FigureKind& kind) {
     return std::find(kNames.begin(), kNames.end(), kind.name) != kNames.end();
 }
 
+// The relief of the 3-D trace would be thousands of polygons for each step.
+bool hasStepDrawings(const FigureKind& kind) {
+    return kind.vectors && kind.name != TracePane::kName;
+}
+
 const char* languageCode(relief::Language language) {
     return language == relief::Language::Ukrainian ? "uk" : "en";
 }
@@ -318,8 +323,7 @@ std::string HtmlParts::script() const {
 
 std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snapshot>& snapshot, HtmlParts& parts,
                         const LanguageSetter& installLanguage, relief::Work& work) {
-    // The relief of the 3-D trace would be thousands of polygons for each step.
-    if (!kind.vectors || kind.name == TracePane::kName) return pixelsFigure(kind, snapshot, work);
+    if (!hasStepDrawings(kind)) return pixelsFigure(kind, snapshot, work);
     std::size_t most = followsSteps(kind) ? mostSteps(kind, snapshot, parts, installLanguage, work) : 1;
     std::vector<int> steps;
     FramesInBoth frames;

@@ -61,6 +61,8 @@ std::string stepsFigure(const FigureKind& kind, const std::shared_ptr<const Snap
                         const LanguageSetter& installLanguage, relief::Work& work);
 inline constexpr std::size_t kMostFigureBytes = 700000;
 
+// Returns false if stepsFigure() makes one picture, without a slider.
+bool hasStepDrawings(const FigureKind& kind);
 // Returns false if the figure is the same at all steps.
 bool followsSteps(const FigureKind& kind);
 

@@ -124,6 +124,19 @@ bool LessonMenu::open(const QString& folder, std::size_t page) {
     return true;
 }
 
+LessonMenu::Kept LessonMenu::kept() const {
+    return {player_->kept(), !dock_->isHidden(), lecturing_, notes_ && notes_->isVisible(), own_};
+}
+
+void LessonMenu::resume(Kept kept) {
+    own_ = kept.own;
+    if (kept.shown) showDock();
+    if (kept.notes) showNotes();
+    tellShown();
+    player_->resume(std::move(kept.lesson));
+    setLecture(kept.lecture && player_->isOpen());
+}
+
 void LessonMenu::showDock() {
     if (dock_->isFloating() || !dock_->isHidden()) {
         dock_->show();

@@ -11,6 +11,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include "lessons/lesson_player.h"
+
 class QAction;
 class QDialog;
 class QDockWidget;
@@ -21,7 +23,6 @@ class QTextBrowser;
 namespace reliefui {
 
 class LessonPane;
-class LessonPlayer;
 class Workspace;
 
 class LessonMenu : public QObject {
@@ -42,6 +43,19 @@ class LessonMenu : public QObject {
     // Opens the lesson in this folder, or the first one of a folder of lessons, and shows it.
     bool open(const QString& folder, std::size_t page = 0);
     bool lecturing() const { return lecturing_; }
+
+    // What a menu of a window that replaces this one needs to go on with the open lesson. shown: whether its dock is
+    // shown; notes: whether the lecturer's notes are; own: the user's folder of lessons, opened last.
+    struct Kept {
+        LessonPlayer::Kept lesson;
+        bool shown = false;
+        bool lecture = false;
+        bool notes = false;
+        QString own;
+    };
+    Kept kept() const;
+    // Changes nothing in the workspace.
+    void resume(Kept kept);
 
   public slots:
     void showDock();

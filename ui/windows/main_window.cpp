@@ -26,6 +26,7 @@
 #include "windows/status_line.h"
 #include "windows/time_pane.h"
 #include "windows/top_bar.h"
+#include "workspace/pixel_finder.h"
 
 namespace reliefui {
 
@@ -44,6 +45,9 @@ QComboBox* makeLayerChooser(Workspace* workspace, QWidget* parent) {
     box->setAccessibleName(MainWindow::tr("Layer of the result"));
     box->setToolTip(MainWindow::tr("Property of the pixels that the result shows"));
     for (int i = 0; i < kLayers; ++i) box->addItem(layerTitle(static_cast<Layer>(i)));
+    const auto follow = [workspace, box] { box->setCurrentIndex(static_cast<int>(workspace->layer())); };
+    follow();
+    QObject::connect(workspace, &Workspace::layerChanged, box, follow);  // a lesson's page sets it as well
     QObject::connect(box, qOverload<int>(&QComboBox::currentIndexChanged), workspace,
                      [workspace](int i) { workspace->setLayer(static_cast<Layer>(i)); });
     return box;
@@ -72,7 +76,7 @@ MainWindow::MainWindow(Workspace* workspace, const QString& datasets, QWidget* p
     setStatusBar(status_);
     for (const PaneKind& kind : paneList()) kind.place == DockPlace::Center ? addResult(kind) : addPane(kind);
     time_ = pane<TimePane>();
-    home_ = new HomeView(workspace_, this);
+    home_ = HomeView::of(workspace_);
     addTableMenus();
     makeMenus();
     topBar_ = new TopBar(workspace_, open_, {undo_, redo_, projector_}, this);
@@ -268,7 +272,8 @@ void MainWindow::cancel() {
     bool ran = workspace_->busy() || workspace_->tasks().busy();
     workspace_->cancel();
     for (FigureView* const view : findChildren<FigureView*>()) ran = view->cancel() || ran;
-    ran = cancelWriting(this) || ran;
+    ran = finder_->cancel() || ran;
+    ran = cancelWriting(workspace_) || ran;
     if (ran) return;
     if (workspace_->guessing()) return workspace_->setGuessing(false);
     if (filled_ != nullptr) return fill(filled_);

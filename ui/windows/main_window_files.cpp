@@ -90,20 +90,18 @@ void MainWindow::askColor() {
 }
 
 void MainWindow::askSaveScenario() {
-    QString path = askSaveFile(this, QStringLiteral("scenarios"), tr("Save scenario"), QStringLiteral("scenario.json"),
-                               tr("Scenarios") + QStringLiteral(" (*.json)"));
+    const QString path = askSaveFile(this, QStringLiteral("scenarios"), tr("Save scenario"),
+                                     QStringLiteral("scenario.json"), tr("Scenarios") + QStringLiteral(" (*.json)"));
     if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
     workspace_->save(path);
     if (QFileInfo::exists(path)) remember(path);
 }
 
 void MainWindow::askSavePicture(bool legend) {
-    QString path = askSaveFile(this, QStringLiteral("saved-pictures"), tr("Save picture"), QStringLiteral("result.png"),
-                               tr("Pictures") + QStringLiteral(" (*.png *.jpg *.bmp)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-    savePicture(path, legend);
+    const QString path =
+        askSaveFile(this, QStringLiteral("saved-pictures"), tr("Save picture"), QStringLiteral("result.png"),
+                    tr("Pictures") + QStringLiteral(" (*.png *.jpg *.bmp)"));
+    if (!path.isEmpty()) savePicture(path, legend);
 }
 
 // Compressing a large picture takes long, so it runs in the background.

@@ -239,6 +239,7 @@ void MainWindow::makeRayMenu() {
     auto* const guess = addAction(menu, tr("G&uess the hit"), QKeySequence(Qt::Key_G),
                                   tr("Hide the answer; a click in the profile guesses where the ray hits"));
     guess->setCheckable(true);
+    guess->setChecked(workspace_->guessing());
     connect(guess, &QAction::toggled, workspace_, &Workspace::setGuessing);
     connect(workspace_, &Workspace::guessingChanged, guess, &QAction::setChecked);
     menu->addSeparator();
@@ -298,7 +299,10 @@ void MainWindow::resultMenu(const QPoint& global) {
         menu.addAction(tr("Copy value"), this, [snapshot, pixel] {
             QApplication::clipboard()->setText(pixelReadout(*snapshot, *pixel).join('\n'));
         });
-        menu.addAction(tr("Choose this pixel"), this, [this, pixel] { workspace_->choosePixel(pixel->x, pixel->y); });
+        menu.addAction(tr("Choose this pixel"), this, [this, pixel] {
+            workspace_->finishInteraction();  // each choice is an undo step of its own
+            workspace_->choosePixel(pixel->x, pixel->y);
+        });
     }
     result_->addToMenu(menu);
     menu.addAction(copyCommand_);
@@ -330,6 +334,7 @@ void MainWindow::askPixel() {
         Q_EMIT workspace_->problem(tr("“%1” is not a pixel; write column, row").arg(text));
         return;
     }
+    workspace_->finishInteraction();  // each choice is an undo step of its own
     workspace_->choosePixel(x, y);
 }
 

@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -122,16 +121,15 @@ void askMovingPicture(QWidget* window, Workspace* workspace, const QString& pane
     } catch (const relief::InputError& error) {
         return Q_EMIT workspace->problem(QString::fromStdString(error.text(uiLanguage())));
     }
-    const QString name = QString::fromStdString(wanted->kind.name), ending = QStringLiteral("png");
-    QString file = wanted->page ? askPageFile(window, name)
-                                : askSaveFile(window, QStringLiteral("frames"), Texts::tr("Moving picture"),
-                                              name + QLatin1Char('.') + ending, Texts::tr("Pictures (*.png)"));
+    const QString name = QString::fromStdString(wanted->kind.name);
+    const QString file = wanted->page ? askPageFile(window, name)
+                                      : askSaveFile(window, QStringLiteral("frames"), Texts::tr("Moving picture"),
+                                                    name + QStringLiteral(".png"), Texts::tr("Pictures (*.png)"));
     if (file.isEmpty()) return;
-    if (QFileInfo(file).suffix().isEmpty()) file += QLatin1Char('.') + ending;
     QStringList how{QStringLiteral("--sequence"), wanted->sequence};
     if (wanted->frames) how << QStringLiteral("--frames") << QString::number(*wanted->frames);
     if (wanted->page) how << QStringLiteral("--html");
-    writePane(window, workspace, name, how, file);
+    writePane(workspace, name, how, file);
 }
 
 }  // namespace reliefui

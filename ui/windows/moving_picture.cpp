@@ -179,7 +179,8 @@ void writeFrames(const MovingPicture& moving, SnapshotMaker& maker, const Figure
 std::string movingPage(const MovingPicture& moving, SnapshotMaker& maker, const LanguageSetter& installLanguage,
                        const FrameProgress& progress, relief::Work& work) {
     Frames frames(moving, maker, work);
-    if (frames.chosen() && moving.kind.vectors) return viewPage(moving.kind, frames.chosen(), installLanguage, work);
+    if (frames.chosen() && hasStepDrawings(moving.kind))
+        return viewPage(moving.kind, frames.chosen(), installLanguage, work);
     HtmlParts parts;
     // The pictures of a long ray's steps would make the page too large.
     const std::size_t all = frames.size(), shown = frames.chosen() ? std::min(all, kMostPageSteps) : all;

@@ -66,7 +66,7 @@ void OtherBar::change(const relief::OtherTracer& other, const QString& what) {
 void OtherBar::open(const QString& rays, const QString& steps) {
     change(
         {QFileInfo(rays).absoluteFilePath().toStdString(), QFileInfo(steps).absoluteFilePath().toStdString(), 0, true},
-        tr("Open another tracer's steps"));
+        changeName([] { return tr("Open another tracer's steps"); }));
 }
 
 void OtherBar::close() {

@@ -11,6 +11,7 @@
 #include "relief/files.h"
 #include "windows/pane_list.h"
 #include "workspace/layer_names.h"
+#include "workspace/pane_store.h"
 #include "workspace/snapshot_maker.h"
 
 namespace reliefui {
@@ -56,9 +57,7 @@ relief::Scenario partScenario(const JsonReader& reader, const char* key, const J
         try {
             parsed = parseWindowScenario(scenario.dump(kIndent), key, stateReaders());
         } catch (const InputError& error) {
-            Message why = error.message();
-            if (why.id == MessageId::ScenarioLine && why.values.back().inner) why = *why.values.back().inner;
-            throw InputError("", why);
+            throw InputError("", withoutLine(error.message()));
         }
     });
     return parsed;

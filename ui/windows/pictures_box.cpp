@@ -1,5 +1,8 @@
 #include "windows/pictures_box.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
@@ -13,13 +16,14 @@
 #include "panes/file_dialogs.h"
 #include "relief/reliefs.h"
 #include "windows/method_list.h"
+#include "windows/seed_box.h"
 #include "workspace/change_name.h"
 
 namespace reliefui {
 
 namespace {
 
-constexpr int kLargestRecipe = 4096;
+constexpr int kLargestRecipe = 4096;  // a scenario's file may have a larger one
 
 }  // namespace
 
@@ -106,40 +110,45 @@ void PicturesBox::addRecipe(QVBoxLayout* column) {
     recipe_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     recipe_->setMinimumContentsLength(8);
     size_ = new QSpinBox(this);
+    size_->setObjectName(QStringLiteral("recipe-size"));
     size_->setAccessibleName(tr("Size of the procedural relief"));
-    size_->setToolTip(tr("Texels along a side"));
+    size_->setToolTip(tr("Width in texels; the height keeps its ratio to it"));
     size_->setRange(1, kLargestRecipe);
     size_->setSingleStep(64);
     size_->setValue(256);
-    seed_ = new QSpinBox(this);
+    size_->setLocale(QLocale::c());
+    size_->setKeyboardTracking(false);
+    seed_ = new SeedBox(this);
+    seed_->setObjectName(QStringLiteral("recipe-seed"));
     seed_->setAccessibleName(tr("Seed of the procedural relief"));
     seed_->setToolTip(tr("Seed: each number gives another relief"));
-    seed_->setRange(0, 9999);
     seed_->setValue(1);
     line->addWidget(recipe_, 1);
-    for (QSpinBox* const box : {size_, seed_}) {
-        box->setLocale(QLocale::c());
-        box->setKeyboardTracking(false);
-        line->addWidget(box);
-        connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &PicturesBox::makeRecipe);
-    }
+    line->addWidget(size_);
+    line->addWidget(seed_);
     column->addLayout(line);
     connect(recipe_, qOverload<int>(&QComboBox::activated), this, [this](int) { makeRecipe(); });
+    connect(size_, qOverload<int>(&QSpinBox::valueChanged), this, &PicturesBox::makeRecipe);
+    connect(seed_, &SeedBox::edited, this, &PicturesBox::makeRecipe);
 }
 
 void PicturesBox::makeRecipe() {
     const std::string name = recipe_->currentData().toString().toStdString();
     if (name.empty()) return;
     relief::Scenario scenario = workspace_->scenario();
-    const bool other = scenario.pictures.recipe != name;
-    scenario.pictures = {};
-    scenario.pictures.recipe = name;
-    int side = size_->value();
-    for (const relief::ReliefRecipe& recipe : relief::reliefRecipes()) {
-        if (recipe.name == name && (other || !recipe.anySize)) side = recipe.defaultSize;
+    relief::Pictures& pictures = scenario.pictures;
+    if (pictures.recipe != name) {
+        // Colours and normals of another relief would not match this one.
+        pictures = {};
+        pictures.recipe = name;
+        pictures.recipeWidth = pictures.recipeHeight = relief::findRecipe(name, {}).defaultSize;
+    } else if (size_->value() != pictures.recipeWidth) {
+        // The box shows the width; the height keeps its ratio to it.
+        const double height = static_cast<double>(size_->value()) * pictures.recipeHeight / pictures.recipeWidth;
+        pictures.recipeHeight = std::max(1, static_cast<int>(std::lround(height)));
+        pictures.recipeWidth = size_->value();
     }
-    scenario.pictures.recipeWidth = scenario.pictures.recipeHeight = side;
-    scenario.pictures.seed = static_cast<std::uint64_t>(seed_->value());
+    pictures.seed = seed_->value();
     workspace_->change(scenario, changeName([] { return tr("Procedural relief"); }));
 }
 
@@ -162,11 +171,11 @@ void PicturesBox::refresh() {
     }
     const int found = recipe_->findData(QString::fromStdString(pictures.recipe));
     recipe_->setCurrentIndex(pictures.recipe.empty() ? 0 : found);
-    const QSignalBlocker quietSize(size_);
-    const QSignalBlocker quietSeed(seed_);
+    const QSignalBlocker quiet(size_);
     if (pictures.recipe.empty()) return;
+    size_->setMaximum(std::max(kLargestRecipe, pictures.recipeWidth));
     size_->setValue(pictures.recipeWidth);
-    seed_->setValue(static_cast<int>(pictures.seed));
+    seed_->setValue(pictures.seed);
 }
 
 }  // namespace reliefui

@@ -15,6 +15,8 @@ class QVBoxLayout;
 
 namespace reliefui {
 
+class SeedBox;
+
 // Opens a file dialog for a picture; returns its path, or an empty string if the user cancelled.
 QString askForPicture(QWidget* parent, const QString& title, const QString& current);
 
@@ -43,7 +45,7 @@ class PicturesBox : public QWidget {
     std::vector<Row> rows_;
     QComboBox* recipe_ = nullptr;
     QSpinBox* size_ = nullptr;
-    QSpinBox* seed_ = nullptr;
+    SeedBox* seed_ = nullptr;
 };
 
 }  // namespace reliefui

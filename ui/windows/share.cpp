@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QVariant>
 #include <QWidget>
 
 #include "panes/file_dialogs.h"
@@ -23,10 +24,28 @@ struct Texts {
 
 constexpr const char* kCancelled = "cancelled";  // property of a process
 
-}  // namespace
+// A process that is ended with the workspace: asked to first, so that it removes its temporary files.
+class Writer : public QProcess {
+  public:
+    // folder: with the scenario that the process reads, which has to live as long; may be null.
+    Writer(Workspace* workspace, std::unique_ptr<QTemporaryDir> folder)
+        : QProcess(workspace), folder_(std::move(folder)) {}
+    ~Writer() override {
+        if (state() == NotRunning) return;
+        terminate();
+        constexpr int kPatienceMs = 1000;
+        if (!waitForFinished(kPatienceMs)) kill();
+        waitForFinished(kPatienceMs);
+    }
 
-QProcess* startWriting(QWidget* window, Workspace* workspace, const QStringList& what, const QString& file) {
-    auto* const writer = new QProcess(window);
+  private:
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QProcess* start(Workspace* workspace, const QStringList& what, const QString& file,
+                std::unique_ptr<QTemporaryDir> folder = nullptr) {
+    // Not of the window, which is replaced by another when the language changes.
+    auto* const writer = new Writer(workspace, std::move(folder));
     const auto ended = [workspace, writer, file](bool done) {
         writer->deleteLater();
         const QString shown = QDir::toNativeSeparators(file);
@@ -47,8 +66,14 @@ QProcess* startWriting(QWidget* window, Workspace* workspace, const QStringList&
     return writer;
 }
 
-bool cancelWriting(QWidget* window) {
-    const auto writers = window->findChildren<QProcess*>(QString(), Qt::FindDirectChildrenOnly);
+}  // namespace
+
+QProcess* startWriting(Workspace* workspace, const QStringList& what, const QString& file) {
+    return start(workspace, what, file);
+}
+
+bool cancelWriting(Workspace* workspace) {
+    const auto writers = workspace->findChildren<QProcess*>(QString(), Qt::FindDirectChildrenOnly);
     for (QProcess* const writer : writers) {
         writer->setProperty(kCancelled, true);
         writer->terminate();
@@ -56,10 +81,8 @@ bool cancelWriting(QWidget* window) {
     return !writers.isEmpty();
 }
 
-void writePane(QWidget* window, Workspace* workspace, const QString& figure, const QStringList& how,
-               const QString& file) {
-    // The scenario lives as long as the process that reads it.
-    const auto folder = std::make_shared<QTemporaryDir>();
+void writePane(Workspace* workspace, const QString& figure, const QStringList& how, const QString& file) {
+    auto folder = std::make_unique<QTemporaryDir>();
     const QString scenario = folder->filePath(QStringLiteral("scenario.json"));
     try {
         relief::saveScenario(scenario.toStdString(), workspace->scenario());
@@ -70,8 +93,7 @@ void writePane(QWidget* window, Workspace* workspace, const QString& figure, con
     if (figure == QLatin1String("result"))
         what << QStringLiteral("--layer")
              << QString::fromStdString(std::string(kLayerNames[static_cast<std::size_t>(workspace->layer())]));
-    QProcess* const writer = startWriting(window, workspace, what + how, file);
-    QObject::connect(writer, &QObject::destroyed, workspace, [folder] {});
+    start(workspace, what + how, file, std::move(folder));
 }
 
 QString askPageFile(QWidget* window, const QString& name) {
@@ -81,13 +103,13 @@ QString askPageFile(QWidget* window, const QString& name) {
 
 void askPanePage(QWidget* window, Workspace* workspace, const QString& figure) {
     const QString file = askPageFile(window, figure);
-    if (!file.isEmpty()) writePane(window, workspace, figure, {QStringLiteral("--html")}, file);
+    if (!file.isEmpty()) writePane(workspace, figure, {QStringLiteral("--html")}, file);
 }
 
 void askLessonPage(QWidget* window, Workspace* workspace, const QString& folder) {
     const QString file = askPageFile(window, QFileInfo(folder).fileName());
     const QStringList what{QStringLiteral("--lesson"), folder, QStringLiteral("--html")};
-    if (!file.isEmpty()) startWriting(window, workspace, what, file);
+    if (!file.isEmpty()) startWriting(workspace, what, file);
 }
 
 }  // namespace reliefui

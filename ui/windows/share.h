@@ -12,13 +12,13 @@ namespace reliefui {
 
 class Workspace;
 
-// Starts `reliefscope WHAT -o FILE`, and reports its end through the workspace. The process deletes itself then.
-QProcess* startWriting(QWidget* window, Workspace* workspace, const QStringList& what, const QString& file);
-// Ends all such processes of the window. Returns whether there were any.
-bool cancelWriting(QWidget* window);
+// Starts `reliefscope WHAT -o FILE`, and reports its end through the workspace. The process deletes itself then. It
+// belongs to the workspace: it goes on while a window is replaced by another, and is ended with the workspace.
+QProcess* startWriting(Workspace* workspace, const QStringList& what, const QString& file);
+// Ends all such processes of the workspace. Returns whether there were any.
+bool cancelWriting(Workspace* workspace);
 // Writes the pane's figure of the open scenario; how: further arguments.
-void writePane(QWidget* window, Workspace* workspace, const QString& figure, const QStringList& how,
-               const QString& file);
+void writePane(Workspace* workspace, const QString& figure, const QStringList& how, const QString& file);
 // Asks for the file of a page; empty if the user cancelled. name: proposed, without ending.
 QString askPageFile(QWidget* window, const QString& name);
 // Asks for a file, and writes the pane's figure of the open scenario, with a slider over the steps.

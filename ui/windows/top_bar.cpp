@@ -51,8 +51,9 @@ void TopBar::makeMethod() {
     addLabeled(tr("Method"), method_);
     connect(method_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
-        scenario.method = {};
-        scenario.method.name = method_->currentData().toString().toStdString();
+        const std::string name = method_->currentData().toString().toStdString();
+        if (name == scenario.method.name) return;  // chosen again, it keeps its options
+        scenario.method = {name, {}};
         workspace_->change(scenario, changeName([] { return tr("Method"); }));
     });
 }
@@ -66,7 +67,9 @@ void TopBar::makeFilter() {
     addLabeled(tr("Filter"), filter_);
     connect(filter_, qOverload<int>(&QComboBox::activated), this, [this](int) {
         relief::Scenario scenario = workspace_->scenario();
-        scenario.filter.name = filter_->currentData().toString().toStdString();
+        const std::string name = filter_->currentData().toString().toStdString();
+        if (name == scenario.filter.name) return;  // chosen again, it keeps its options
+        scenario.filter.name = name;
         scenario.filter.options.clear();  // options of the previous filter do not apply to another
         workspace_->change(scenario, changeName([] { return tr("Filter"); }));
     });

@@ -28,22 +28,19 @@ void LatestJob::start(Job job) {
         const std::lock_guard lock(mutex_);
         next_ = std::move(job);
         ++latest_;
-        userCancel_ = false;
         stop_.request_stop();
     }
     wake_.notify_all();
 }
 
 bool LatestJob::cancel() {
-    if (!busy()) return false;
     const std::lock_guard lock(mutex_);
-    if (next_) {
-        next_.reset();
-        post(latest_, [this] { listener_.failed({}); });
-        return true;
-    }
-    userCancel_ = true;
+    if (answered_ == latest_) return false;
+    next_.reset();
     stop_.request_stop();
+    // The job may just have ended: its result, which is on its way, is that of an older job then.
+    ++latest_;
+    post(latest_, [this] { listener_.failed({}); });
     return true;
 }
 
@@ -112,8 +109,7 @@ void LatestJob::runOne(const Job& job, std::uint64_t id, const std::stop_token& 
         post(id, job.done);
         return;
     } catch (const relief::Cancelled&) {
-        const std::lock_guard lock(mutex_);
-        if (!userCancel_) return;
+        return;  // replaced, dropped or cancelled; cancel() has reported that
     } catch (const relief::InputError& error) {
         problem = QString::fromStdString(error.text(uiLanguage()));
     } catch (const std::bad_alloc&) {

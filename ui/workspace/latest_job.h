@@ -39,7 +39,8 @@ class LatestJob {
     LatestJob& operator=(const LatestJob&) = delete;
 
     void start(Job job);
-    // Cancels the job on behalf of the user, and reports that to the listener. Returns false if there is none.
+    // Cancels the job on behalf of the user, and reports that to the listener; no result of the job follows. Returns
+    // false if there is none.
     bool cancel();
     // Cancels the job without a report.
     void drop();
@@ -58,10 +59,9 @@ class LatestJob {
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
     std::optional<Job> next_;
-    std::uint64_t latest_ = 0;    // id of the job started last
+    std::uint64_t latest_ = 0;    // id of the job started last, or of its cancelling
     std::uint64_t answered_ = 0;  // id of the last job whose end was reported; receiver's thread only
     std::stop_source stop_;
-    bool userCancel_ = false;
     std::mutex progressMutex_;
     Clock::time_point lastProgress_;
     std::jthread thread_;  // last member: the thread ends before the others are destroyed

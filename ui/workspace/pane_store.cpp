@@ -78,6 +78,11 @@ relief::Scenario loadWindowScenario(const std::string& path, const StateReaders&
     return parseWindowScenario(relief::readTextFile(path), path, readers);
 }
 
+Message withoutLine(const Message& message) {
+    const auto why = message.id == MessageId::ScenarioLine ? message.values.back().inner : nullptr;
+    return why ? *why : message;
+}
+
 void checkName(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
     throw InputError("panes", Message(MessageId::UnknownName,

@@ -60,6 +60,8 @@ void checkStates(const relief::Scenario& scenario, const StateReaders& readers, 
 // As parseScenario() and loadScenario(), but the panes' states are checked as well; errors in them name the line.
 relief::Scenario parseWindowScenario(const std::string& text, const std::string& fileName, const StateReaders& readers);
 relief::Scenario loadWindowScenario(const std::string& path, const StateReaders& readers);
+// Returns an error's message without the line that it names, for scenarios whose text is not that of a file.
+relief::Message withoutLine(const relief::Message& message);
 
 // Helpers for check(): throw relief::InputError that lists the known names, or states the range.
 void checkName(const std::string& what, const std::string& name, const std::vector<std::string>& known);

@@ -42,7 +42,8 @@ std::vector<float> valuesOf(const Snapshot& snapshot, relief::Worth worth, const
 PixelFinder::PixelFinder(Workspace* workspace, QObject* parent) : QObject(parent), workspace_(workspace) {
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
-        if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
+        if (!problem.isEmpty()) return Q_EMIT workspace_->problem(problem);
+        Q_EMIT reported(tr("The search was cancelled"));
     };
     listener.progress = [](const QString&, double) {};
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
@@ -50,8 +51,8 @@ PixelFinder::PixelFinder(Workspace* workspace, QObject* parent) : QObject(parent
 
 PixelFinder::~PixelFinder() = default;
 
-void PixelFinder::cancel() {
-    job_->cancel();
+bool PixelFinder::cancel() {
+    return job_->cancel();
 }
 
 void PixelFinder::next(relief::Worth worth, const relief::MethodChoice& rival) {

@@ -28,10 +28,11 @@ class PixelFinder : public QObject {
     const std::vector<relief::PixelWorth>& found() const { return found_; }
 
   public slots:
-    void cancel();
+    // Returns false if there is no search.
+    bool cancel();
 
   signals:
-    void reported(const QString& oneLine);  // describes the chosen pixel, or says that none was found
+    void reported(const QString& oneLine);  // describes the chosen pixel, or gives the reason why there is none
 
   private:
     void choose();

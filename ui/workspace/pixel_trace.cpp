@@ -21,7 +21,13 @@ void take(PixelTrace& out, relief::LoggedRay ray) {
 }  // namespace
 
 std::shared_ptr<const OtherFiles> readOtherFiles(const relief::OtherTracer& other) {
-    return std::make_shared<OtherFiles>(OtherFiles{relief::readRayFiles(other), other});
+    auto files = std::make_shared<OtherFiles>(OtherFiles{relief::readRayFiles(other), other, {}, {}});
+    try {
+        files->view = relief::readRaysView(other.rays, files->rays.size());
+    } catch (const relief::InputError& error) {
+        files->viewProblem = error;  // the rays and their steps can be shown without it
+    }
+    return files;
 }
 
 RayTraces traceRay(const relief::Scenario& scenario, const relief::FrameRequest& request, const relief::Tracer& tracer,

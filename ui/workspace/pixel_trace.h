@@ -2,6 +2,8 @@
 // tracer.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 
 #include "measuring/compare/logged_ray.h"
 #include "relief/tracers.h"
+#include "scenario/rays_view.h"
 #include "scenario/scenario.h"
 
 namespace reliefui {
@@ -45,6 +48,11 @@ struct PixelTrace {
 // Contents of the two files of another program's tracer, and their paths; the other members of `from` are unused.
 struct OtherFiles : relief::RayFiles {
     relief::OtherTracer from;
+    std::optional<relief::RaysView> view;           // of the rays, if a file next to them names it
+    std::optional<relief::InputError> viewProblem;  // why that file cannot be used
+
+    // Returns true if `other` names these files.
+    bool areOf(const relief::OtherTracer& other) const { return from.rays == other.rays && from.steps == other.steps; }
 };
 // Throws InputError that names file and line.
 std::shared_ptr<const OtherFiles> readOtherFiles(const relief::OtherTracer& other);

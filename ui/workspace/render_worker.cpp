@@ -245,7 +245,7 @@ void RenderWorker::runRender(const RenderJob& job, bool refining, relief::Work& 
     const auto failed = [&](const QString& problem) {
         post([this, failure = RenderFailure{job.version, problem}] { listener_.failure(failure); });
     };
-    const SnapshotOrder order{job.scenario, job.version, job.layer, false, job.lastStep, job.levels};
+    const SnapshotOrder order{job.scenario, job.version, job.layer, false, job.lastStep, job.levels, job.renewed};
     guarded(
         [&] {
             try {

@@ -30,6 +30,7 @@ struct RenderJob {
     bool lastStep = false;  // choose the ray's last step
     bool live = false;      // part of a drag: draw a picture in time first, and the full one when the drag rests
     relief::PyramidKind levels = relief::PyramidKind::Max;  // shown in the pyramid pane
+    std::uint64_t renewed = 0;                              // how often the other tracer's files were to be read again
 };
 
 // Loads what a new scenario needs before it is opened: its pictures, and the scenario itself if `path` is given.

@@ -38,6 +38,9 @@ struct Snapshot {
     PixelTrace trace;                                 // in full-size pixels, even if `coarse`
     // ray of another program's tracer; null if no files are open
     std::shared_ptr<const PixelTrace> other;
+    std::shared_ptr<const OtherFiles> otherFiles;  // that the ray is from
+    // why these are not what the files contain: they could not be read again; null if they could
+    std::shared_ptr<const relief::InputError> otherProblem;
     std::size_t otherRays = 0;                            // number of rays in the files
     std::shared_ptr<const relief::MaxPyramidMap> maxima;  // over the cells of the field
     // Over the texels; for large pictures only the one that is shown.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "relief/maps/map_memory.h"
 #include "rendering/ellipse_error.h"
@@ -146,11 +147,23 @@ LayerPicture& SnapshotMaker::layerOf(Shown& shown, Layer layer, relief::Work& wo
     return shown.layers[layer] = makeLayer(layer, frame, *shown.drawn.request, *maps_, work);
 }
 
-const OtherFiles* SnapshotMaker::otherFiles(const relief::Scenario& scenario) {
-    if (!scenario.other) return nullptr;
-    const bool known = other_ && other_->from.rays == scenario.other.rays && other_->from.steps == scenario.other.steps;
-    if (!known) other_ = readOtherFiles(scenario.other);
-    return other_.get();
+void SnapshotMaker::readFiles(const SnapshotOrder& order, const relief::HeightField& field) {
+    const relief::OtherTracer& other = order.scenario.other;
+    const bool open = other && other_ && other_->areOf(other);
+    const bool due = std::exchange(renewed_, order.renewed) != order.renewed;
+    if (!other) other_.reset();
+    if (!other || !open) otherProblem_.reset();
+    if (!other || (open && !due)) return;
+    try {
+        auto files = readOtherFiles(other);
+        relief::rayOfFiles(other, *files, field);  // throws if the ray cannot be shown
+        other_ = std::move(files);
+        otherProblem_.reset();
+    } catch (const relief::InputError& error) {
+        if (!open) throw;
+        // The other tracer may still be writing; a failure would undo what the user changed meanwhile.
+        otherProblem_ = std::make_shared<const relief::InputError>(error);
+    }
 }
 
 std::shared_ptr<const Snapshot> SnapshotMaker::make(const SnapshotOrder& order, relief::Work& work) {
@@ -208,9 +221,12 @@ void SnapshotMaker::makePyramids(const relief::HeightField& field, relief::Work&
 void SnapshotMaker::describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work) {
     const relief::Scenario& scenario = order.scenario;
     const relief::FrameRequest& request = *snapshot.request;
+    readFiles(order, request.field);
+    snapshot.otherFiles = other_;
+    snapshot.otherProblem = otherProblem_;
     // The trace uses full-size pixels, even if the frame is coarse.
     RayTraces traces = traceRay(scenario, relief::frameRequest(scenario, snapshot.assets), *snapshot.tracer,
-                                otherFiles(scenario), *maps_, work);
+                                snapshot.otherFiles.get(), *maps_, work);
     snapshot.trace = std::move(traces.shown);
     snapshot.other = traces.other;
     snapshot.otherRays = traces.otherRays;

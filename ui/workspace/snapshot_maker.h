@@ -18,6 +18,7 @@ struct SnapshotOrder {
     bool moving = false;                                    // draw as coarsely as the time budget of a drag requires
     bool lastStep = false;                                  // choose the ray's last step instead of the scenario's
     relief::PyramidKind levels = relief::PyramidKind::Max;  // shown in the pyramid pane
+    std::uint64_t renewed = 0;                              // how often the other tracer's files were to be read again
 };
 
 class SnapshotMaker {
@@ -66,13 +67,17 @@ class SnapshotMaker {
     // Builds the pyramids of a small relief; after an edit, unchanged levels are shared with the previous ones.
     void makePyramids(const relief::HeightField& field, relief::Work& work);
     void describe(Snapshot& snapshot, const SnapshotOrder& order, relief::Work& work);
-    const OtherFiles* otherFiles(const relief::Scenario& scenario);
+    // Sets the files of the other tracer, which are read when the scenario names others, and again when the order's
+    // `renewed` differs. Throws InputError only for other files: of the same ones, those read last are kept.
+    void readFiles(const SnapshotOrder& order, const relief::HeightField& field);
 
     relief::AssetStore store_;
     std::shared_ptr<relief::MapCache> maps_ = std::make_shared<relief::MapCache>();
     relief::ProgressiveRenderer renderer_;
-    relief::MovingLevel level_;                // level of the last frame that was begun
-    std::shared_ptr<const OtherFiles> other_;  // the files read last
+    relief::MovingLevel level_;                               // level of the last frame that was begun
+    std::shared_ptr<const OtherFiles> other_;                 // the open files
+    std::shared_ptr<const relief::InputError> otherProblem_;  // why they could not be read again
+    std::uint64_t renewed_ = 0;                               // of the order for which they were read last
     Shown full_;
     Shown coarse_;
     FilteredPicture filtered_;

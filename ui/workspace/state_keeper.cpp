@@ -116,7 +116,8 @@ bool StateKeeper::keepNow() {
 std::string StateKeeper::end() {
     timer_.stop();
     writer_.waitForDone();
-    const std::string fault = keepState(workspace_->scenario());
+    // Before the first scenario is shown there is nothing to keep, and the last state stays.
+    const std::string fault = workspace_->version() == 0 ? std::string() : keepState(workspace_->scenario());
     if (fault.empty()) {
         if (adoptedShown_ && adopted_) adopted_->remove();
         files_.remove();

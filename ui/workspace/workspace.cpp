@@ -129,7 +129,7 @@ void Workspace::requestRender(bool live) {
     waiting_ = true;
     requests_.emplace_back(version_, past_);
     if (requests_.size() > kMostRequested) requests_.pop_front();
-    worker_->render({scenario_, version_, layer_, toLastStep_, live, levels_});
+    worker_->render({scenario_, version_, layer_, toLastStep_, live, levels_, renewed_});
     reportBusy();
 }
 
@@ -159,7 +159,7 @@ void Workspace::chooseStep(int step) {
     requested.step = std::clamp(step, 0, lastStep(*snapshot_));
     if (requested.step == scenario_.step) return;
     toLastStep_ = false;
-    past_.push({requested, tr("Choose step"), QStringLiteral("step")});
+    past_.push({requested, changeName([] { return tr("Choose step"); }), QStringLiteral("step")});
     apply(requested, false);
 }
 
@@ -175,14 +175,27 @@ void Workspace::setBookmarks(std::vector<relief::Bookmark> bookmarks, const QStr
     change(requested, what);
 }
 
+// Pixel and step are clamped to the picture and, if the bookmark's ray is the one shown, to that ray; the steps of
+// another ray are known only after it is traced.
+relief::Scenario Workspace::at(const relief::Bookmark& bookmark) const {
+    relief::Scenario there = scenario_;
+    there.camera = bookmark.camera;
+    there.pixel = bookmark.pixel;
+    there.step = bookmark.step;
+    clampPixel(there);
+    const bool traced = snapshot_ && snapshot_->version == version_ && onlyNotesDiffer(there, scenario_);
+    if (traced) there.step = std::min(there.step, lastStep(*snapshot_));
+    return there;
+}
+
+bool Workspace::isAt(const relief::Bookmark& bookmark) const {
+    return at(bookmark) == scenario_;
+}
+
 void Workspace::goTo(const relief::Bookmark& bookmark) {
-    relief::Scenario requested = scenario_;
-    requested.camera = bookmark.camera;
-    requested.pixel = bookmark.pixel;
-    requested.step = bookmark.step;
     toLastStep_ = false;
     keepStep_ = true;
-    change(requested, changeName([to = QString::fromStdString(bookmark.name)] { return tr("Go to %1").arg(to); }));
+    change(at(bookmark), changeName([to = QString::fromStdString(bookmark.name)] { return tr("Go to %1").arg(to); }));
     keepStep_ = false;
 }
 
@@ -201,6 +214,7 @@ void Workspace::hideAnswer() {
 void Workspace::setLayer(Layer layer) {
     if (layer == layer_) return;
     layer_ = layer;
+    Q_EMIT layerChanged();
     if (worker_ && version_ > 0) requestRender(false);
 }
 
@@ -326,8 +340,12 @@ void Workspace::takeSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (snapshot_ && snapshot->version < snapshot_->version) return;
     // The index refers to the list of another footprint.
     if (!snapshot_ || snapshot_->footprint != snapshot->footprint) texel_.reset();
+    const auto unread = snapshot_ ? snapshot_->otherProblem : nullptr;
     snapshot_ = std::move(snapshot);
     hideAnswer();
+    if (snapshot_->otherProblem && snapshot_->otherProblem != unread) {
+        Q_EMIT problem(QString::fromStdString(snapshot_->otherProblem->text(uiLanguage())));
+    }
     if (snapshot_->version == version_) {
         const int last = lastStep(*snapshot_);
         const int step = toLastStep_ ? last : std::clamp(scenario_.step, 0, last);
@@ -384,6 +402,12 @@ void Workspace::save(const QString& path) {
     } catch (const relief::InputError& error) {
         Q_EMIT problem(QString::fromStdString(error.text(uiLanguage())));
     }
+}
+
+void Workspace::renew() {
+    if (!worker_ || version_ == 0) return;
+    ++renewed_;
+    requestRender(false);
 }
 
 QString Workspace::traceCommand() const {

@@ -61,8 +61,10 @@ class Workspace : public QObject {
     // Changes breakpoints or bookmarks. They are part of the undo history, but nothing is rendered.
     void setBreakpoints(std::vector<relief::Breakpoint> breakpoints, const QString& what);
     void setBookmarks(std::vector<relief::Bookmark> bookmarks, const QString& what);
-    // Sets camera, pixel and step to those of the bookmark.
+    // Sets camera, pixel and step to those of the bookmark; if its ray has fewer steps, the last one is chosen.
     void goTo(const relief::Bookmark& bookmark);
+    // Returns true if goTo() would change nothing.
+    bool isAt(const relief::Bookmark& bookmark) const;
 
     // Index of the texel under the pointer in the footprint's list, so that all panes that show it highlight it;
     // std::nullopt if the pointer is elsewhere. Not part of the scenario; nothing is computed.
@@ -92,6 +94,9 @@ class Workspace : public QObject {
     // Opens a whole scenario, including its step, as if from a file; `what` is its name in the history.
     void show(const relief::Scenario& scenario, const QString& what);
     void save(const QString& path);
+    // Makes the snapshot again, with what another tracer has written into its files since. If they cannot be read,
+    // emits problem(), and what was read before stays.
+    void renew();
     // Long tasks other than rendering, such as figure export; cancel() cancels them as well.
     BackgroundTasks& tasks() { return tasks_; }
     QString traceCommand() const;  // the `relief trace` command for the chosen pixel
@@ -116,6 +121,7 @@ class Workspace : public QObject {
     void panesChanged();         // the panes' states changed, possibly by undo or with another scenario
     void texelChanged();         // the pointer is over another texel
     void guessingChanged(bool on);
+    void layerChanged();
     void styleChanged();                                  // panes have to be repainted
     void progress(const QString& what, double fraction);  // fraction < 0: finished
     void problem(const QString& oneLine);                 // message for the user; nothing was changed
@@ -137,6 +143,8 @@ class Workspace : public QObject {
         bool whole = false;  // replaces the whole scenario, not only its pictures
     };
 
+    // The scenario after goTo().
+    relief::Scenario at(const relief::Bookmark& bookmark) const;
     void load(Pending pending);
     void finishLoad(const LoadResult& result);
     void accept(const Pending& pending);
@@ -162,6 +170,7 @@ class Workspace : public QObject {
     std::optional<std::size_t> texel_;
     bool guessing_ = false;
     Style style_;
+    std::uint64_t renewed_ = 0;  // how often renew() was called
     History past_;
     History good_;  // history of the state that is shown
     // Histories of the latest requests to the worker, by version; those older than the state shown are removed.

@@ -19,6 +19,8 @@ ChartsView::ChartsView(Workspace* workspace, QWidget* parent)
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
         measuring_ = false;
+        uncounted_ = problem.isEmpty() ? relief::Message(relief::MessageId::DrawCompareStopped)
+                                       : plainText(problem.toStdString());
         if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
         draw();
         showBusy();

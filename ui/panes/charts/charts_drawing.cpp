@@ -205,7 +205,10 @@ ChartsPicture chartsPicture(const ChartsSource& source, double width, double hei
                          language, chart::kTextSize);
         }
     }
-    if (!where.steps.empty() && source.histograms) {
+    if (!where.steps.empty() && !source.histograms) {
+        const Box both = where.steps.joined(where.errors);
+        addParagraph(picture.drawing, both.center(), source.uncounted, both.width(), language, chart::kTextSize);
+    } else if (!where.steps.empty()) {
         picture.steps = stepsHistogram(*source.histograms, source.chosenSteps, where.steps);
         picture.errors = errorHistogram(*source.histograms, where.errors);
         picture.drawing.append(picture.steps->drawing);

@@ -16,10 +16,11 @@ enum class ChartsShown : std::uint8_t { All, Pareto, Histograms };
 
 struct ChartsSource {
     ChartsShown shown = ChartsShown::All;
-    std::shared_ptr<const ParetoSource> pareto;                     // null: not measured yet
-    relief::MessageId missing = relief::MessageId::DrawChartPress;  // message shown if pareto is null
-    std::shared_ptr<const relief::FrameHistograms> histograms;      // null: not counted yet
-    std::int64_t chosenSteps = 0;                                   // of the chosen pixel's ray; 0 without a ray
+    std::shared_ptr<const ParetoSource> pareto;                        // null: not measured yet
+    relief::MessageId missing = relief::MessageId::DrawChartPress;     // message shown if pareto is null
+    std::shared_ptr<const relief::FrameHistograms> histograms;         // null: not counted yet
+    relief::Message uncounted{relief::MessageId::DrawComparePending};  // message shown if histograms is null
+    std::int64_t chosenSteps = 0;                                      // of the chosen pixel's ray; 0 without a ray
 };
 
 enum class BarKind : std::uint8_t { Steps, Exact, Before, Behind, Wrong };

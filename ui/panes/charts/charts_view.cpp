@@ -42,8 +42,9 @@ void ChartsView::showSnapshot() {
     }
     snapshot_ = snapshot;
     if (!snapshot || !snapshot->request || !snapshot->frame) return showEmpty();
+    uncounted_ = relief::Message(relief::MessageId::DrawComparePending);
     draw();
-    if (counted_ == snapshot->frame) return startMeasuring();
+    if (counted()) return startMeasuring();
     measuring_ = false;
     auto made = std::make_shared<std::shared_ptr<const relief::FrameHistograms>>();
     const auto work = [made, snapshot](relief::Work& w) { *made = histogramsOf(*snapshot, w); };
@@ -94,6 +95,7 @@ void ChartsView::measure() {
     const auto done = [this, made] {
         measured_ = made;
         measuring_ = false;
+        if (!counted()) return refresh();  // the measurement has interrupted the counting
         draw();
         showBusy();
     };
@@ -149,8 +151,9 @@ void ChartsView::setMeasure(relief::ErrorMeasure measure) {
 ChartsSource ChartsView::source() const {
     ChartsSource source;
     source.shown = static_cast<ChartsShown>(std::max(shown_->currentIndex(), 0));
-    source.histograms = histograms_;
+    source.uncounted = uncounted_;
     if (!snapshot_) return source;
+    if (counted()) source.histograms = histograms_;
     source.chosenSteps = chosenSteps(*snapshot_);
     const auto measure = static_cast<relief::ErrorMeasure>(std::max(error_->currentIndex(), 0));
     if (measured_) source.pareto = paretoSource(*snapshot_, *measured_, measure);
@@ -210,7 +213,7 @@ void ChartsView::choose(std::size_t point) {
 }
 
 void ChartsView::chooseOf(const HistogramBar& bar) {
-    if (!snapshot_ || !snapshot_->frame || !histograms_ || counted_ != snapshot_->frame || bar.rays == 0) return;
+    if (!counted() || bar.rays == 0) return;
     auto pixels = std::make_shared<std::vector<relief::PixelPlace>>();
     const relief::HistogramBin bin{static_cast<relief::HistogramPart>(bar.kind), bar.bin};
     const auto work = [pixels, bin, data = histograms_, snapshot = snapshot_](relief::Work& w) {
@@ -279,7 +282,9 @@ void ChartsView::readOut(const QPointF& widget) {
 }
 
 std::shared_ptr<const Figure> ChartsView::figure() const {
-    if (!histograms_ || !snapshot_) return nullptr;
+    const ChartsShown shown = source().shown;
+    if (!snapshot_ || (shown == ChartsShown::Pareto && !measured_)) return nullptr;
+    if (shown != ChartsShown::Pareto && !counted()) return nullptr;
     return chartsFigure(std::make_shared<const ChartsSource>(source()), figureCaption(snapshot_));
 }
 

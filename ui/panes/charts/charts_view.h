@@ -66,6 +66,8 @@ class ChartsView : public FigureView {
         change(pane);
     }
     void adopt();  // takes over the scenario's state of this pane
+    // Returns true if the histograms are those of the snapshot's frame.
+    bool counted() const { return snapshot_ && histograms_ && counted_ == snapshot_->frame; }
     void startMeasuring();
     void draw();  // draws again for another pixel, size or style
     void showEmpty();
@@ -86,6 +88,7 @@ class ChartsView : public FigureView {
     std::shared_ptr<const Snapshot> snapshot_;
     std::shared_ptr<const relief::Frame> counted_;  // the frame of the histograms
     std::shared_ptr<const relief::FrameHistograms> histograms_;
+    relief::Message uncounted_{relief::MessageId::DrawComparePending};  // shown until they are counted
     std::shared_ptr<const MeasuredView> measured_;
     ChartsPane pane_;
     ChartsPicture picture_;

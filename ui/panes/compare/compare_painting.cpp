@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "painting/cropped_image.h"
 #include "painting/painter.h"
 #include "panes/result/result_painting.h"
 
@@ -51,9 +52,9 @@ ComparePage comparePage(const CompareSource& source, const Box& page, const Styl
 namespace {
 
 // Paints everything except the pictures: background and legend below them, text above them. draw: called for each
-// visible picture n to paint it into its box (in the painter's units), clipped to the visible part.
+// visible picture n to paint it into its box (in the painter's units), clipped to the part that is seen.
 void paintAround(QPainter& painter, const ComparePage& parts, const Box& page, const Style& style,
-                 const std::function<void(std::size_t n, const QRectF& room)>& draw) {
+                 const std::function<void(std::size_t n, const QRectF& room, const QRectF& seen)>& draw) {
     const ViewMap map{style.pixelsPerPoint(), parts.room.x0, parts.room.y0};
     const auto rectangle = [&](const Box& points) {
         const Box b = map.toScreen(points);
@@ -63,8 +64,9 @@ void paintAround(QPainter& painter, const ComparePage& parts, const Box& page, c
     for (std::size_t n = 0; n < parts.layout.rooms.size(); ++n) {
         if (parts.layout.clips[n].empty()) continue;
         painter.save();
-        painter.setClipRect(rectangle(parts.layout.clips[n]), Qt::IntersectClip);
-        draw(n, rectangle(parts.layout.rooms[n]));
+        const QRectF seen = rectangle(parts.layout.clips[n]);
+        painter.setClipRect(seen, Qt::IntersectClip);
+        draw(n, rectangle(parts.layout.rooms[n]), seen);
         painter.restore();
     }
     paint(painter, parts.layout.drawing, map, style, page);
@@ -82,7 +84,7 @@ void markPixel(QPainter& painter, const relief::PixelChoice& pixel, int width, c
 void paintCompare(QPainter& painter, const ComparedView& view, const relief::Comparison& how, const ComparePage& parts,
                   const Box& page, const Style& style, std::optional<relief::PixelChoice> pixel,
                   const std::function<QRectF(const QRectF& room)>& place) {
-    paintAround(painter, parts, page, style, [&](std::size_t n, const QRectF& room) {
+    paintAround(painter, parts, page, style, [&](std::size_t n, const QRectF& room, const QRectF&) {
         if (n >= view.pictures.size() || view.pictures[n].picture.isNull()) return;
         const ComparedPicture& picture = view.pictures[n];
         const QRectF target = place(room);
@@ -100,12 +102,13 @@ void paintCompare(QPainter& painter, const ComparedView& view, const relief::Com
 void paintRedrawn(QPainter& painter, const std::vector<QImage>& pictures, const ComparePage& parts, const Box& page,
                   const Style& style, const relief::Scenario& scenario) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-    paintAround(painter, parts, page, style, [&](std::size_t n, const QRectF& room) {
+    paintAround(painter, parts, page, style, [&](std::size_t n, const QRectF& room, const QRectF& seen) {
         if (n >= pictures.size() || pictures[n].isNull()) return;
         QRectF target(room.topLeft(), QSizeF(room.width(), room.width() * pictures[n].height() / pictures[n].width()));
         const bool pixels = room.width() - pictures[n].width() < 1 && room.width() >= pictures[n].width() - 1e-6;
         if (pixels) target = {QPointF(room.topLeft().toPoint()), QSizeF(pictures[n].size())};
-        painter.drawImage(target, pictures[n]);
+        // A picture that is not divided is drawn whole, although its box may be a fraction of a pixel lower.
+        drawImageIn(painter, target, pictures[n], seen == room ? target : seen);
         if (scenario.pixel) markPixel(painter, *scenario.pixel, scenario.width, target, style);
     });
 }

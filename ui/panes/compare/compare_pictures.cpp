@@ -250,6 +250,7 @@ bool ComparePictures::moveDivider(QKeyEvent* event) {
     const std::size_t count = layout_.dividers.size();
     held_ = std::min(held_, count - 1);
     if (key == Qt::Key_Up || key == Qt::Key_Down) {
+        if (count > 1) workspace()->finishInteraction();  // the moves of each are an undo step of their own
         held_ = (held_ + (key == Qt::Key_Down ? 1 : count - 1)) % count;
         Q_EMIT hovered(tr("divider %1 of %2").arg(held_ + 1).arg(count));
         return true;

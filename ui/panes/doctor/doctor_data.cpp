@@ -32,13 +32,13 @@ void draw(DoctorReport& report, const relief::HeightField& field) {
 }  // namespace
 
 DoctorSubject::DoctorSubject(const Snapshot& snapshot)
-    : scenario(snapshot.scenario), heights(snapshot.request->field.identity()) {}
+    : scenario(snapshot.scenario), files(snapshot.otherFiles), heights(snapshot.request->field.identity()) {}
 
 bool DoctorSubject::of(const Snapshot& snapshot) const {
     const relief::Scenario& now = snapshot.scenario;
-    return scenario.other.rays == now.other.rays && scenario.other.steps == now.other.steps &&
-           heights == snapshot.request->field.identity() && scenario.address == now.address &&
-           scenario.surface == now.surface && scenario.reliefDepth == now.reliefDepth;
+    return files == snapshot.otherFiles && heights == snapshot.request->field.identity() &&
+           scenario.address == now.address && scenario.surface == now.surface &&
+           scenario.reliefDepth == now.reliefDepth;
 }
 
 Message DoctorReport::nameOf(std::size_t ray) const {
@@ -50,9 +50,10 @@ std::shared_ptr<const DoctorReport> doctorReport(const Snapshot& snapshot, relie
     const relief::HeightField& field = snapshot.request->field;
     auto report = std::make_shared<DoctorReport>(snapshot);
     const relief::OtherTracer& other = snapshot.scenario.other;
-    const relief::TracerRecord record = relief::tracerRecord(relief::readRayFiles(other), field, other.steps);
+    const relief::TracerRecord record = relief::tracerRecord(*snapshot.otherFiles, field, other.steps);
     work.throwIfStopped();
-    report->view = relief::readRaysView(other.rays, record.rays.size());
+    if (snapshot.otherFiles->viewProblem) throw *snapshot.otherFiles->viewProblem;
+    report->view = snapshot.otherFiles->view;
     report->diagnosis = relief::diagnose(record, field, work);
     report->rays = record.rays;
     const relief::Diagnosis& found = report->diagnosis;

@@ -10,9 +10,10 @@
 
 namespace reliefui {
 
-// What is diagnosed: the files, and the relief over which their rays run.
+// What is diagnosed: the files as they were read, and the relief over which their rays run.
 struct DoctorSubject {
     relief::Scenario scenario;
+    std::shared_ptr<const OtherFiles> files;
     std::shared_ptr<const void> heights;
 
     explicit DoctorSubject(const Snapshot& snapshot);

@@ -17,6 +17,14 @@ namespace reliefui {
 using relief::Message;
 using relief::MessageId;
 
+namespace {
+
+Message failure(const std::string& why) {
+    return Message(MessageId::DoctorFailed, {{"why", why}});
+}
+
+}  // namespace
+
 DoctorView::DoctorView(Workspace* workspace, QWidget* parent)
     : FigureView(workspace, tr("Doctor"), QStringLiteral("doctor"), tr("Export the diagnosis"), parent),
       canvas_(new DrawingCanvas(this)),
@@ -24,8 +32,7 @@ DoctorView::DoctorView(Workspace* workspace, QWidget* parent)
     setFace(canvas_);
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
-        problem_ = problem.isEmpty() ? Message(MessageId::DoctorStopped)
-                                     : Message(MessageId::DoctorFailed, {{"why", problem.toStdString()}});
+        problem_ = problem.isEmpty() ? Message(MessageId::DoctorStopped) : failure(problem.toStdString());
         redraw();
         showBusy();
     };
@@ -54,7 +61,7 @@ DoctorView::DoctorView(Workspace* workspace, QWidget* parent)
     column->setSpacing(0);
     column->addLayout(bar);
     column->addWidget(split, 1);
-    connect(run_, &QToolButton::clicked, this, [this] { job_->busy() ? void(cancel()) : diagnose(); });
+    connect(run_, &QToolButton::clicked, this, [this] { job_->busy() ? void(cancel()) : readAgain(); });
     const auto chooseRow = [this](const QListWidgetItem* item) {
         const auto row = static_cast<std::size_t>(list_->row(item));
         if (report_ && row < report_->worst.size() && report_->worst[row]) chooseRay(*report_->worst[row]);
@@ -68,6 +75,7 @@ DoctorView::DoctorView(Workspace* workspace, QWidget* parent)
         const auto ray = report_ ? doctorRayAt(*report_, canvas_->toDrawing(widget)) : std::nullopt;
         if (ray) chooseRay(*ray);
     });
+    connect(workspace_, &Workspace::busyChanged, this, &DoctorView::noteCancelled);
     connect(workspace_, &Workspace::styleChanged, this, [this] {
         fillList();
         redraw();
@@ -86,11 +94,10 @@ bool DoctorView::outdated() const {
 void DoctorView::showSnapshot() {
     const PauseLog::Part part("doctor");
     const auto snapshot = workspace_->snapshot();
-    if (!snapshot || !snapshot->request || !snapshot->scenario.other) {
-        job_->drop();
-        report_.reset();
-        problem_.reset();
-        fillList();
+    if (!snapshot || !snapshot->request || !snapshot->scenario.other || snapshot->otherProblem) {
+        forget();
+        if (snapshot && snapshot->otherProblem)
+            problem_ = failure(snapshot->otherProblem->text(workspace_->style().language));
         redraw();
         return showBusy();
     }
@@ -121,6 +128,29 @@ void DoctorView::diagnose() {
     showBusy();
 }
 
+// The snapshot with the files' new contents starts the diagnosis.
+void DoctorView::readAgain() {
+    forget();
+    redraw();
+    showBusy();
+    workspace_->renew();
+}
+
+// The reading can be cancelled as well; no snapshot comes then.
+void DoctorView::noteCancelled(bool busy) {
+    if (busy || report_ || asked_ || problem_ || !workspace_->scenario().other) return;
+    problem_ = Message(MessageId::DoctorStopped);
+    redraw();
+}
+
+void DoctorView::forget() {
+    job_->drop();
+    report_.reset();
+    asked_.reset();
+    problem_.reset();
+    fillList();
+}
+
 bool DoctorView::cancel() {
     return job_->cancel();
 }
@@ -139,11 +169,7 @@ void DoctorView::chooseRay(std::size_t ray) {
 }
 
 void DoctorView::releaseContents() {
-    job_->drop();
-    report_.reset();
-    asked_.reset();
-    problem_.reset();
-    fillList();
+    forget();
     canvas_->releaseContents();
     setReadout({});
 }

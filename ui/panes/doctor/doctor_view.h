@@ -44,6 +44,9 @@ class DoctorView : public FigureView {
     void releaseContents() override;
 
   private:
+    void readAgain();
+    void noteCancelled(bool busy);
+    void forget();  // the report, and what was asked
     void redraw();
     void fillList();
     void showBusy();

@@ -77,6 +77,8 @@ DrawnGrid::DrawnGrid(Workspace* workspace, QWidget* parent) : QWidget(parent), w
 
 void DrawnGrid::choose(std::optional<std::pair<int, int>> texel) {
     if (texel == chosen_) return;
+    // Each texel's changes are an undo step of their own, except those of the columns that one drag draws.
+    if (!dragging_) workspace_->finishInteraction();
     chosen_ = texel;
     refresh();
     Q_EMIT chosenChanged();

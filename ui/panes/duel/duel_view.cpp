@@ -68,6 +68,7 @@ DuelView::DuelView(Workspace* workspace, QWidget* parent)
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
         if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
+        releaseContents();
         verdict_->setText(tr("There is no duel, because it was cancelled or failed."));
     };
     listener.progress = [this](const QString& what, double fraction) {
@@ -139,6 +140,7 @@ void DuelView::showSnapshot() {
     if (!snapshot || !snapshot->request || !snapshot->trace.onRelief || snapshot->trace.hidden) {
         job_->drop();
         duel_.reset();
+        jump_ = false;
         model_->show(nullptr, workspace_->style());
         verdict_->clear();
         const bool sky = snapshot && snapshot->scenario.pixel;
@@ -154,6 +156,7 @@ void DuelView::showSnapshot() {
 void DuelView::releaseContents() {
     job_->drop();
     duel_.reset();
+    jump_ = false;
     source_ = {};
     model_->show(nullptr, workspace_->style());
     verdict_->clear();
@@ -309,10 +312,9 @@ void DuelView::last() {
 }
 
 void DuelView::toDivergence() {
-    // If the duel is still being computed, the jump follows when it is ready.
-    jump_ = !duel_ || !isUpToDate();
-    if (jump_) return;
-    goToDivergence();
+    // If the duel is still being computed, the jump follows when it is ready; if there is none, there is no jump.
+    jump_ = !isUpToDate() || (!duel_ && workspace_->busy());
+    if (duel_ && !jump_) goToDivergence();
 }
 
 void DuelView::goToDivergence() {

@@ -142,6 +142,7 @@ void FootprintView::showSnapshot() {
     if (!footprint_) {
         using relief::MessageId;
         const bool hit = shown_ && shown_->trace.onRelief;
+        if (hit && shown_->trace.hidden) return showEmpty(MessageId::DrawHidden);
         if (hit && shown_->request && FilteredPicture::tooLarge(*shown_->request)) {
             showEmpty(MessageId::DrawFootprintTooLarge);
             return;

@@ -1,11 +1,15 @@
 #include "panes/formula/formula_view.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "painting/painter.h"
+#include "painting/paragraph.h"
 #include "panes/formula/formula_figure.h"
 #include "workspace/pause_log.h"
 
@@ -25,9 +29,9 @@ double FormulaFace::margin() const {
     return kFigureMargin * style_.pixelsPerPoint();
 }
 
-void FormulaFace::setGroups(std::vector<FormulaGroup> groups, relief::MessageId missing, const Style& style) {
+void FormulaFace::setGroups(std::vector<FormulaGroup> groups, relief::Message missing, const Style& style) {
     groups_ = std::move(groups);
-    missing_ = missing;
+    missing_ = std::move(missing);
     style_ = style;
     layOut();
     readAgain();
@@ -59,7 +63,9 @@ void FormulaFace::paintEvent(QPaintEvent*) {
     QPainter painter(viewport());
     painter.scale(1 / ratio, 1 / ratio);
     if (groups_.empty()) {
-        const Drawing words = messageDrawing(missing_);
+        Drawing words;
+        words.bounds = {0, 0, std::max(1.0, viewport()->width() / style_.pixelsPerPoint() - 2 * kFigureMargin), 1};
+        addParagraph(words, words.bounds.center(), missing_, words.bounds.width(), style_.language);
         return paintFigure(painter, {&words}, {}, screen, style);
     }
     painter.fillRect(QRectF(0, 0, screen.x1, screen.y1), toColor(style.background()));

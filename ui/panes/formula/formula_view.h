@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <QAbstractScrollArea>
 
@@ -18,7 +20,10 @@ class FormulaFace : public QAbstractScrollArea {
     explicit FormulaFace(QWidget* parent);
 
     // Without groups, shows the message `missing`.
-    void setGroups(std::vector<FormulaGroup> groups, relief::MessageId missing, const Style& style);
+    void setGroups(std::vector<FormulaGroup> groups, relief::Message missing, const Style& style);
+    void setGroups(std::vector<FormulaGroup> groups, relief::MessageId missing, const Style& style) {
+        setGroups(std::move(groups), relief::Message(missing), style);
+    }
     const FormulaSheet& sheet() const { return sheet_; }
     // The row at this point of the viewport as one line of text; empty if there is none.
     QString rowAt(const QPointF& at) const;
@@ -39,7 +44,7 @@ class FormulaFace : public QAbstractScrollArea {
     void readAgain();
 
     std::vector<FormulaGroup> groups_;
-    relief::MessageId missing_{};
+    relief::Message missing_;
     Style style_;
     FormulaSheet sheet_;
     std::optional<QPointF> pointer_;  // where the pointer is; none while it is elsewhere

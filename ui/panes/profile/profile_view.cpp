@@ -49,6 +49,7 @@ ProfileView::ProfileView(Workspace* workspace, QWidget* parent)
     connect(workspace_, &Workspace::stepChanged, this, &ProfileView::refreshStep);
     connect(workspace_, &Workspace::styleChanged, this, &ProfileView::refresh);
     takeProfile(options_, pane_);
+    options_.guessing = workspace_->guessing();
     adopt();
     refresh();
 }
@@ -63,6 +64,7 @@ void ProfileView::makeBar() {
                             tr("Use one scale across and upwards, which shows the relief's true shape"), true);
     guess_ = addToolButton(bar, tr("guess"), tr("Hide the answer until a click guesses where the ray hits (G)"), true);
     guess_->setObjectName(QStringLiteral("guess"));
+    guess_->setChecked(workspace_->guessing());
     auto* const fit = addToolButton(bar, tr("fit"),
                                     tr("Show all of the ray (R); wheel zooms, drag moves, click chooses a step, "
                                        "Ctrl+click shows the distances at a point"));

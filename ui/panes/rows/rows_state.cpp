@@ -1,6 +1,7 @@
 #include "panes/rows/rows_state.h"
 
 #include "measuring/bench/bench_rows.h"
+#include "panes/rows/rows_drawing.h"
 #include "scenario/row_methods.h"
 #include "workspace/pane_store.h"
 
@@ -9,8 +10,9 @@ namespace reliefui {
 void RowsPane::read(relief::JsonReader reader) {
     if (reader.has("variants")) variants.clear();
     reader.readTexts("variants", [&](const std::string& text) {
-        relief::parseRowMethod(text, "variants");
-        variants.push_back(text);
+        const relief::RowMethod method = relief::parseRowMethod(text, "variants");
+        // Files of the first version may also name other row methods, of which this pane draws nothing.
+        if (std::holds_alternative<relief::RowVariant>(method.description->kind)) variants.push_back(text);
     });
     reader.readWhole("pixels", pixels);
     reader.read("double", inDouble);
@@ -20,7 +22,7 @@ void RowsPane::read(relief::JsonReader reader) {
 
 void RowsPane::check(const std::string& subject) const {
     checkWithin(subject, "variants", static_cast<double>(variants.size()), 0, kMostRowVariants);
-    for (const std::string& variant : variants) relief::parseRowMethod(variant, "variants");
+    rowMethods({.methods = variants}, "variants");  // throws
     checkWithin(subject, "pixels", pixels, 0, static_cast<double>(relief::kWidestRow));
 }
 

@@ -201,6 +201,7 @@ void RowsView::choosePixel(const QPointF& widget) {
     // A pixel of the widened row lies within one of the picture's.
     const double scale = static_cast<double>(snapshot_->scenario.width) / static_cast<double>(data_->place.width);
     const auto x = static_cast<int>((static_cast<double>(at.pixel) + 0.5) * scale);
+    workspace_->finishInteraction();  // each click is an undo step of its own
     workspace_->choosePixel(x, data_->place.line);
 }
 

@@ -311,10 +311,12 @@ void StepTable::resizeEvent(QResizeEvent* event) {
 void StepTable::followStep(int step) {
     const auto snapshot = workspace_->snapshot();
     if (!snapshot || snapshot->trace.steps.empty()) return;
-    const int row = std::clamp(step, 0, static_cast<int>(snapshot->trace.steps.size()) - 1);
+    const QModelIndex index = indexOf(std::clamp(step, 0, static_cast<int>(snapshot->trace.steps.size()) - 1));
+    // The step was chosen in the table: making its row current again would undo the selection of several rows.
+    if (table_->currentIndex().row() == index.row()) return;
     following_ = true;
-    table_->setCurrentIndex(indexOf(row));
-    table_->scrollTo(indexOf(row));
+    table_->setCurrentIndex(index);
+    table_->scrollTo(index);
     following_ = false;
 }
 

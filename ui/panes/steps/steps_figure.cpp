@@ -23,7 +23,8 @@ TableSource stepTable(const std::shared_ptr<const Snapshot>& shown, int step, re
     model.show(shown, style);
     const PixelTrace& trace = shown->trace;
     TableSource table;
-    for (int c = 0; c < StepModel::Columns; ++c) {
+    const int columns = model.columnCount();
+    for (int c = 0; c < columns; ++c) {
         table.titles.push_back(text(model.headerData(c, Qt::Horizontal, Qt::DisplayRole)));
         table.numbers.push_back(c != StepModel::Decision);
     }
@@ -38,7 +39,7 @@ TableSource stepTable(const std::shared_ptr<const Snapshot>& shown, int step, re
                                                                         steps.size() - kMostTableRows);
     for (std::size_t k = first; k < std::min(steps.size(), first + kMostTableRows); ++k) {
         TableRow row;
-        for (int c = 0; c < StepModel::Columns; ++c) {
+        for (int c = 0; c < columns; ++c) {
             row.cells.push_back(text(model.data(model.index(static_cast<int>(k), c), Qt::DisplayRole)));
         }
         row.chosen = k == chosen;

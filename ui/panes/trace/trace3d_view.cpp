@@ -122,7 +122,7 @@ void Trace3dView::showSnapshot() {
     const auto snapshot = workspace_->snapshot();
     const auto& shown = picture_.shown();
     const bool same = shown && snapshot && shown->version == snapshot->version && shown->coarse == snapshot->coarse &&
-                      shown->trace.hidden == snapshot->trace.hidden;
+                      shown->otherFiles == snapshot->otherFiles && shown->trace.hidden == snapshot->trace.hidden;
     if (same && becameVisible()) showStep(workspace_->scenario().step);
     if (same) return;
     note_->setToolTip({});

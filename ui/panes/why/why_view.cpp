@@ -17,7 +17,9 @@ WhyView::WhyView(Workspace* workspace, QWidget* parent)
     column->addWidget(face_);
     LatestJob::Listener listener;
     listener.failed = [this](const QString& problem) {
-        if (!problem.isEmpty()) Q_EMIT workspace_->problem(problem);
+        if (problem.isEmpty()) return showEmpty(relief::MessageId::DrawCompareStopped);
+        showEmpty(plainText(problem.toStdString()));
+        Q_EMIT workspace_->problem(problem);
     };
     listener.progress = [](const QString&, double) {};
     job_ = std::make_unique<LatestJob>(this, std::move(listener));
@@ -59,11 +61,11 @@ void WhyView::draw() {
     face_->setGroups(whyGroups(*history_, *shown_->request, style.language), relief::MessageId::WhyComputing, style);
 }
 
-void WhyView::showEmpty(relief::MessageId why) {
+void WhyView::showEmpty(relief::Message why) {
     job_->drop();
     history_.reset();
     shown_.reset();
-    face_->setGroups({}, why, workspace_->style());
+    face_->setGroups({}, std::move(why), workspace_->style());
     setReadout({});
 }
 

@@ -35,7 +35,8 @@ class WhyView : public FigureView {
 
   private:
     void draw();
-    void showEmpty(relief::MessageId why);
+    void showEmpty(relief::Message why);
+    void showEmpty(relief::MessageId why) { showEmpty(relief::Message(why)); }
 
     FormulaFace* face_;
     std::shared_ptr<const Snapshot> shown_;  // of the history
